@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What each command of the program was asked, and the functions that do it.
+/// Results go to stdout, messages to stderr. @throws Refusal, std::domain_error
+namespace swayaw::app {
+
+struct SimulateArguments {
+  std::filesystem::path ship;
+  std::string zigzag;               ///< "D/H" in degrees, or empty
+  std::optional<double> turn;       ///< [deg]
+  std::string first = "starboard";  ///< side turned to first
+  std::optional<double> speed;      ///< [m/s]
+  std::optional<double> duration;   ///< [s]
+  std::optional<double> step;       ///< [s]
+  double tolerance = 1e-9;
+  std::filesystem::path out;        ///< empty: no time series
+  bool json = false;
+};
+void simulate(const SimulateArguments& arguments);
+
+struct ReplayArguments {
+  std::filesystem::path ship;
+  std::filesystem::path run;
+  std::string shaft = "recorded";
+  std::filesystem::path out;
+  bool json = false;
+};
+void replay(const ReplayArguments& arguments);
+
+struct CompareArguments {
+  std::filesystem::path ship;
+  std::vector<std::filesystem::path> runs;
+  std::string shaft = "recorded";
+  double window_lengths = 2.0;
+  std::filesystem::path report;  ///< empty: no page
+  bool json = false;
+  bool markdown = false;
+};
+void compare(const CompareArguments& arguments);
+
+}  // namespace swayaw::app

@@ -1,0 +1,188 @@
+#include "swayaw/mismatch/compare.hpp"
+
+#include <algorithm>
+
+#include "commands.hpp"
+#include "input.hpp"
+#include "json.hpp"
+#include "swayaw/app/report.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/atomic_file.hpp"
+#include "swayaw/core/version.hpp"
+#include "swayaw/nonlinear/ship_file.hpp"
+
+namespace swayaw::app {
+namespace {
+
+// ---------------------------------------------------------------- JSON
+
+Json region_json(const RegionError& r) {
+  return {{"variable", name_of(r.variable)}, {"from", number(r.from)}, {"to", number(r.to)}, {"samples", r.samples},
+          {"rms", number(r.rms)},            {"bias", number(r.bias)}, {"share", number(r.share)}};
+}
+
+Json worst_region_json(const std::optional<RegionError>& region) {
+  if (!region) return nullptr;
+  Json json = region_json(*region);
+  json["words"] = words_for(*region);
+  return json;
+}
+
+Json interval_json(const std::optional<WorstInterval>& worst) {
+  if (!worst) return nullptr;
+  return {{"from_s", worst->from}, {"to_s", worst->to}, {"share", number(worst->share)}, {"rms", number(worst->rms)}};
+}
+
+Json error_json(const QuantityError& e) {
+  Json by_region = Json::array();
+  for (const auto& region : e.regions) by_region.push_back(region_json(region));
+  return {{"quantity", name_of(e.quantity)},
+          {"unit", unit_of(e.quantity)},
+          {"variation", number(e.variation)},
+          {"noise", number(e.noise)},
+          {"window_rms", number(e.window_rms)},
+          {"normalised", number(e.normalised())},
+          {"bias", number(e.bias)},
+          {"open_loop_rms", number(e.open_loop_rms)},
+          {"open_loop_normalised", number(e.open_loop_normalised())},
+          {"worst", interval_json(e.worst)},
+          {"region", worst_region_json(e.region)},
+          {"by_region", std::move(by_region)}};
+}
+
+Json run_json(const Comparison& c) {
+  Json quantities = Json::array();
+  for (const auto& e : c.errors) quantities.push_back(error_json(e));
+  const auto& manoeuvre = c.recorded.facts.manoeuvre;
+  return {{"run", c.recorded.name},
+          {"manoeuvre", manoeuvre.empty() ? Json(nullptr) : Json(manoeuvre)},
+          {"duration_s", c.recorded.time.back() - c.recorded.time.front()},
+          {"samples", c.recorded.samples()},
+          {"windows", c.window_starts.size()},
+          {"quantities", std::move(quantities)}};
+}
+
+Json document_of(const Ship& ship, const CompareArguments& a, const std::vector<Comparison>& comparisons) {
+  Json runs = Json::array();
+  for (const auto& c : comparisons) runs.push_back(run_json(c));
+  return {{"schema", "swayaw.comparison/1"},
+          {"version", version()},
+          {"ship", ship.name},
+          {"ship_file", a.ship.string()},
+          {"length_m", length(ship)},
+          {"verdict", verdict(comparisons)},
+          {"window_ship_lengths", a.window_lengths},
+          {"runs", std::move(runs)}};
+}
+
+// ---------------------------------------------------------------- series for the page
+
+Json channels_json(const Recording& run, const std::vector<std::size_t>& breaks) {
+  Json series = Json::object();
+  const auto add = [&](std::string_view name, std::span<const double> values) {
+    auto list = numbers(values);
+    for (const auto i : breaks) list[i] = nullptr;
+    series[std::string(name)] = std::move(list);
+  };
+  for (const auto channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r, Channel::delta})
+    if (run.has(channel)) add(column_name(channel), run[channel]);
+  if (!run.has(Channel::u) && run.has(Channel::speed_through_water)) add("u_m_s", run[Channel::speed_through_water]);
+  if (tells(run, Quantity::drift)) add("drift_rad", values_of(run, Quantity::drift));
+  return series;
+}
+
+Json series_json(const Comparison& c) {
+  return {{"time_s", numbers(c.recorded.time)},
+          {"recorded", channels_json(c.recorded, {})},
+          {"open_loop", channels_json(c.open_loop, {})},
+          {"windows", channels_json(c.restarted, c.window_starts)}};
+}
+
+void write_report(Json document, const std::vector<Comparison>& comparisons, const std::filesystem::path& file) {
+  for (std::size_t i = 0; i < comparisons.size(); ++i) document["runs"][i]["series"] = series_json(comparisons[i]);
+  write_text(file, comparison_page(nlohmann::json::parse(document.dump())));
+  fmt::print(stderr, "swayaw: report written to {}\n", file.string());
+}
+
+// ---------------------------------------------------------------- text
+
+/// An error in the unit that people read.
+std::string shown(Quantity quantity, double value) {
+  switch (quantity) {
+    case Quantity::heading:
+    case Quantity::drift: return fmt::format("{:.2f} deg", degrees(value));
+    case Quantity::yaw_rate: return fmt::format("{:.3f} deg/s", degrees(value));
+    case Quantity::speed: return fmt::format("{:.3f} m/s", value);
+    case Quantity::position: return fmt::format("{:.2f} m", value);
+  }
+  return {};
+}
+
+std::string interval_words(const QuantityError& e) {
+  if (!e.worst) return "-";
+  return fmt::format("{:.5g}-{:.5g} s ({:.0f} %)", e.worst->from, e.worst->to, 100.0 * e.worst->share);
+}
+
+std::string region_text(const QuantityError& e) {
+  return e.region ? fmt::format("{}: {}", words_for(*e.region), shown(e.quantity, e.region->rms)) : "-";
+}
+
+std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
+
+/// One row for each quantity of a run.
+std::vector<std::vector<std::string>> rows_of(const Comparison& c) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& e : c.errors)
+    rows.push_back({std::string(name_of(e.quantity)), shown(e.quantity, e.window_rms), percent(e.normalised()), shown(e.quantity, e.bias),
+                    shown(e.quantity, e.open_loop_rms), interval_words(e), region_text(e)});
+  return rows;
+}
+
+const std::vector<std::string> headings{"quantity", "window error", "of variation", "bias", "whole run", "worst interval", "worst region"};
+
+void print_table(const Comparison& c) {
+  fmt::print("\n{}", c.recorded.name);
+  if (!c.recorded.facts.manoeuvre.empty()) fmt::print(": {}", c.recorded.facts.manoeuvre);
+  fmt::print(", {:.5g} s, {} windows\n", c.recorded.time.back() - c.recorded.time.front(), c.window_starts.size());
+  const auto print_row = [](const std::vector<std::string>& cell) {
+    fmt::print("  {:<10}{:>15}{:>14}{:>15}{:>15}  {:<24}{}\n", cell[0], cell[1], cell[2], cell[3], cell[4], cell[5], cell[6]);
+  };
+  print_row(headings);
+  for (const auto& row : rows_of(c)) print_row(row);
+}
+
+void print_markdown(const std::vector<Comparison>& comparisons) {
+  fmt::print("| run | {} |\n|---|{}|\n", fmt::join(headings, " | "), "---|---:|---:|---:|---:|---|---");
+  for (const auto& c : comparisons) {
+    const auto name = std::filesystem::path(c.recorded.name).stem().string();
+    for (const auto& row : rows_of(c)) fmt::print("| {} | {} |\n", name, fmt::join(row, " | "));
+  }
+}
+
+void print_text(const Ship& ship, const CompareArguments& a, const std::vector<Comparison>& comparisons) {
+  fmt::print("{}\n", ship.name);
+  fmt::print("The simulation takes up the recorded state every {:g} ship lengths; errors are simulated minus recorded.\n", a.window_lengths);
+  for (const auto& c : comparisons) print_table(c);
+  fmt::print("\n{}\n", verdict(comparisons));
+}
+
+}  // namespace
+
+void compare(const CompareArguments& a) {
+  const Ship ship = read_ship(a.ship);
+  const CompareOptions options{.window_lengths = a.window_lengths, .replay = {.shaft = shaft_named(a.shaft)}};
+  std::vector<Recording> runs;
+  for (const auto& file : a.runs) runs.push_back(load_run(file));
+  std::vector<Comparison> comparisons;
+  for (const auto& run : runs) {
+    tell_shaft(run, options.replay.shaft);
+    comparisons.push_back(swayaw::compare(ship, run, options));
+  }
+  const Json document = document_of(ship, a, comparisons);
+  if (!a.report.empty()) write_report(document, comparisons, a.report);
+  if (a.json) fmt::print("{}\n", document.dump(2));
+  else if (a.markdown) print_markdown(comparisons);
+  else print_text(ship, a, comparisons);
+}
+
+}  // namespace swayaw::app

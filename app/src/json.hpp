@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
+
+/// Numbers in JSON: full precision, null for what is missing or not finite.
+namespace swayaw::app {
+
+using Json = nlohmann::ordered_json;
+
+inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+inline Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+inline Json numbers(std::span<const double> values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number(value));
+  return list;
+}
+
+}  // namespace swayaw::app

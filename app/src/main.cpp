@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "commands.hpp"
+#include "spelling.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/core/version.hpp"
+
+/// The program. Exit code 0: done; 1: the data or the question is bad; 2: wrong usage.
+namespace swayaw::app {
+namespace {
+
+constexpr int done = 0, bad_data = 1, wrong_usage = 2;
+constexpr std::array<std::string_view, 3> commands{"compare", "replay", "simulate"};
+
+const CLI::Validator zigzag_form(
+    [](std::string& text) {
+      const auto slash = text.find('/');
+      double rudder = 0.0, heading = 0.0;
+      const bool two_numbers = slash != std::string::npos && CLI::detail::lexical_cast(text.substr(0, slash), rudder) &&
+                               CLI::detail::lexical_cast(text.substr(slash + 1), heading);
+      return two_numbers ? std::string{} : "\"" + text + "\" is not of the form D/H, two angles in degrees like 20/10";
+    },
+    "D/H");
+
+const CLI::Validator side_name = CLI::IsMember({"port", "starboard"});
+
+void add_ship(CLI::App& command, std::filesystem::path& ship) {
+  command.add_option("SHIP", ship, "ship file (TOML)")->required();
+}
+
+void add_shaft(CLI::App& command, std::string& shaft) {
+  command.add_option("--shaft", shaft, "shaft speed: recorded, or the model's self-propulsion point at the recorded starting speed")
+      ->check(CLI::IsMember({"recorded", "self-propulsion"}))
+      ->capture_default_str();
+}
+
+void add_simulate(CLI::App& app, SimulateArguments& a) {
+  auto& command = *app.add_subcommand("simulate", "run a standard manoeuvre and print its indices");
+  add_ship(command, a.ship);
+  auto& manoeuvre = *command.add_option_group("manoeuvre", "one of");
+  manoeuvre.add_option("--zigzag", a.zigzag, "zigzag, rudder D and heading H in degrees")->check(zigzag_form);
+  manoeuvre.add_option("--turn", a.turn, "turning circle, rudder in degrees")->check(CLI::PositiveNumber);
+  manoeuvre.require_option(1);
+  command.add_option("--first", a.first, "side turned to first")->check(side_name)->capture_default_str();
+  command.add_option("--speed", a.speed, "approach speed in m/s (default: service speed)")->check(CLI::PositiveNumber);
+  command.add_option("--duration", a.duration, "seconds (default: until the indices are known)")->check(CLI::PositiveNumber);
+  command.add_option("--step", a.step, "seconds between samples of the time series")->check(CLI::PositiveNumber);
+  command.add_option("--tolerance", a.tolerance, "error of an integration step, relative to ship length and speed")
+      ->check(CLI::Range(1e-13, 1e-2))
+      ->capture_default_str();
+  command.add_option("--out", a.out, "time series to this file (CSV)");
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { simulate(a); });
+}
+
+void add_replay(CLI::App& app, ReplayArguments& a) {
+  auto& command = *app.add_subcommand("replay", "simulate a recorded run with its rudder and shaft speed");
+  add_ship(command, a.ship);
+  command.add_option("RUN", a.run, "recording (CSV)")->required();
+  add_shaft(command, a.shaft);
+  command.add_option("--out", a.out, "time series to this file (CSV)")->required();
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { replay(a); });
+}
+
+void add_compare(CLI::App& app, CompareArguments& a) {
+  auto& command = *app.add_subcommand("compare", "say where simulation and recordings differ");
+  add_ship(command, a.ship);
+  command.add_option("RUN", a.runs, "recordings (CSV)")->required();
+  add_shaft(command, a.shaft);
+  command.add_option("--window", a.window_lengths, "ship lengths of way between restarts from the recorded state")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--report", a.report, "write an HTML page that needs no network");
+  auto* json = command.add_flag("--json", a.json, "print one JSON document");
+  command.add_flag("--markdown", a.markdown, "print one Markdown table")->excludes(json);
+  command.callback([&a] { compare(a); });
+}
+
+/// Says what was probably meant by a command that does not exist. @return whether there was one
+bool refuse_unknown_command(int count, char** words) {
+  if (count < 2 || words[1][0] == '-') return false;
+  const std::string_view typed = words[1];
+  if (std::ranges::count(commands, typed) > 0) return false;
+  const auto nearest = nearest_word(typed, commands);
+  fmt::print(stderr, "swayaw: there is no command \"{}\"{}\n", typed, nearest.empty() ? "; try swayaw --help" : fmt::format("; did you mean \"{}\"?", nearest));
+  return true;
+}
+
+int run(int count, char** words) {
+  if (refuse_unknown_command(count, words)) return wrong_usage;
+  CLI::App app("Ship steering dynamics: simulate manoeuvres and say where a model and a recording differ.", "swayaw");
+  app.set_version_flag("--version", "swayaw " + std::string(version()));
+  app.require_subcommand(1);
+  SimulateArguments simulate_arguments;
+  ReplayArguments replay_arguments;
+  CompareArguments compare_arguments;
+  add_simulate(app, simulate_arguments);
+  add_replay(app, replay_arguments);
+  add_compare(app, compare_arguments);
+  try {
+    app.parse(count, words);
+    return done;
+  } catch (const CLI::Success& request) {
+    return app.exit(request);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "swayaw: {}; try swayaw {}--help\n", error.what(), count > 1 && words[1][0] != '-' ? std::string(words[1]) + " " : "");
+    return wrong_usage;
+  }
+}
+
+}  // namespace
+}  // namespace swayaw::app
+
+int main(int count, char** words) {
+  try {
+    return swayaw::app::run(count, words);
+  } catch (const swayaw::FileError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return swayaw::app::bad_data;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "swayaw: {}\n", error.what());
+    return swayaw::app::bad_data;
+  }
+}

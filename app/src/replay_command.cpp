@@ -1,0 +1,25 @@
+#include "swayaw/nonlinear/replay.hpp"
+
+#include "commands.hpp"
+#include "input.hpp"
+#include "json.hpp"
+#include "swayaw/nonlinear/ship_file.hpp"
+
+namespace swayaw::app {
+
+void replay(const ReplayArguments& a) {
+  const Ship ship = read_ship(a.ship);
+  const Recording run = load_run(a.run);
+  const Shaft shaft = shaft_named(a.shaft);
+  tell_shaft(run, shaft);
+  const Recording simulated = swayaw::replay(ship, run, {.shaft = shaft});
+  write_recording(simulated, a.out);
+  const double begin = run.time.front(), end = run.time.back();
+  if (a.json) {
+    fmt::print("{}\n", Json{{"run", run.name}, {"out", a.out.string()}, {"samples", run.samples()}, {"from_s", begin}, {"to_s", end}}.dump(2));
+    return;
+  }
+  fmt::print("{}: {} samples from {:.6g} to {:.6g} s written to {}\n", run.name, run.samples(), begin, end, a.out.string());
+}
+
+}  // namespace swayaw::app

@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "input.hpp"
+#include "json.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/ship_file.hpp"
+
+namespace swayaw::app {
+namespace {
+
+ManoeuvreOptions options_of(const SimulateArguments& a) {
+  return {.speed = a.speed, .duration = a.duration, .step = a.step, .tolerance = a.tolerance};
+}
+
+// ---------------------------------------------------------------- zigzag
+
+/// "20/10": rudder angle and heading in degrees. The form was checked when the arguments were read.
+ZigzagOrder zigzag_order(const std::string& text, Side first) {
+  const auto slash = text.find('/');
+  return {.rudder = radians(std::stod(text.substr(0, slash))), .heading = radians(std::stod(text.substr(slash + 1))), .first = first};
+}
+
+Json zigzag_json(const Zigzag& z, const ZigzagOrder& order) {
+  Json execute = Json::array({0.0}), peaks = Json::array(), overshoots = Json::array();
+  for (const auto& reversal : z.reversals) {
+    execute.push_back(reversal.time);
+    if (!reversal.overshoot) continue;
+    peaks.push_back(*reversal.peak_time);
+    overshoots.push_back(degrees(*reversal.overshoot));
+  }
+  return {{"manoeuvre", fmt::format("zigzag {:.6g}/{:.6g}", degrees(order.rudder), degrees(order.heading))},
+          {"first", name_of(order.first)},
+          {"approach_speed_m_s", z.approach_speed},
+          {"rev_s", z.shaft_speed},
+          {"execute_s", std::move(execute)},
+          {"peak_s", std::move(peaks)},
+          {"overshoot_deg", std::move(overshoots)},
+          {"period_s", number(z.period)},
+          {"initial_turning_m", number(z.initial_turning)}};
+}
+
+void print_zigzag(const Ship& ship, const Zigzag& z) {
+  fmt::print("{}: {}, approach {:.4g} m/s, shaft {:.5g} 1/s\n", ship.name, z.run.facts.manoeuvre, z.approach_speed, z.shaft_speed);
+  fmt::print("  {:<10}{:>12}{:>12}{:>16}\n", "reversal", "at s", "peak s", "overshoot deg");
+  for (std::size_t i = 0; i < z.reversals.size(); ++i) {
+    const auto& r = z.reversals[i];
+    fmt::print("  {:<10}{:>12.3f}", i + 1, r.time);
+    if (r.overshoot) fmt::print("{:>12.3f}{:>16.3f}\n", *r.peak_time, degrees(*r.overshoot));
+    else fmt::print("{:>12}{:>16}\n", "-", "-");
+  }
+  if (z.period) fmt::print("  period of the last cycle {:.2f} s\n", *z.period);
+  if (z.initial_turning) fmt::print("  way made at the first reversal {:.2f} L\n", *z.initial_turning / length(ship));
+  if (z.reversals.empty()) fmt::print("  the heading never reached the switch angle\n");
+}
+
+Recording run_zigzag(const Ship& ship, const SimulateArguments& a) {
+  const auto order = zigzag_order(a.zigzag, side_named(a.first));
+  auto result = zigzag(ship, order, options_of(a));
+  if (a.json) fmt::print("{}\n", zigzag_json(result, order).dump(2));
+  else print_zigzag(ship, result);
+  return std::move(result.run);
+}
+
+// ---------------------------------------------------------------- turning circle
+
+Json circle_json(const TurningCircle& c, const TurnOrder& order) {
+  const bool steady = c.steady.has_value();
+  return {{"manoeuvre", fmt::format("turn {:.6g}", degrees(order.rudder))},
+          {"first", name_of(order.side)},
+          {"approach_speed_m_s", c.approach_speed},
+          {"rev_s", c.shaft_speed},
+          {"advance_m", number(c.advance)},
+          {"transfer_m", number(c.transfer)},
+          {"tactical_diameter_m", number(c.tactical_diameter)},
+          {"final_diameter_m", number(c.final_diameter)},
+          {"time_90_s", number(c.time_90)},
+          {"time_180_s", number(c.time_180)},
+          {"initial_turning_m", number(c.initial_turning)},
+          {"final_speed_m_s", steady ? number(speed(*c.steady)) : Json(nullptr)},
+          {"final_drift_rad", steady ? number(drift_angle(*c.steady)) : Json(nullptr)},
+          {"final_yaw_rate_rad_s", steady ? number(c.steady->r) : Json(nullptr)}};
+}
+
+void print_length(std::string_view name, const std::optional<double>& metres, double L) {
+  if (metres) fmt::print("  {:<20}{:>12.2f} m{:>10.3f} L\n", name, *metres, *metres / L);
+  else fmt::print("  {:<20}{:>12}\n", name, "not reached");
+}
+
+void print_circle(const Ship& ship, const TurningCircle& c) {
+  const double L = length(ship);
+  fmt::print("{}: {}, approach {:.4g} m/s, shaft {:.5g} 1/s\n", ship.name, c.run.facts.manoeuvre, c.approach_speed, c.shaft_speed);
+  print_length("advance", c.advance, L);
+  print_length("transfer", c.transfer, L);
+  print_length("tactical diameter", c.tactical_diameter, L);
+  print_length("way to 10 deg", c.initial_turning, L);
+  if (c.time_90) fmt::print("  {:<20}{:>12.2f} s\n", "time to 90 deg", *c.time_90);
+  if (c.time_180) fmt::print("  {:<20}{:>12.2f} s\n", "time to 180 deg", *c.time_180);
+  if (!c.steady) {
+    fmt::print("  no steady turn was found\n");
+    return;
+  }
+  print_length("final diameter", c.final_diameter, L);
+  fmt::print("  {:<20}{:>12.4f} m/s, {:.0f} % of the approach\n", "final speed", speed(*c.steady), 100.0 * speed(*c.steady) / c.approach_speed);
+  fmt::print("  {:<20}{:>12.2f} deg\n", "final drift angle", degrees(drift_angle(*c.steady)));
+  fmt::print("  {:<20}{:>12.4f} deg/s\n", "final yaw rate", degrees(c.steady->r));
+}
+
+Recording run_circle(const Ship& ship, const SimulateArguments& a) {
+  const TurnOrder order{.rudder = radians(*a.turn), .side = side_named(a.first)};
+  auto result = turning_circle(ship, order, options_of(a));
+  if (a.json) fmt::print("{}\n", circle_json(result, order).dump(2));
+  else print_circle(ship, result);
+  return std::move(result.run);
+}
+
+}  // namespace
+
+void simulate(const SimulateArguments& a) {
+  const Ship ship = read_ship(a.ship);
+  const Recording run = a.turn ? run_circle(ship, a) : run_zigzag(ship, a);
+  if (!a.out.empty()) write_recording(run, a.out);
+}
+
+}  // namespace swayaw::app

@@ -1,0 +1,72 @@
+#include <benchmark/benchmark.h>
+
+#include "mmg_bench_states.hpp"
+#include "swayaw/core/dual.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/replay.hpp"
+
+namespace swayaw::bench {
+namespace {
+
+Ship kvlcc2_ship() { return read_ship(SWAYAW_BENCH_SHIPS "/kvlcc2_l7.toml"); }
+
+void mmg_right_hand_side(benchmark::State& state) {
+  const auto ship = kvlcc2();
+  const auto motions = samples(1024);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& s = motions[i++ & 1023];
+    benchmark::DoNotOptimize(right_hand_side(ship, s.motion.r * 10.0, s.motion, s.controls));
+  }
+}
+BENCHMARK(mmg_right_hand_side);
+
+/// Derivatives by u, v, r and delta.
+void mmg_right_hand_side_dual4(benchmark::State& state) {
+  using D = Dual<4>;
+  const auto ship = cast<D>(kvlcc2());
+  const auto motions = samples(1024);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& s = motions[i++ & 1023];
+    const PlanarMotion<D> m{D(s.motion.u, 0), D(s.motion.v, 1), D(s.motion.r, 2)};
+    benchmark::DoNotOptimize(right_hand_side(ship, D(0.3), m, {D(s.controls.delta, 3), D(s.controls.rev)}));
+  }
+}
+BENCHMARK(mmg_right_hand_side_dual4);
+
+/// KVLCC2 10/10 zigzag, 300 s, to a relative error of 1e-6 in the states; events only.
+void kvlcc2_zigzag_10_10(benchmark::State& state) {
+  const Ship ship = kvlcc2_ship();
+  const ZigzagOrder order{.rudder = radians(10), .heading = radians(10), .first = Side::starboard};
+  const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
+  const ManoeuvreOptions options{.duration = 100.0, .tolerance = tolerance, .sampled = false};
+  const auto exact = zigzag(ship, order, {.duration = 100.0, .tolerance = 1e-12, .sampled = false});
+  double error = 0.0;
+  for (auto _ : state) {
+    const auto result = zigzag(ship, order, options);
+    error = std::abs(result.reversals.back().time - exact.reversals.back().time);
+  }
+  state.counters["switch_error_s"] = error;
+  state.counters["reversals"] = static_cast<double>(exact.reversals.size());
+}
+BENCHMARK(kvlcc2_zigzag_10_10)->DenseRange(5, 10)->Unit(benchmark::kMicrosecond);
+
+void kvlcc2_turn_35(benchmark::State& state) {
+  const Ship ship = kvlcc2_ship();
+  const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(turning_circle(ship, {.rudder = radians(35)}, {.tolerance = tolerance, .sampled = false}));
+}
+BENCHMARK(kvlcc2_turn_35)->Arg(6)->Arg(9)->Unit(benchmark::kMicrosecond);
+
+/// Open-loop replay of 100 s at 20 Hz.
+void kvlcc2_replay_2000_samples(benchmark::State& state) {
+  const Ship ship = kvlcc2_ship();
+  const auto run = zigzag(ship, {.rudder = radians(10), .heading = radians(10)}, {.duration = 100.0, .step = 0.05}).run;
+  for (auto _ : state) benchmark::DoNotOptimize(replay(ship, run));
+}
+BENCHMARK(kvlcc2_replay_2000_samples)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace swayaw::bench

@@ -1,0 +1,37 @@
+#include <benchmark/benchmark.h>
+
+#include "mmg_bench_states.hpp"
+#include "swayaw/core/pack.hpp"
+
+namespace swayaw::bench {
+namespace {
+
+/// One ship in each lane; the time is that of one ship.
+void mmg_right_hand_side_pack(benchmark::State& state) {
+  constexpr std::size_t lanes = Pack::size;
+  const auto ship = cast<Pack>(kvlcc2());
+  const auto motions = samples(1024);
+  std::vector<PlanarMotion<Pack>> packs;
+  std::vector<Controls<Pack>> controls;
+  for (std::size_t i = 0; i + lanes <= motions.size(); i += lanes) {
+    const auto gather = [&](auto&& value) {
+      alignas(64) std::array<double, lanes> lane;
+      for (std::size_t k = 0; k < lanes; ++k) lane[k] = value(motions[i + k]);
+      return Pack::load_aligned(lane.data());
+    };
+    packs.push_back({gather([](const Sample& s) { return s.motion.u; }), gather([](const Sample& s) { return s.motion.v; }),
+                     gather([](const Sample& s) { return s.motion.r; })});
+    controls.push_back({gather([](const Sample& s) { return s.controls.delta; }), gather([](const Sample& s) { return s.controls.rev; })});
+  }
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < packs.size(); ++i)
+      benchmark::DoNotOptimize(right_hand_side(ship, Pack(packs[i].r * 10.0), packs[i], controls[i]));
+  }
+  const auto ships = static_cast<double>(packs.size() * lanes);
+  state.counters["lanes"] = lanes;
+  state.counters["per_ship"] = benchmark::Counter(ships, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(mmg_right_hand_side_pack);
+
+}  // namespace
+}  // namespace swayaw::bench

@@ -1,0 +1,36 @@
+# One floor of the house: a static library swayaw_<name> (alias swayaw::<name>) that sees its own
+# headers and those of the floors in DEPENDS, and nothing else.
+#
+#   swayaw_add_floor(nonlinear
+#     SOURCES src/zigzag.cpp …          compiled here
+#     DEPENDS swayaw::core …            seen by whoever uses this floor
+#     USES toml++ …                     seen by this floor's sources only)
+function(swayaw_add_floor name)
+  cmake_parse_arguments(FLOOR "" "" "SOURCES;DEPENDS;USES" ${ARGN})
+  set(target swayaw_${name})
+  add_library(${target} STATIC ${FLOOR_SOURCES})
+  add_library(swayaw::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  # errno and floating-point traps are never read; without them sqrt is one instruction and branches vectorise
+  target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math)
+  target_link_libraries(${target} PUBLIC ${FLOOR_DEPENDS} PRIVATE ${FLOOR_USES})
+  swayaw_set_warnings(${target})
+  install(TARGETS ${target} EXPORT swayaw ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()
+
+# Warnings and, on request, sanitizers for a target of this project.
+function(swayaw_set_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+    -Wno-missing-field-initializers
+    $<$<BOOL:${SWAYAW_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(SWAYAW_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-omit-frame-pointer
+      -fno-sanitize-recover=all)
+    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+endfunction()

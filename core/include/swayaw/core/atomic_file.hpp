@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace swayaw {
+
+/// The whole text of a file.
+/// @throws FileError  if it cannot be read
+std::string read_text(const std::filesystem::path& file);
+
+/// Writes beside the file and renames, so that a reader sees the old text or the new, never half.
+/// @throws FileError  if it cannot be written; nothing is left behind
+void write_text(const std::filesystem::path& file, std::string_view text);
+
+}  // namespace swayaw

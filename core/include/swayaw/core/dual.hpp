@@ -1,0 +1,19 @@
+#pragma once
+
+#include <ceres/jet.h>
+
+#include "swayaw/core/scalar.hpp"
+
+namespace swayaw {
+
+/// Forward-mode dual number: a value `a` and its N derivatives `v`.
+template <int N>
+using Dual = ceres::Jet<double, N>;
+
+/// The number in a dual, without its derivatives.
+template <int N>
+double value_of(const Dual<N>& x) {
+  return x.a;
+}
+
+}  // namespace swayaw

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "swayaw/core/recording.hpp"
+
+namespace swayaw {
+
+/// A recording and what its reader should be told.
+struct RecordingFile {
+  Recording recording;
+  std::vector<std::string> warnings;
+};
+
+/// Reads a recording from comma-separated text (docs/formats.md).
+///
+/// Every unit becomes SI, the rudder positive to port, latitude and longitude a north–east plane
+/// about the first fix, heading unwrapped. Position and velocity move from the reported point, reference_x_m
+/// forward of midship, to midship:  x − l cos(psi),  y − l sin(psi),  v − l r.
+/// Columns that are not understood are kept and named in a warning.
+///
+/// @throws FileError  "FILE:LINE:COLUMN: what is wrong"
+RecordingFile read_recording(const std::filesystem::path& file);
+
+/// The same from text; `name` stands for the file in messages.
+RecordingFile parse_recording(std::string_view text, const std::filesystem::path& name);
+
+/// Comma-separated text of a recording: SI columns, rudder positive to port, full precision.
+std::string recording_text(const Recording& recording);
+
+/// Writes `recording_text`, all of it or nothing.
+/// @throws FileError  if the file cannot be written
+void write_recording(const Recording& recording, const std::filesystem::path& file);
+
+}  // namespace swayaw

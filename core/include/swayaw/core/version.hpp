@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+namespace swayaw {
+
+/// Version of the library, "major.minor.patch".
+std::string_view version();
+
+}  // namespace swayaw

@@ -1,0 +1,88 @@
+#include "swayaw/mismatch/quantity.hpp"
+
+#include <cmath>
+
+#include "statistics.hpp"
+#include "swayaw/core/angle.hpp"
+
+namespace swayaw {
+namespace {
+
+Channel channel_of(const Recording& run, Quantity quantity) {
+  switch (quantity) {
+    case Quantity::heading: return Channel::psi;
+    case Quantity::yaw_rate: return Channel::r;
+    case Quantity::position: return Channel::x;
+    case Quantity::drift: return Channel::v;
+    case Quantity::speed: break;
+  }
+  return run.has(Channel::u) ? Channel::u : Channel::speed_through_water;
+}
+
+std::vector<double> copy_of(std::span<const double> values) { return {values.begin(), values.end()}; }
+
+std::vector<double> drift_of(const Recording& run) {
+  std::vector<double> drift(run.samples());
+  for (std::size_t i = 0; i < drift.size(); ++i) drift[i] = std::atan2(-run[Channel::v][i], run[Channel::u][i]);
+  return drift;
+}
+
+std::vector<double> distances(const Recording& a, const Recording& b) {
+  std::vector<double> distance(a.samples());
+  for (std::size_t i = 0; i < distance.size(); ++i)
+    distance[i] = std::hypot(a[Channel::x][i] - b[Channel::x][i], a[Channel::y][i] - b[Channel::y][i]);
+  return distance;
+}
+
+}  // namespace
+
+std::string_view name_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::heading: return "heading";
+    case Quantity::yaw_rate: return "yaw_rate";
+    case Quantity::speed: return "speed";
+    case Quantity::drift: return "drift";
+    case Quantity::position: return "position";
+  }
+  return "";
+}
+
+std::string_view unit_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::heading: return "rad";
+    case Quantity::yaw_rate: return "rad/s";
+    case Quantity::speed: return "m/s";
+    case Quantity::drift: return "rad";
+    case Quantity::position: return "m";
+  }
+  return "";
+}
+
+bool tells(const Recording& run, Quantity quantity) {
+  if (quantity == Quantity::drift) return run.has(Channel::u) && run.has(Channel::v);
+  if (quantity == Quantity::position) return run.has(Channel::x) && run.has(Channel::y);
+  return run.has(channel_of(run, quantity));
+}
+
+std::vector<double> values_of(const Recording& run, Quantity quantity) {
+  return quantity == Quantity::drift ? drift_of(run) : copy_of(run[channel_of(run, quantity)]);
+}
+
+std::vector<double> errors_of(const Recording& simulated, const Recording& recorded, Quantity quantity) {
+  if (quantity == Quantity::position) return distances(simulated, recorded);
+  auto error = values_of(simulated, quantity);
+  const auto truth = values_of(recorded, quantity);
+  const bool angle = quantity == Quantity::heading || quantity == Quantity::drift;
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    error[i] -= truth[i];
+    if (angle) error[i] = wrapped(error[i]);
+  }
+  return error;
+}
+
+double variation_of(const Recording& run, Quantity quantity) {
+  if (quantity == Quantity::position) return std::hypot(deviation(run[Channel::x]), deviation(run[Channel::y]));
+  return deviation(values_of(run, quantity));
+}
+
+}  // namespace swayaw

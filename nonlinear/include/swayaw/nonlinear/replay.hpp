@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "swayaw/core/motion.hpp"
+#include "swayaw/core/recording.hpp"
+#include "swayaw/nonlinear/ship.hpp"
+
+/// Simulation with the rudder and shaft speed of a recording, beside that recording.
+namespace swayaw {
+
+/// Where a replay takes its shaft speed from.
+enum class Shaft {
+  recorded,         ///< the recording; self-propulsion where it has none
+  self_propulsion,  ///< the model's own shaft speed for the recorded starting speed
+};
+
+struct ReplayOptions {
+  Shaft shaft = Shaft::recorded;
+  double tolerance = 1e-8;
+};
+
+/// Recorded state at a time, from least-squares parabolas through the samples within 0.25 L/U of it, or at the
+/// start of the run from straight lines through the samples before the rudder moves, within 0.5 L/U.
+///
+/// u, v and r come from their own channels; if those are missing, from log or ground speed, from the track, and from
+/// the heading. Position and sway are 0 where nothing tells them.
+///
+/// @throws Refusal  if no channel tells the speed of the ship
+ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time);
+
+/// Rudder and shaft speed of a recording as functions of time, joined by straight lines.
+/// An ordered rudder angle passes through the steering gear of the ship first.
+class RecordedControls {
+ public:
+  /// @throws Refusal  if the run has no rudder angle
+  RecordedControls(const Ship& ship, const Recording& run, const ReplayOptions& options = {});
+
+  double rudder(double time) const { return rudder_(time); }
+  double shaft(double time) const { return shaft_ ? (*shaft_)(time) : constant_shaft_; }
+
+  /// Times at which the slope of rudder or shaft speed changes, in order.
+  std::span<const double> knots() const { return knots_; }
+
+ private:
+  Interpolant rudder_;
+  std::optional<Interpolant> shaft_;
+  double constant_shaft_ = 0.0;
+  std::vector<double> knots_;
+};
+
+/// Simulated run from a state at times.front() on, sampled at those times.
+Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
+                      std::span<const double> times, const ReplayOptions& options = {});
+
+/// The whole run simulated from its recorded start, sampled at the recorded times.
+///
+/// @throws Refusal  if the run does not tell rudder or speed
+Recording replay(const Ship& ship, const Recording& run, const ReplayOptions& options = {});
+
+}  // namespace swayaw

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "swayaw/core/motion.hpp"
+#include "swayaw/nonlinear/controls.hpp"
+#include "swayaw/nonlinear/ship.hpp"
+
+namespace swayaw {
+
+/// Shaft speed at which thrust carries the ship straight ahead at that speed [1/s].
+///
+///     (1 − t_P) ρ D² (k_0 n²D² + k_1 nD u_P + k_2 u_P²) = ½ρLdU² R_0',   u_P = (1 − w_P0) U
+///
+/// @throws std::domain_error  if the speed is not positive
+/// @throws Refusal            if no shaft speed balances the resistance
+double self_propulsion_rev(const MmgShip<double>& ship, double speed);
+double self_propulsion_rev(const Ship& ship, double speed);
+
+/// A steady motion: nothing changes but the place and the heading.
+struct SteadyMotion {
+  PlanarMotion<double> motion;
+  bool stable;  ///< a small disturbance dies out
+};
+
+/// The steady motion that Newton's method finds from `guess` at constant controls,
+/// du/dt = dv/dt = dr/dt = 0, with exact derivatives.
+///
+/// @return nothing when it does not converge to a motion ahead
+std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,
+                                          const PlanarMotion<double>& guess);
+
+}  // namespace swayaw

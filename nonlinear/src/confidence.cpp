@@ -1,0 +1,12 @@
+#include <algorithm>
+
+#include "swayaw/nonlinear/ship.hpp"
+
+namespace swayaw {
+
+double Confidence::of(std::string_view key) const {
+  const auto found = std::ranges::find(named, key, &std::pair<std::string, double>::first);
+  return found == named.end() ? coefficients : found->second;
+}
+
+}  // namespace swayaw

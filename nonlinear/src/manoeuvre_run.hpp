@@ -1,0 +1,100 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/mmg_forces.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
+#include "voyage.hpp"
+
+/// What the manoeuvres share. Not installed.
+namespace swayaw {
+
+/// Straight ahead at the origin.
+inline Moment approach(double speed, double rev) {
+  return {0.0, {0.0, 0.0, 0.0, {speed, 0.0, 0.0}}, {0.0, rev}};
+}
+
+/// 1, 2 or 5 times a power of ten, not above x.
+inline double round_down(double x) {
+  const double decade = std::pow(10.0, std::floor(std::log10(x)));
+  const double lead = x / decade;
+  return decade * (lead >= 5.0 ? 5.0 : lead >= 2.0 ? 2.0 : 1.0);
+}
+
+/// 0, step, 2 step, … up to the end.
+inline std::vector<double> sample_times(double step, double end) {
+  const auto count = static_cast<std::size_t>(end / step * (1.0 + 1e-12)) + 1;
+  std::vector<double> times(count);
+  for (std::size_t i = 0; i < count; ++i) times[i] = static_cast<double>(i) * step;
+  return times;
+}
+
+/// Speed and shaft speed of the approach, when to stop at the latest, and when to take samples.
+struct Plan {
+  double speed;
+  double rev;
+  double end;
+  std::vector<double> times;
+};
+
+/// @param longest  duration in ship lengths at approach speed, unless the options give one
+template <class Model>
+Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest) {
+  const double speed = require_positive(options.speed.value_or(ship.particulars.U_0), "approach speed [m/s]");
+  const double time_unit = ship.particulars.L / speed;
+  const double end = require_positive(options.duration.value_or(longest * time_unit), "duration [s]");
+  const double step = require_positive(options.step.value_or(round_down(0.02 * time_unit)), "step [s]");
+  return {speed, self_propulsion_rev(ship, speed), end, options.sampled ? sample_times(step, end) : std::vector<double>{}};
+}
+
+/// Way made until a time, ∫ U dt by the trapezoidal rule over the samples [m]; nothing without samples.
+inline std::optional<double> way_made(const std::vector<Moment>& samples, double until) {
+  if (samples.size() < 2) return std::nullopt;
+  double way = 0.0;
+  for (std::size_t i = 1; i < samples.size() && samples[i - 1].time < until; ++i) {
+    const double U0 = speed(samples[i - 1].state.motion), U1 = speed(samples[i].state.motion);
+    const double length = samples[i].time - samples[i - 1].time;
+    const double share = std::min(1.0, (until - samples[i - 1].time) / length);
+    way += share * length * (U0 + 0.5 * share * (U1 - U0));
+  }
+  const double rest = until - samples.back().time;
+  return way + std::max(0.0, rest) * speed(samples.back().state.motion);
+}
+
+/// @throws std::domain_error
+inline void require_rudder(double angle, const SteeringGear<double>& gear) {
+  require_positive(angle, "rudder angle [rad]");
+  if (angle <= gear.max_angle * (1.0 + 1e-12)) return;
+  throw std::domain_error(fmt::format("rudder angle {:.6g} deg is beyond the ship's largest, {:.6g} deg", degrees(angle),
+                                      degrees(gear.max_angle)));
+}
+
+/// States and thrust as a recording.
+template <class Model>
+Recording recording_of(const std::vector<Moment>& moments, const Model& ship) {
+  Recording run;
+  for (const auto& m : moments) run.time.push_back(m.time);
+  const auto fill = [&](Channel channel, auto&& value) {
+    auto column = run.fill(channel);
+    for (std::size_t i = 0; i < moments.size(); ++i) column[i] = value(moments[i]);
+  };
+  fill(Channel::x, [](const Moment& m) { return m.state.x; });
+  fill(Channel::y, [](const Moment& m) { return m.state.y; });
+  fill(Channel::psi, [](const Moment& m) { return m.state.psi; });
+  fill(Channel::u, [](const Moment& m) { return m.state.motion.u; });
+  fill(Channel::v, [](const Moment& m) { return m.state.motion.v; });
+  fill(Channel::r, [](const Moment& m) { return m.state.motion.r; });
+  fill(Channel::delta, [](const Moment& m) { return m.controls.delta; });
+  fill(Channel::rev, [](const Moment& m) { return m.controls.rev; });
+  fill(Channel::thrust, [&](const Moment& m) { return thrust(ship, m.state.motion, m.controls); });
+  return run;
+}
+
+
+}  // namespace swayaw

@@ -1,0 +1,145 @@
+#include "swayaw/nonlinear/replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "local_fit.hpp"
+#include "manoeuvre_run.hpp"
+
+namespace swayaw {
+namespace {
+
+// ---------------------------------------------------------------- recorded state
+
+/// Samples that tell the state at a time.
+struct Neighbourhood {
+  double time;
+  double from;
+  double to;
+  int degree;
+};
+
+/// First time at which the rudder has left its starting angle by a degree.
+double rudder_moves(const Recording& run) {
+  const Channel rudder = run.has(Channel::delta) ? Channel::delta : Channel::delta_order;
+  const Interpolant angle(run, rudder);
+  const auto moved = std::ranges::find_if(angle.values(), [&](double a) { return std::abs(a - angle.values().front()) > radians(1.0); });
+  return moved == angle.values().end() ? run.time.back() : angle.times()[static_cast<std::size_t>(moved - angle.values().begin())];
+}
+
+Neighbourhood neighbourhood(const Recording& run, double time, double time_unit) {
+  if (time > run.time.front()) return {time, time - 0.25 * time_unit, time + 0.25 * time_unit, 2};
+  return {time, time, std::min(rudder_moves(run), time + 0.5 * time_unit), 1};
+}
+
+std::optional<ValueAndRate> fit(const Recording& run, Channel channel, const Neighbourhood& near) {
+  const auto [time, from, to, degree] = near;
+  return local_fit(run, channel, time, from, to, degree);
+}
+
+/// Body velocity over ground from the track: u = ẋ cos ψ + ẏ sin ψ, v = ẏ cos ψ − ẋ sin ψ.
+std::optional<PlanarMotion<double>> velocity_from_track(const Recording& run, const Neighbourhood& near, double psi, double r) {
+  const auto x = fit(run, Channel::x, near), y = fit(run, Channel::y, near);
+  if (!x || !y) return std::nullopt;
+  const double c = std::cos(psi), s = std::sin(psi);
+  return PlanarMotion<double>{x->rate * c + y->rate * s, y->rate * c - x->rate * s, r};
+}
+
+std::optional<double> first_value(const Recording& run, const Neighbourhood& near, std::initializer_list<Channel> channels) {
+  for (const Channel channel : channels)
+    if (const auto found = fit(run, channel, near)) return found->value;
+  return std::nullopt;
+}
+
+}  // namespace
+
+ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time) {
+  const auto near = neighbourhood(run, time, length(ship) / service_speed(ship));
+  const auto psi = fit(run, Channel::psi, near);
+  const double heading = psi ? psi->value : Interpolant(run, Channel::psi)(time);
+  const double r = first_value(run, near, {Channel::r}).value_or(psi ? psi->rate : 0.0);
+  const auto track = velocity_from_track(run, near, heading, r);
+  auto u = first_value(run, near, {Channel::u, Channel::speed_through_water, Channel::u_ground});
+  auto v = first_value(run, near, {Channel::v, Channel::v_ground});
+  if (!u && track) u = track->u;
+  if (!u) u = first_value(run, near, {Channel::speed_over_ground});
+  if (!v && track) v = track->v;
+  if (!u) throw Refusal(fmt::format("{}: no channel tells the speed of the ship at {:.6g} s", run.name, time));
+  const double x = first_value(run, near, {Channel::x}).value_or(0.0);
+  const double y = first_value(run, near, {Channel::y}).value_or(0.0);
+  return {x, y, heading, {*u, v.value_or(0.0), r}};
+}
+
+// ---------------------------------------------------------------- recorded controls
+
+namespace {
+
+/// Actual rudder angle; an order is followed at the rate of the steering gear.
+Interpolant rudder_of(const Ship& ship, const Recording& run) {
+  if (run.has(Channel::delta)) return Interpolant(run, Channel::delta);
+  if (!run.has(Channel::delta_order)) throw Refusal(fmt::format("{}: no rudder angle", run.name));
+  const Interpolant order(run, Channel::delta_order);
+  const double rate = steering_gear(ship).rate;
+  Recording followed;
+  followed.name = run.name;
+  followed.time.assign(order.times().begin(), order.times().end());
+  auto angle = followed.fill(Channel::delta);
+  angle[0] = order.values()[0];
+  for (std::size_t i = 1; i < angle.size(); ++i) {
+    const double reach = rate * (followed.time[i] - followed.time[i - 1]);
+    angle[i] = angle[i - 1] + std::clamp(order.values()[i] - angle[i - 1], -reach, reach);
+  }
+  return Interpolant(followed, Channel::delta);
+}
+
+}  // namespace
+
+RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const ReplayOptions& options)
+    : rudder_(rudder_of(ship, run)) {
+  if (options.shaft == Shaft::recorded && run.has(Channel::rev)) shaft_.emplace(run, Channel::rev);
+  else constant_shaft_ = self_propulsion_rev(ship, speed(recorded_state(ship, run, run.time.front()).motion));
+  const auto shaft_times = shaft_ ? shaft_->times() : std::span<const double>{};
+  std::ranges::set_union(rudder_.times(), shaft_times, std::back_inserter(knots_));
+}
+
+// ---------------------------------------------------------------- replay
+
+namespace {
+
+/// Sails from knot to knot of the recorded controls.
+template <class Model>
+std::vector<Moment> sail_along(const Model& model, const RecordedControls& controls, const ShipState<double>& start,
+                               std::span<const double> times, double tolerance) {
+  const double begin = times.front(), end = times.back();
+  Voyage<Model> voyage(model, {begin, start, {controls.rudder(begin), controls.shaft(begin)}}, tolerance);
+  voyage.sample_at(times);
+  auto knot = std::ranges::upper_bound(controls.knots(), begin);
+  while (voyage.time() < end) {
+    const double next = knot == controls.knots().end() ? end : std::min(end, *knot++);
+    if (next <= voyage.time()) continue;
+    const double duration = next - voyage.time();
+    voyage.steer((controls.rudder(next) - voyage.controls().delta) / duration);
+    voyage.turn_shaft((controls.shaft(next) - voyage.controls().rev) / duration);
+    voyage.sail(next);
+  }
+  return voyage.samples();
+}
+
+}  // namespace
+
+Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
+                      std::span<const double> times, const ReplayOptions& options) {
+  return std::visit(
+      [&](const auto& model) { return recording_of(sail_along(model, controls, start, times, options.tolerance), model); },
+      ship.model);
+}
+
+Recording replay(const Ship& ship, const Recording& run, const ReplayOptions& options) {
+  const RecordedControls controls(ship, run, options);
+  auto simulated = replay_from(ship, controls, recorded_state(ship, run, run.time.front()), run.time, options);
+  simulated.name = ship.name;
+  simulated.facts = run.facts;
+  return simulated;
+}
+
+}  // namespace swayaw

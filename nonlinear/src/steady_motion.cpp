@@ -1,0 +1,82 @@
+#include "swayaw/nonlinear/steady_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+
+#include "swayaw/core/dual.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/mmg_forces.hpp"
+
+namespace swayaw {
+namespace {
+
+using Vector = Eigen::Vector3d;
+using Matrix = Eigen::Matrix3d;
+
+/// Acceleration and its derivatives by (u, v, r).
+struct Balance {
+  Vector acceleration;
+  Matrix jacobian;
+};
+
+template <class Model>
+Balance balance_at(const Model& ship, const Controls<double>& controls, const Vector& motion) {
+  using D = Dual<3>;
+  const PlanarMotion<D> m{D(motion[0], 0), D(motion[1], 1), D(motion[2], 2)};
+  const auto a = acceleration(ship, m, forces(ship, m, {D(controls.delta), D(controls.rev)}).total());
+  Balance balance{{a.u.a, a.v.a, a.r.a}, {}};
+  balance.jacobian << a.u.v.transpose(), a.v.v.transpose(), a.r.v.transpose();
+  return balance;
+}
+
+std::optional<SteadyMotion> newton(const MmgShip<double>& model, const Controls<double>& controls,
+                                   const PlanarMotion<double>& guess) {
+  const auto ship = cast<Dual<3>>(model);
+  const double L = model.particulars.L;
+  const double U = speed(guess);
+  const Vector unit(U, U, U / L);
+  Vector motion(guess.u, guess.v, guess.r);
+  for (int iteration = 0; iteration < 50; ++iteration) {
+    const Balance balance = balance_at(ship, controls, motion);
+    const Vector step = balance.jacobian.partialPivLu().solve(-balance.acceleration);
+    const double size = step.cwiseQuotient(unit).cwiseAbs().maxCoeff();
+    if (!std::isfinite(size)) return std::nullopt;
+    motion += step * std::min(1.0, 0.2 / size);
+    if (motion[0] <= 0.0) return std::nullopt;
+    if (size < 1e-13) {
+      const bool stable = (balance.jacobian.eigenvalues().real().array() < 0.0).all();
+      return SteadyMotion{{motion[0], motion[1], motion[2]}, stable};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+double self_propulsion_rev(const MmgShip<double>& ship, double speed) {
+  require_positive(speed, "speed [m/s]");
+  const auto& p = ship.propeller;
+  const double resistance = 0.5 * ship.water.rho * ship.particulars.L * ship.particulars.d * speed * speed * ship.hull.R_0;
+  const double u_P = (1.0 - p.w_P0) * speed;
+  const double needed = resistance / ((1.0 - p.t_P) * ship.water.rho * p.D * p.D);  // k_0 (nD)² + k_1 u_P nD + k_2 u_P²
+  const double half = 0.5 * p.k_1 * u_P;
+  const double discriminant = half * half - p.k_0 * (p.k_2 * u_P * u_P - needed);
+  if (!(discriminant >= 0.0))
+    throw Refusal(fmt::format("no shaft speed propels the ship at {} m/s: the thrust curve kt does not reach its resistance", speed));
+  return (-half + std::sqrt(discriminant)) / (p.k_0 * p.D);
+}
+
+double self_propulsion_rev(const Ship& ship, double speed) {
+  return std::visit([&](const auto& model) { return self_propulsion_rev(model, speed); }, ship.model);
+}
+
+std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,
+                                          const PlanarMotion<double>& guess) {
+  return std::visit([&](const auto& model) { return newton(model, controls, guess); }, ship.model);
+}
+
+}  // namespace swayaw

@@ -1,0 +1,63 @@
+#include "manoeuvre_run.hpp"
+
+namespace swayaw {
+namespace {
+
+/// Sails on until the heading has changed by `angle` towards the side.
+template <class Model>
+bool sail_round(Voyage<Model>& voyage, double turn, double angle, double end) {
+  return voyage.sail(end, [&](const auto& s) { return turn * s.psi - angle; });
+}
+
+template <class Model>
+void measure_first_half(Voyage<Model>& voyage, TurningCircle& circle, double turn, double end) {
+  if (!sail_round(voyage, turn, radians(10.0), end)) return;
+  circle.initial_turning = way_made(voyage.samples(), voyage.time());
+  if (!sail_round(voyage, turn, radians(90.0), end)) return;
+  circle.time_90 = voyage.time();
+  circle.advance = voyage.state().x;
+  circle.transfer = turn * voyage.state().y;
+  if (!sail_round(voyage, turn, radians(180.0), end)) return;
+  circle.time_180 = voyage.time();
+  circle.tactical_diameter = turn * voyage.state().y;
+}
+
+/// The stable steady turn that the ship is about to settle in.
+void measure_steady_turn(const Ship& ship, TurningCircle& circle, const Moment& last) {
+  const auto& m = last.state.motion;
+  const auto steady = steady_motion(ship, last.controls, m);
+  if (!steady || !steady->stable) return;
+  const bool near = std::abs(speed(steady->motion) - speed(m)) < 0.2 * speed(m) && std::abs(steady->motion.r - m.r) < 0.2 * std::abs(m.r);
+  if (!near) return;
+  circle.steady = steady->motion;
+  circle.final_diameter = 2.0 * speed(steady->motion) / std::abs(steady->motion.r);
+}
+
+template <class Model>
+TurningCircle sail_circle(const Ship& ship, const Model& model, const TurnOrder& order, const ManoeuvreOptions& options) {
+  const auto [speed, rev, end, times] = plan(model, options, 100.0);
+  Voyage<Model> voyage(model, approach(speed, rev), options.tolerance);
+  voyage.sample_at(times);
+  voyage.order(rudder_sign(order.side) * order.rudder);
+  TurningCircle circle{.approach_speed = speed, .shaft_speed = rev, .run = {}};
+  const double turn = yaw_sign(order.side);
+  measure_first_half(voyage, circle, turn, end);
+  if (options.duration) voyage.sail(end);
+  else sail_round(voyage, turn, radians(540.0), end);
+  measure_steady_turn(ship, circle, {voyage.time(), voyage.state(), voyage.controls()});
+  if (options.sampled) circle.run = recording_of(voyage.samples(), model);
+  return circle;
+}
+
+}  // namespace
+
+TurningCircle turning_circle(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options) {
+  require_rudder(order.rudder, steering_gear(ship));
+  auto circle = std::visit([&](const auto& model) { return sail_circle(ship, model, order, options); }, ship.model);
+  circle.run.name = ship.name;
+  circle.run.facts.execute = 0.0;
+  circle.run.facts.manoeuvre = fmt::format("turn {:.6g} to {}", degrees(order.rudder), name_of(order.side));
+  return circle;
+}
+
+}  // namespace swayaw

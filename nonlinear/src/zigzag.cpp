@@ -1,0 +1,50 @@
+#include "manoeuvre_run.hpp"
+
+namespace swayaw {
+namespace {
+
+/// Adds a reversal and its overshoot to the zigzag. @return whether the voyage went on to the heading peak
+template <class Model>
+bool reverse(Voyage<Model>& voyage, Zigzag& zigzag, const ZigzagOrder& order, double turn, double end) {
+  if (!voyage.sail(end, [&](const auto& s) { return turn * s.psi - order.heading; })) return false;
+  zigzag.reversals.push_back({.time = voyage.time(), .peak_time = {}, .overshoot = {}});
+  voyage.order(turn * order.rudder);
+  if (!voyage.sail(end, [](const auto& s) { return s.motion.r; })) return false;
+  zigzag.reversals.back().peak_time = voyage.time();
+  zigzag.reversals.back().overshoot = turn * voyage.state().psi - order.heading;
+  return true;
+}
+
+template <class Model>
+Zigzag sail_zigzag(const Model& ship, const ZigzagOrder& order, const ManoeuvreOptions& options) {
+  const auto [speed, rev, end, times] = plan(ship, options, 200.0);
+  Voyage<Model> voyage(ship, approach(speed, rev), options.tolerance);
+  voyage.sample_at(times);
+  voyage.order(rudder_sign(order.first) * order.rudder);
+  Zigzag result{.reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = speed, .shaft_speed = rev, .run = {}};
+  constexpr std::size_t enough = 4;
+  double turn = yaw_sign(order.first);
+  while (reverse(voyage, result, order, turn, end)) {
+    turn = -turn;
+    if (!options.duration && result.reversals.size() == enough) break;
+  }
+  const auto& reversals = result.reversals;
+  if (reversals.size() >= 3) result.period = reversals.back().time - reversals[reversals.size() - 3].time;
+  if (!reversals.empty()) result.initial_turning = way_made(voyage.samples(), reversals.front().time);
+  if (options.sampled) result.run = recording_of(voyage.samples(), ship);
+  return result;
+}
+
+}  // namespace
+
+Zigzag zigzag(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options) {
+  require_rudder(order.rudder, steering_gear(ship));
+  require_positive(order.heading, "heading angle [rad]");
+  auto result = std::visit([&](const auto& model) { return sail_zigzag(model, order, options); }, ship.model);
+  result.run.name = ship.name;
+  result.run.facts.execute = 0.0;
+  result.run.facts.manoeuvre = fmt::format("zigzag {:.6g}/{:.6g} first {}", degrees(order.rudder), degrees(order.heading), name_of(order.first));
+  return result;
+}
+
+}  // namespace swayaw
