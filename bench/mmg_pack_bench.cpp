@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include "mmg_bench_states.hpp"
+#include "reference_loops.hpp"
 #include "swayaw/core/pack.hpp"
 
 namespace swayaw::bench {
@@ -28,8 +29,8 @@ void mmg_right_hand_side_pack(benchmark::State& state) {
       benchmark::DoNotOptimize(right_hand_side(ship, Pack(packs[i].r * 10.0), packs[i], controls[i]));
   }
   const auto ships = static_cast<double>(packs.size() * lanes);
-  state.counters["lanes"] = lanes;
   state.counters["per_ship"] = benchmark::Counter(ships, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  tell_ratio(state, ships);
 }
 BENCHMARK(mmg_right_hand_side_pack);
 

@@ -50,16 +50,20 @@ Json error_json(const QuantityError& e) {
           {"by_region", std::move(by_region)}};
 }
 
-Json run_json(const Comparison& c) {
+Json errors_json(const std::vector<QuantityError>& errors) {
   Json quantities = Json::array();
-  for (const auto& e : c.errors) quantities.push_back(error_json(e));
+  for (const auto& e : errors) quantities.push_back(error_json(e));
+  return quantities;
+}
+
+Json run_json(const Comparison& c) {
   const auto& manoeuvre = c.recorded.facts.manoeuvre;
   return {{"run", c.recorded.name},
           {"manoeuvre", manoeuvre.empty() ? Json(nullptr) : Json(manoeuvre)},
           {"duration_s", c.recorded.time.back() - c.recorded.time.front()},
           {"samples", c.recorded.samples()},
           {"windows", c.window_starts.size()},
-          {"quantities", std::move(quantities)}};
+          {"quantities", errors_json(c.errors)}};
 }
 
 Json document_of(const Ship& ship, const CompareArguments& a, const std::vector<Comparison>& comparisons) {
@@ -72,6 +76,7 @@ Json document_of(const Ship& ship, const CompareArguments& a, const std::vector<
           {"length_m", length(ship)},
           {"verdict", verdict(comparisons)},
           {"window_ship_lengths", a.window_lengths},
+          {"all_runs", {{"quantities", errors_json(pooled(comparisons))}}},
           {"runs", std::move(runs)}};
 }
 
@@ -129,10 +134,10 @@ std::string region_text(const QuantityError& e) {
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
 
-/// One row for each quantity of a run.
-std::vector<std::vector<std::string>> rows_of(const Comparison& c) {
+/// One row for each quantity.
+std::vector<std::vector<std::string>> rows_of(const std::vector<QuantityError>& errors) {
   std::vector<std::vector<std::string>> rows;
-  for (const auto& e : c.errors)
+  for (const auto& e : errors)
     rows.push_back({std::string(name_of(e.quantity)), shown(e.quantity, e.window_rms), percent(e.normalised()), shown(e.quantity, e.bias),
                     shown(e.quantity, e.open_loop_rms), interval_words(e), region_text(e)});
   return rows;
@@ -140,29 +145,78 @@ std::vector<std::vector<std::string>> rows_of(const Comparison& c) {
 
 const std::vector<std::string> headings{"quantity", "window error", "of variation", "bias", "whole run", "worst interval", "worst region"};
 
-void print_table(const Comparison& c) {
-  fmt::print("\n{}", c.recorded.name);
-  if (!c.recorded.facts.manoeuvre.empty()) fmt::print(": {}", c.recorded.facts.manoeuvre);
-  fmt::print(", {:.5g} s, {} windows\n", c.recorded.time.back() - c.recorded.time.front(), c.window_starts.size());
+void print_table(const std::vector<QuantityError>& errors) {
   const auto print_row = [](const std::vector<std::string>& cell) {
     fmt::print("  {:<10}{:>15}{:>14}{:>15}{:>15}  {:<24}{}\n", cell[0], cell[1], cell[2], cell[3], cell[4], cell[5], cell[6]);
   };
   print_row(headings);
-  for (const auto& row : rows_of(c)) print_row(row);
+  for (const auto& row : rows_of(errors)) print_row(row);
+}
+
+void print_run(const Comparison& c) {
+  fmt::print("\n{}", c.recorded.name);
+  if (!c.recorded.facts.manoeuvre.empty()) fmt::print(": {}", c.recorded.facts.manoeuvre);
+  fmt::print(", {:.5g} s, {} windows\n", c.recorded.time.back() - c.recorded.time.front(), c.window_starts.size());
+  print_table(c.errors);
+}
+
+// ---------------------------------------------------------------- Markdown
+
+void print_markdown_row(const std::vector<std::string>& cells) { fmt::print("| {} |\n", fmt::join(cells, " | ")); }
+
+void print_markdown_head(std::vector<std::string> names, std::size_t left) {
+  print_markdown_row(names);
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = i < left ? "---" : "---:";
+  print_markdown_row(names);
+}
+
+/// One row for each quantity of each run, the runs together first.
+void print_markdown_runs(const std::vector<Comparison>& comparisons) {
+  auto names = headings;
+  names.insert(names.begin(), "run");
+  print_markdown_head(names, 2);
+  const auto print_rows = [](const std::string& name, const std::vector<QuantityError>& errors) {
+    for (auto row : rows_of(errors)) {
+      row.insert(row.begin(), name);
+      print_markdown_row(row);
+    }
+  };
+  print_rows("all", pooled(comparisons));
+  for (const auto& c : comparisons) print_rows(std::filesystem::path(c.recorded.name).stem().string(), c.errors);
+}
+
+/// One row for each region: root mean square (bias) of each quantity in all runs.
+void print_markdown_regions(const std::vector<Comparison>& comparisons) {
+  const auto all = pooled(comparisons);
+  std::vector<std::string> names{"region", "samples"};
+  for (const auto& e : all) names.push_back(fmt::format("{}, rms (bias)", name_of(e.quantity)));
+  print_markdown_head(names, 1);
+  for (const auto& region : all.front().regions) {
+    std::vector<std::string> row{words_for(region), std::to_string(region.samples)};
+    for (const auto& e : all) {
+      const auto same = std::ranges::find_if(
+          e.regions, [&](const auto& r) { return r.variable == region.variable && r.from == region.from && r.to == region.to; });
+      row.push_back(same == e.regions.end() ? "-" : fmt::format("{} ({})", shown(e.quantity, same->rms), shown(e.quantity, same->bias)));
+    }
+    print_markdown_row(row);
+  }
 }
 
 void print_markdown(const std::vector<Comparison>& comparisons) {
-  fmt::print("| run | {} |\n|---|{}|\n", fmt::join(headings, " | "), "---|---:|---:|---:|---:|---|---");
-  for (const auto& c : comparisons) {
-    const auto name = std::filesystem::path(c.recorded.name).stem().string();
-    for (const auto& row : rows_of(c)) fmt::print("| {} | {} |\n", name, fmt::join(row, " | "));
-  }
+  print_markdown_runs(comparisons);
+  fmt::print("\n");
+  print_markdown_regions(comparisons);
+  fmt::print("\n{}\n", verdict(comparisons));
 }
 
 void print_text(const Ship& ship, const CompareArguments& a, const std::vector<Comparison>& comparisons) {
   fmt::print("{}\n", ship.name);
   fmt::print("The simulation takes up the recorded state every {:g} ship lengths; errors are simulated minus recorded.\n", a.window_lengths);
-  for (const auto& c : comparisons) print_table(c);
+  for (const auto& c : comparisons) print_run(c);
+  if (comparisons.size() > 1) {
+    fmt::print("\nall runs\n");
+    print_table(pooled(comparisons));
+  }
   fmt::print("\n{}\n", verdict(comparisons));
 }
 

@@ -79,7 +79,7 @@ void add_compare(CLI::App& app, CompareArguments& a) {
       ->capture_default_str();
   command.add_option("--report", a.report, "write an HTML page that needs no network");
   auto* json = command.add_flag("--json", a.json, "print one JSON document");
-  command.add_flag("--markdown", a.markdown, "print one Markdown table")->excludes(json);
+  command.add_flag("--markdown", a.markdown, "print Markdown tables")->excludes(json);
   command.callback([&a] { compare(a); });
 }
 

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -27,35 +28,45 @@ bool write_all(const fs::path& file, std::string_view text) {
   return !out.fail();
 }
 
-[[noreturn]] void fail(const fs::path& file, std::string_view deed) {
-  throw FileError({.file = file}, std::string(deed) + " (" + std::strerror(errno) + ")");
+[[noreturn]] void fail(const FilePlace& place, std::string_view deed) {
+  throw FileError(place, std::string(deed) + " (" + std::strerror(errno) + ")");
 }
+
+/// Where the text goes: a link stays, the file it points to changes.
+fs::path target_of(const fs::path& file) {
+  std::error_code failed;
+  const auto target = fs::canonical(file, failed);
+  return failed ? file : target;
+}
+
+bool rename_to(const fs::path& draft, const fs::path& target) { return std::rename(draft.c_str(), target.c_str()) == 0; }
 
 }  // namespace
 
 std::string read_text(const fs::path& file) {
-  if (fs::is_directory(file)) throw FileError({.file = file}, "is a folder, not a file");
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) throw FileError({file, 1, 1}, "is a folder, not a file");
   std::ifstream in(file, std::ios::binary);
-  if (!in) fail(file, "cannot be read");
+  if (!in) fail({file, 1, 1}, "cannot be read");
   std::ostringstream text;
   text << in.rdbuf();
+  if (text.bad()) fail({file, 1, 1}, "cannot be read to its end");
   return std::move(text).str();
 }
 
 void write_text(const fs::path& file, std::string_view text) {
   if (is_device(file)) {
-    if (!write_all(file, text)) fail(file, "cannot be written");
+    if (!write_all(file, text)) fail({.file = file}, "cannot be written");
     return;
   }
-  const fs::path draft = file.string() + ".part" + std::to_string(::getpid());
-  if (!write_all(draft, text)) {
-    const int reason = errno;
-    std::error_code ignored;
-    fs::remove(draft, ignored);
-    errno = reason;
-    fail(file, "cannot be written");
-  }
-  fs::rename(draft, file);
+  const fs::path target = target_of(file);
+  const fs::path draft = target.string() + ".part" + std::to_string(::getpid());
+  if (write_all(draft, text) && rename_to(draft, target)) return;
+  const int reason = errno;
+  std::error_code ignored;
+  fs::remove(draft, ignored);
+  errno = reason;
+  fail({.file = file}, "cannot be written");
 }
 
 }  // namespace swayaw

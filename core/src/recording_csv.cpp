@@ -5,64 +5,18 @@
 
 #include <GeographicLib/LocalCartesian.hpp>
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <sstream>
 
+#include "csv_text.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw {
 namespace {
-
-// ---------------------------------------------------------------- text
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// Takes the text before the next separator off the front of `rest`.
-std::string_view take(std::string_view& rest, char separator) {
-  const auto end = rest.find(separator);
-  const auto piece = rest.substr(0, end);
-  rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
-  return piece;
-}
-
-struct Cell {
-  std::string_view text;
-  std::size_t column;  ///< character in the line, from 1
-};
-
-std::vector<Cell> cells_of(std::string_view line) {
-  std::vector<Cell> cells;
-  const char* start = line.data();
-  bool more = true;
-  while (more) {
-    more = line.find(',') != std::string_view::npos;
-    const auto piece = take(line, ',');
-    const auto text = trimmed(piece);
-    const char* place = text.empty() ? piece.data() : text.data();
-    cells.push_back({text, static_cast<std::size_t>(place - start) + 1});
-  }
-  return cells;
-}
-
-bool is_missing(std::string_view text) {
-  return text.empty() || text == "nan" || text == "NaN" || text == "NAN";
-}
-
-std::optional<double> number_in(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
 
 // ---------------------------------------------------------------- run keys
 
@@ -72,41 +26,73 @@ struct Convention {
   double reference_x = 0.0;  ///< reported point forward of midship [m]
 };
 
+constexpr std::array<std::string_view, 5> run_keys{"rudder_positive", "reference_x_m", "water_depth_m", "execute_s", "manoeuvre"};
+
+/// The run key that was perhaps meant: one that begins alike.
+std::string_view similar_run_key(std::string_view key) {
+  constexpr std::size_t alike = 6;
+  const auto begin = lower_case(key.substr(0, alike));
+  const auto similar = std::ranges::find_if(run_keys, [&](auto known) { return begin.size() == alike && known.starts_with(begin); });
+  return similar == run_keys.end() ? std::string_view{} : *similar;
+}
+
 class RunKeyReader {
  public:
-  RunKeyReader(const FilePlace& place, RunFacts& facts, Convention& convention)
-      : place_(place), facts_(facts), convention_(convention) {}
+  RunKeyReader(const std::filesystem::path& file, RunFacts& facts, Convention& convention, std::vector<std::string>& warnings)
+      : file_(file), facts_(facts), convention_(convention), warnings_(warnings) {}
 
   /// Reads `key = value`; a line without '=' is a remark to human readers.
-  void read(std::string_view line) {
-    if (line.find('=') == std::string_view::npos) return;
+  void read(std::string_view line, std::size_t line_number, std::size_t column) {
+    line_number_ = line_number;
+    column_ = column;
+    const auto equals = line.find('=');
+    if (equals == std::string_view::npos) return warn_of_remark(trimmed(line));
     try {
-      for (auto&& [key, value] : toml::parse(line)) take_key(key.str(), value);
+      for (auto&& [key, value] : toml::parse(line))
+        if (!take_key(key.str(), value)) keep(key.str(), {std::string(trimmed(line.substr(0, equals))), std::string(trimmed(line.substr(equals + 1)))});
     } catch (const toml::parse_error& error) {
       throw FileError(at(error.source().begin.column), error.description());
     }
   }
 
  private:
-  void take_key(std::string_view key, const toml::node& value) {
+  /// @return whether the key is one of `run_keys`
+  bool take_key(std::string_view key, const toml::node& value) {
+    if (std::ranges::count(run_keys, key) == 0) return false;
+    if (std::ranges::count(seen_, key) > 0) throw FileError(at(1), fmt::format("{} appears twice", key));
+    seen_.push_back(std::string(key));
     if (key == "rudder_positive") convention_.rudder_sign = rudder_sign_of(value);
     else if (key == "reference_x_m") convention_.reference_x = number(key, value);
     else if (key == "water_depth_m") facts_.water_depth = positive_number(key, value);
     else if (key == "execute_s") facts_.execute = number(key, value);
-    else if (key == "manoeuvre") facts_.manoeuvre = text(key, value);
-    else facts_.remarks.push_back({std::string(key), toml_text(value)});
+    else facts_.manoeuvre = text(key, value);
+    return true;
+  }
+
+  void keep(std::string_view key, RunRemark remark) {
+    facts_.remarks.push_back(std::move(remark));
+    if (const auto similar = similar_run_key(key); !similar.empty()) warn(key, similar);
+  }
+
+  void warn_of_remark(std::string_view remark) {
+    const auto word = remark.substr(0, remark.find_first_of(" \t:"));
+    if (std::ranges::count(run_keys, word) > 0) warn(remark, std::string(word) + " = ...");
+  }
+
+  void warn(std::string_view written, std::string_view meant) {
+    warnings_.push_back(fmt::format("{}: \"{}\" above the header is not understood; is {} meant?", file_.filename().string(), shown(written), meant));
   }
 
   double rudder_sign_of(const toml::node& value) {
     const auto side = text("rudder_positive", value);
     if (side == "port") return 1.0;
     if (side == "starboard") return -1.0;
-    throw FileError(at(value), fmt::format("rudder_positive must be \"port\" or \"starboard\", got \"{}\"", side));
+    throw FileError(at(value), fmt::format("rudder_positive must be \"port\" or \"starboard\", got \"{}\"", shown(side)));
   }
 
   double number(std::string_view key, const toml::node& value) {
     const auto found = value.value<double>();
-    if (value.is_number() && std::isfinite(*found)) return *found;
+    if (found && value.is_number() && std::isfinite(*found)) return *found;
     throw FileError(at(value), fmt::format("{} must be a number", key));
   }
 
@@ -121,30 +107,39 @@ class RunKeyReader {
     throw FileError(at(value), fmt::format("{} must be a text in quotes", key));
   }
 
-  static std::string toml_text(const toml::node& value) {
-    std::ostringstream out;
-    value.visit([&](auto&& node) { out << node; });
-    return std::move(out).str();
-  }
-
-  FilePlace at(std::size_t column) const {
-    return {place_.file, place_.line, place_.column + column - 1};
-  }
+  FilePlace at(std::size_t column) const { return {file_, line_number_, column_ + column - 1}; }
   FilePlace at(const toml::node& value) const { return at(value.source().begin.column); }
 
-  FilePlace place_;  ///< first character after '#'
+  std::filesystem::path file_;
+  std::size_t line_number_ = 0;
+  std::size_t column_ = 0;  ///< of the first character after '#'
   RunFacts& facts_;
   Convention& convention_;
+  std::vector<std::string>& warnings_;
+  std::vector<std::string> seen_;
 };
 
 // ---------------------------------------------------------------- columns
 
 /// A column while it is read.
 struct Reading {
-  std::string_view name;
-  double si = 1.0;
-  std::vector<double> values;
+  std::string name;
+  std::size_t place;                   ///< of its name in the header row
+  std::optional<Column> known = {};
+  std::vector<double> values = {};
+  std::vector<std::string> cells = {};  ///< as written, if the column is not understood
+
+  bool is_understood() const { return known || name == "time_s" || name == "lat_deg" || name == "lon_deg"; }
 };
+
+/// The name that would be understood, if this one differs from it in capital letters only.
+std::string_view same_but_for_capitals(std::string_view name) {
+  constexpr std::array<std::string_view, 3> others{"time_s", "lat_deg", "lon_deg"};
+  const auto same = [&](std::string_view known) { return lower_case(known) == lower_case(name); };
+  if (const auto found = std::ranges::find_if(others, same); found != others.end()) return *found;
+  const auto found = std::ranges::find_if(known_columns(), same, &Column::name);
+  return found == known_columns().end() ? std::string_view{} : found->name;
+}
 
 class RecordingParser {
  public:
@@ -160,89 +155,143 @@ class RecordingParser {
   }
 
  private:
-  bool next_line(std::string_view& line) {
+  bool next_line() {
     if (rest_.empty()) return false;
-    line = take(rest_, '\n');
-    if (line.ends_with('\r')) line.remove_suffix(1);
+    line_ = take(rest_, '\n');
+    if (line_.ends_with('\r')) line_.remove_suffix(1);
     ++line_number_;
+    if (const auto zero = line_.find('\0'); zero != std::string_view::npos)
+      fail(line_.substr(zero), "a zero byte; a recording is plain text in UTF-8");
     return true;
   }
 
+  /// `what` is wrong where `piece` begins, a piece of the current line.
+  [[noreturn]] void fail(std::string_view piece, std::string_view what) const {
+    throw FileError({file_, line_number_, column_of(piece)}, what);
+  }
+
+  std::size_t column_of(std::string_view piece) const {
+    return characters(line_.substr(0, static_cast<std::size_t>(piece.data() - line_.data()))) + 1;
+  }
+
+  // -------------------------------------------------------------- header
+
   void read_header() {
-    for (std::string_view line; next_line(line);) {
-      if (trimmed(line).empty()) continue;
-      if (!trimmed(line).starts_with('#')) return read_names(line);
-      const auto hash = line.find('#');
-      RunKeyReader({file_, line_number_, hash + 2}, recording_.facts, convention_).read(line.substr(hash + 1));
+    RunKeyReader run_key_reader(file_, recording_.facts, convention_, warnings_);
+    while (next_line()) {
+      if (trimmed(line_).empty()) continue;
+      if (!trimmed(line_).starts_with('#')) return read_names();
+      const auto after = line_.substr(line_.find('#') + 1);
+      run_key_reader.read(after, line_number_, column_of(after));
     }
     throw FileError({file_, std::max<std::size_t>(line_number_, 1), 1}, "no header row");
   }
 
-  void read_names(std::string_view line) {
+  void read_names() {
     header_line_ = line_number_;
-    for (const auto& cell : cells_of(line)) {
-      auto name = cell.text;
-      if (name.size() >= 2 && name.front() == '"' && name.back() == '"') name = name.substr(1, name.size() - 2);
-      if (name.empty()) fail(cell.column, "a column has no name");
-      if (std::ranges::find(columns_, name, &Reading::name) != columns_.end())
-        fail(cell.column, fmt::format("column {} appears twice", name));
-      columns_.push_back({.name = name});
-      if (const auto column = column_named(name)) claim(*column, cell.column);
-    }
+    const auto cells = cells_of(line_);
+    if (std::ranges::all_of(cells, [](auto cell) { return number_in(cell).has_value(); }))
+      fail(line_, "no header row above the numbers; a line that starts with # is not one");
+    for (const auto cell : cells) add_column(cell);
     require_columns();
   }
 
-  /// Notes that a channel comes from this column, and refuses a second source for it.
-  void claim(const Column& column, std::size_t place) {
-    columns_.back().si = column.si;
-    auto& source = source_[index_of(column.channel)];
-    if (!source.empty()) fail(place, fmt::format("{} and {} both give the same quantity", source, column.name));
-    source = column.name;
+  void add_column(std::string_view cell) {
+    const auto name = name_in(cell);
+    if (name.empty()) fail(cell, "a column has no name");
+    if (found(name)) fail(cell, fmt::format("column {} appears twice", shown(name)));
+    const auto known = column_named(name);
+    if (const auto* rival = known ? source_of(known->channel) : nullptr)
+      fail(cell, fmt::format("{} and {} both give the same quantity", rival->name, name));
+    columns_.push_back({.name = name, .place = column_of(cell), .known = known});
   }
 
   bool found(std::string_view name) const {
     return std::ranges::find(columns_, name, &Reading::name) != columns_.end();
   }
-  bool found(Channel channel) const { return !source_[index_of(channel)].empty(); }
 
-  void require_columns() {
-    const bool heading = found(Channel::psi);
-    const bool rudder = found(Channel::delta) || found(Channel::delta_order);
-    if (!found("time_s")) fail(1, "no column time_s");
-    if (!heading) fail(1, "no heading column (psi_rad or psi_deg)");
-    if (!rudder) fail(1, "no rudder column (delta_rad, delta_deg, delta_order_rad or delta_order_deg)");
-    if (found("lat_deg") != found("lon_deg")) fail(1, "lat_deg and lon_deg must come together");
-    if (found(Channel::x) != found(Channel::y)) fail(1, "x_m and y_m must come together");
-    if (found("lat_deg") && found(Channel::x)) fail(1, "x_m, y_m and lat_deg, lon_deg both give the position");
+  /// The column that tells the channel, if there is one.
+  const Reading* source_of(Channel channel) const {
+    const auto source = std::ranges::find_if(columns_, [&](const Reading& c) { return c.known && c.known->channel == channel; });
+    return source == columns_.end() ? nullptr : &*source;
   }
+
+  void require_columns() const {
+    require_one_of({"time_s"}, "no column time_s");
+    require_one_of({"psi_rad", "psi_deg"}, "no heading column (psi_rad or psi_deg)");
+    require_one_of({"delta_rad", "delta_deg", "delta_order_rad", "delta_order_deg"},
+                   "no rudder column (delta_rad, delta_deg, delta_order_rad or delta_order_deg)");
+    if (found("lat_deg") != found("lon_deg")) fail(line_, "lat_deg and lon_deg must come together");
+    if (found("lat_deg") && (source_of(Channel::x) || source_of(Channel::y)))
+      fail(line_, "x_m, y_m and lat_deg, lon_deg both give the position");
+  }
+
+  void require_one_of(std::initializer_list<std::string_view> names, std::string_view refusal) const {
+    if (std::ranges::any_of(names, [&](auto name) { return found(name); })) return;
+    const auto meant = [&](const Reading& c) { return std::ranges::count(names, same_but_for_capitals(c.name)) > 0; };
+    if (columns_.size() == 1) fail(line_, fmt::format("{}{}", refusal, separator_hint()));
+    const auto odd = std::ranges::find_if(columns_, meant);
+    if (odd == columns_.end()) fail(line_, refusal);
+    throw FileError({file_, line_number_, odd->place}, fmt::format("{}; is {} meant by {}?", refusal, same_but_for_capitals(odd->name), odd->name));
+  }
+
+  const Reading* rudder_source() const {
+    const auto* actual = source_of(Channel::delta);
+    return actual ? actual : source_of(Channel::delta_order);
+  }
+
+  /// What a line that falls into too few cells may be separated by.
+  std::string_view separator_hint() const {
+    if (line_.find(';') != std::string_view::npos) return "; is the file separated by semicolons? Commas are needed, and decimal points";
+    if (trimmed(line_).find('\t') != std::string_view::npos) return "; is the file separated by tabs? Commas are needed";
+    return "";
+  }
+
+  // -------------------------------------------------------------- rows
 
   void read_rows() {
-    for (std::string_view line; next_line(line);)
-      if (!trimmed(line).empty()) read_row(cells_of(line));
-    if (columns_.front().values.empty()) throw FileError({file_, header_line_ + 1, 1}, "no samples below the header row");
+    while (next_line())
+      if (!trimmed(line_).empty()) read_row(cells_of(line_));
+    if (samples_ == 0) throw FileError({file_, header_line_ + 1, 1}, "no samples below the header row");
   }
 
-  void read_row(const std::vector<Cell>& cells) {
-    if (cells.size() != columns_.size())
-      fail(cells.back().column, fmt::format("{} cells, but the header row has {}", cells.size(), columns_.size()));
-    for (std::size_t i = 0; i < cells.size(); ++i) columns_[i].values.push_back(value_in(cells[i], columns_[i]));
+  void read_row(const std::vector<std::string_view>& cells) {
+    if (cells.size() != columns_.size()) fail_with_count(cells);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (columns_[i].is_understood()) columns_[i].values.push_back(value_in(unquoted(cells[i]), columns_[i]));
+      else columns_[i].cells.emplace_back(cells[i]);
+    }
+    ++samples_;
   }
 
-  double value_in(const Cell& cell, const Reading& column) {
+  [[noreturn]] void fail_with_count(const std::vector<std::string_view>& cells) const {
+    const bool too_many = cells.size() > columns_.size();
+    const auto hint = too_many ? "; are there decimal commas? Decimal points are needed" : separator_hint();
+    fail(too_many ? cells[columns_.size()] : cells.back(),
+         fmt::format("{} cell{}, but the header row has {}{}", cells.size(), cells.size() == 1 ? "" : "s", columns_.size(), hint));
+  }
+
+  double value_in(std::string_view cell, const Reading& column) const {
     const bool is_time = column.name == "time_s";
-    if (is_missing(cell.text)) {
-      if (is_time) fail(cell.column, "time_s is missing");
+    if (is_missing(cell)) {
+      if (is_time) fail(cell, "time_s is missing");
       return missing;
     }
-    const auto value = number_in(cell.text);
-    if (!value) fail(cell.column, fmt::format("\"{}\" in column {} is not a number", cell.text, column.name));
-    if (is_time && !column.values.empty() && *value <= column.values.back())
-      fail(cell.column, fmt::format("time_s must increase, got {} after {}", *value, column.values.back()));
-    return *value * column.si;
+    const auto number = number_in(cell);
+    const double value = number.value_or(missing) * (column.known ? column.known->si : 1.0);
+    if (!std::isfinite(value)) fail_without_number(cell, column.name);
+    if (is_time && !column.values.empty() && value <= column.values.back())
+      fail(cell, fmt::format("time_s must increase, got {} after {}", value, column.values.back()));
+    if (column.name == "lat_deg" && std::abs(value) > 90.0) fail(cell, fmt::format("lat_deg must lie between -90 and 90, got {}", value));
+    if (column.name == "lon_deg" && std::abs(value) > 360.0) fail(cell, fmt::format("lon_deg must lie between -360 and 360, got {}", value));
+    return value;
   }
 
-  [[noreturn]] void fail(std::size_t column, std::string_view what) const {
-    throw FileError({file_, line_number_, column}, what);
+  [[noreturn]] void fail_without_number(std::string_view cell, std::string_view column) const {
+    const bool comma = cell.find(',') != std::string_view::npos;
+    const bool first_row = samples_ == 0;
+    const auto hint = comma ? "; a decimal point is needed" : first_row ? "; units belong in the column names, not in a row of their own" : "";
+    fail(cell, fmt::format("\"{}\" in column {} is not a number{}", shown(cell), column, hint));
   }
 
   // -------------------------------------------------------------- to midship, SI, inside signs
@@ -250,47 +299,56 @@ class RecordingParser {
   void fill_recording() {
     recording_.name = file_.filename().string();
     for (auto& column : columns_) store(column);
+    require_samples();
     project_position();
     unwrap_heading();
     for (const Channel rudder : {Channel::delta, Channel::delta_order})
       for (double& angle : recording_.channels[index_of(rudder)]) angle *= convention_.rudder_sign;
     if (convention_.reference_x != 0.0) move_to_midship();
-    require_samples();
   }
 
   void store(Reading& column) {
-    const auto known = column_named(column.name);
     if (column.name == "time_s") recording_.time = std::move(column.values);
-    else if (known) recording_.channels[index_of(known->channel)] = std::move(column.values);
+    else if (column.known) recording_.channels[index_of(column.known->channel)] = std::move(column.values);
     else if (column.name == "lat_deg") latitude_ = std::move(column.values);
     else if (column.name == "lon_deg") longitude_ = std::move(column.values);
     else keep_unknown(column);
   }
 
   void keep_unknown(Reading& column) {
-    warnings_.push_back(fmt::format("{}: column {} is not understood; kept as it is", recording_.name, column.name));
-    recording_.extra.push_back({std::string(column.name), std::move(column.values)});
+    const auto similar = same_but_for_capitals(column.name);
+    const auto hint = similar.empty() ? std::string{} : fmt::format("; is {} meant?", similar);
+    warnings_.push_back(fmt::format("{}: column {} is not understood; kept as it is{}", recording_.name, shown(column.name), hint));
+    recording_.extra.push_back({column.name, std::move(column.cells)});
+  }
+
+  void require_samples() const {
+    const bool rudder = recording_.has(Channel::delta) || recording_.has(Channel::delta_order);
+    if (!recording_.has(Channel::psi))
+      throw FileError({file_, header_line_, source_of(Channel::psi)->place}, "every heading sample is missing");
+    if (!rudder) throw FileError({file_, header_line_, rudder_source()->place}, "every rudder sample is missing");
   }
 
   /// Latitude and longitude to metres north and east of the first fix.
   void project_position() {
+    if (latitude_.empty()) return;
+    const auto x = recording_.fill(Channel::x), y = recording_.fill(Channel::y);
     std::optional<GeographicLib::LocalCartesian> plane;
     for (std::size_t i = 0; i < latitude_.size(); ++i) {
-      auto x = recording_.fill(Channel::x), y = recording_.fill(Channel::y);
       if (std::isnan(latitude_[i]) || std::isnan(longitude_[i])) continue;
-      if (!(std::abs(latitude_[i]) <= 90.0))
-        throw FileError({.file = file_}, fmt::format("latitude {} is beyond 90 deg", latitude_[i]));
       if (!plane) plane.emplace(latitude_[i], longitude_[i]);
       double up = 0.0;
       plane->Forward(latitude_[i], longitude_[i], 0.0, y[i], x[i], up);
     }
   }
 
+  /// A step of half a turn at most stays as it is, to the last bit.
   void unwrap_heading() {
+    constexpr double half_turn = pi + 1e-9;
     std::optional<double> previous;
     for (double& psi : recording_.channels[index_of(Channel::psi)]) {
       if (std::isnan(psi)) continue;
-      if (previous) psi = unwrapped(psi, *previous);
+      if (previous && std::abs(psi - *previous) > half_turn) psi = unwrapped(psi, *previous);
       previous = psi;
     }
   }
@@ -299,18 +357,31 @@ class RecordingParser {
   void move_to_midship() {
     const double l = convention_.reference_x;
     const Interpolant heading(recording_, Channel::psi);
+    const auto yaw_rate = recording_.has(Channel::r) ? std::optional<Interpolant>(std::in_place, recording_, Channel::r) : std::nullopt;
     for (std::size_t i = 0; i < recording_.samples(); ++i) {
       const double psi = heading(recording_.time[i]);
+      const double r = yaw_rate ? (*yaw_rate)(recording_.time[i]) : turning_rate(heading, i);
       shift(Channel::x, i, -l * std::cos(psi));
       shift(Channel::y, i, -l * std::sin(psi));
-      const double r = found(Channel::r) ? recording_[Channel::r][i] : turning_rate(heading, i);
       shift(Channel::v, i, -l * r);
       shift(Channel::v_ground, i, -l * r);
+      shift_course(i, l * r * std::sin(psi), -l * r * std::cos(psi));
     }
   }
 
   void shift(Channel channel, std::size_t i, double by) {
     if (auto& values = recording_.channels[index_of(channel)]; !values.empty()) values[i] += by;
+  }
+
+  /// Speed and course over ground after a change of velocity; one without the other stays as it is.
+  void shift_course(std::size_t i, double north, double east) {
+    auto& speed = recording_.channels[index_of(Channel::speed_over_ground)];
+    auto& course = recording_.channels[index_of(Channel::course_over_ground)];
+    if (speed.empty() || course.empty() || std::isnan(speed[i]) || std::isnan(course[i])) return;
+    north += speed[i] * std::cos(course[i]);
+    east += speed[i] * std::sin(course[i]);
+    speed[i] = std::hypot(north, east);
+    course[i] = unwrapped(std::atan2(east, north), course[i]);
   }
 
   double turning_rate(const Interpolant& heading, std::size_t i) const {
@@ -319,19 +390,14 @@ class RecordingParser {
     return after > before ? (heading(after) - heading(before)) / (after - before) : 0.0;
   }
 
-  void require_samples() {
-    const bool rudder = recording_.has(Channel::delta) || recording_.has(Channel::delta_order);
-    if (!recording_.has(Channel::psi)) throw FileError({file_, header_line_, 1}, "every heading sample is missing");
-    if (!rudder) throw FileError({file_, header_line_, 1}, "every rudder sample is missing");
-  }
-
   std::string_view rest_;
   std::filesystem::path file_;
+  std::string_view line_;
   std::size_t line_number_ = 0;
   std::size_t header_line_ = 0;
+  std::size_t samples_ = 0;
   Convention convention_;
   std::vector<Reading> columns_;
-  std::array<std::string_view, channel_count> source_;
   std::vector<double> latitude_;
   std::vector<double> longitude_;
   Recording recording_;
@@ -342,32 +408,50 @@ class RecordingParser {
 
 using Text = fmt::memory_buffer;
 
+/// A TOML text on one line.
+std::string in_quotes(const std::string& text) {
+  const toml::value<std::string> value(text);
+  std::ostringstream quoted;
+  quoted << toml::toml_formatter(value, toml::format_flags::allow_unicode_strings);
+  return std::move(quoted).str();
+}
+
 void write_facts(Text& out, const RunFacts& facts) {
   auto to = fmt::appender(out);
   fmt::format_to(to, "# rudder_positive = \"port\"\n");
-  if (!facts.manoeuvre.empty()) {
-    std::ostringstream quoted;
-    quoted << toml::value<std::string>(facts.manoeuvre);
-    fmt::format_to(to, "# manoeuvre = {}\n", std::move(quoted).str());
-  }
+  if (!facts.manoeuvre.empty()) fmt::format_to(to, "# manoeuvre = {}\n", in_quotes(facts.manoeuvre));
   if (facts.execute) fmt::format_to(to, "# execute_s = {}\n", *facts.execute);
   if (facts.water_depth) fmt::format_to(to, "# water_depth_m = {}\n", *facts.water_depth);
   for (const auto& remark : facts.remarks) fmt::format_to(to, "# {} = {}\n", remark.key, remark.value);
 }
 
-struct OutputColumn {
-  std::string_view name;
-  std::span<const double> values;
-};
+std::vector<Channel> recorded_channels(const Recording& recording) {
+  std::vector<Channel> channels;
+  for (std::size_t i = 0; i < channel_count; ++i)
+    if (const auto channel = static_cast<Channel>(i); !recording[channel].empty()) channels.push_back(channel);
+  return channels;
+}
 
-std::vector<OutputColumn> output_columns(const Recording& recording) {
-  std::vector<OutputColumn> columns{{"time_s", recording.time}};
-  for (std::size_t i = 0; i < channel_count; ++i) {
-    const auto channel = static_cast<Channel>(i);
-    if (!recording[channel].empty()) columns.push_back({column_name(channel), recording[channel]});
+void write_header(Text& out, const Recording& recording) {
+  auto to = fmt::appender(out);
+  fmt::format_to(to, "time_s");
+  for (const Channel channel : recorded_channels(recording)) fmt::format_to(to, ",{}", column_name(channel));
+  for (const auto& extra : recording.extra) fmt::format_to(to, ",{}", cell_naming(extra.name));
+  out.push_back('\n');
+}
+
+void write_rows(Text& out, const Recording& recording) {
+  auto to = fmt::appender(out);
+  const auto channels = recorded_channels(recording);
+  for (std::size_t i = 0; i < recording.samples(); ++i) {
+    fmt::format_to(to, "{}", recording.time[i]);
+    for (const Channel channel : channels) {
+      out.push_back(',');
+      if (const double value = recording[channel][i]; !std::isnan(value)) fmt::format_to(to, "{}", value);
+    }
+    for (const auto& extra : recording.extra) fmt::format_to(to, ",{}", extra.cells[i]);
+    out.push_back('\n');
   }
-  for (const auto& extra : recording.extra) columns.push_back({extra.name, extra.values});
-  return columns;
 }
 
 }  // namespace
@@ -382,16 +466,9 @@ RecordingFile read_recording(const std::filesystem::path& file) {
 
 std::string recording_text(const Recording& recording) {
   Text out;
-  auto to = fmt::appender(out);
   write_facts(out, recording.facts);
-  const auto columns = output_columns(recording);
-  for (const auto& column : columns) fmt::format_to(to, "{}{}", column.name, &column == &columns.back() ? '\n' : ',');
-  for (std::size_t i = 0; i < recording.samples(); ++i) {
-    for (const auto& column : columns) {
-      if (!std::isnan(column.values[i])) fmt::format_to(to, "{}", column.values[i]);
-      out.push_back(&column == &columns.back() ? '\n' : ',');
-    }
-  }
+  write_header(out, recording);
+  write_rows(out, recording);
   return fmt::to_string(out);
 }
 

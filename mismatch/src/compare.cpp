@@ -162,23 +162,118 @@ Comparison compare(const Ship& ship, const Recording& run, const CompareOptions&
   return c;
 }
 
-std::string verdict(const std::vector<Comparison>& comparisons) {
-  const Comparison* where = nullptr;
-  const QuantityError* worst = nullptr;
+// ---------------------------------------------------------------- all runs together
+
+namespace {
+
+/// Sums of squares and of errors, from their means.
+struct Pool {
+  double samples = 0.0;
+  double squares = 0.0;
+  double sum = 0.0;
+
+  void add(double count, double rms, double bias) {
+    samples += count;
+    squares += count * rms * rms;
+    sum += count * bias;
+  }
+
+  double rms() const { return samples > 0.0 ? std::sqrt(squares / samples) : 0.0; }
+  double bias() const { return samples > 0.0 ? sum / samples : 0.0; }
+};
+
+std::vector<const QuantityError*> errors_in(const std::vector<Comparison>& comparisons, Quantity quantity, std::vector<double>& samples) {
+  std::vector<const QuantityError*> errors;
   for (const auto& c : comparisons) {
     for (const auto& e : c.errors) {
-      if (e.quantity == Quantity::position) continue;  // its variation is the length of the run
-      if (worst && e.normalised() <= worst->normalised()) continue;
-      where = &c;
-      worst = &e;
+      if (e.quantity != quantity) continue;
+      errors.push_back(&e);
+      samples.push_back(static_cast<double>(c.recorded.samples()));
     }
   }
-  if (!worst) return "The runs hold nothing to compare.";
+  return errors;
+}
+
+std::vector<RegionError> pooled_regions(const std::vector<const QuantityError*>& errors) {
+  std::vector<RegionError> all;
+  for (const auto* e : errors) {
+    for (const auto& region : e->regions) {
+      const auto same = std::ranges::find_if(
+          all, [&](const auto& r) { return r.variable == region.variable && r.from == region.from && r.to == region.to; });
+      if (same == all.end()) {
+        all.push_back(region);
+        continue;
+      }
+      Pool pool;
+      for (const auto& r : {*same, region}) pool.add(static_cast<double>(r.samples), r.rms, r.bias);
+      *same = {region.variable, region.from, region.to, same->samples + region.samples, pool.rms(), pool.bias(), 0.0};
+    }
+  }
+  std::ranges::sort(all, {}, [](const auto& r) { return std::pair(r.variable, r.from.value_or(-10.0)); });
+  const auto squares = [](const RegionError& r) { return static_cast<double>(r.samples) * r.rms * r.rms; };
+  for (auto& region : all) {
+    double total = 0.0;
+    for (const auto& other : all)
+      if (other.variable == region.variable) total += squares(other);
+    region.share = total > 0.0 ? squares(region) / total : 0.0;
+  }
+  return all;
+}
+
+QuantityError pooled(const std::vector<Comparison>& comparisons, Quantity quantity) {
+  std::vector<double> samples;
+  const auto errors = errors_in(comparisons, quantity, samples);
+  Pool window, variation, noise, open_loop;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    window.add(samples[i], errors[i]->window_rms, errors[i]->bias);
+    variation.add(samples[i], errors[i]->variation, 0.0);
+    noise.add(samples[i], errors[i]->noise, 0.0);
+    open_loop.add(samples[i], errors[i]->open_loop_rms, 0.0);
+  }
+  auto regions = pooled_regions(errors);
+  const auto region = worst_region(regions);
+  return {.quantity = quantity,
+          .variation = variation.rms(),
+          .noise = noise.rms(),
+          .window_rms = window.rms(),
+          .bias = window.bias(),
+          .open_loop_rms = open_loop.rms(),
+          .worst = {},
+          .regions = std::move(regions),
+          .region = region};
+}
+
+/// The run in which the window error of the quantity is largest.
+std::pair<const Comparison*, const QuantityError*> worst_run(const std::vector<Comparison>& comparisons, Quantity quantity) {
+  std::pair<const Comparison*, const QuantityError*> worst{};
+  for (const auto& c : comparisons)
+    for (const auto& e : c.errors)
+      if (e.quantity == quantity && (!worst.second || e.window_rms > worst.second->window_rms)) worst = {&c, &e};
+  return worst;
+}
+
+}  // namespace
+
+std::vector<QuantityError> pooled(const std::vector<Comparison>& comparisons) {
+  std::vector<QuantityError> all;
+  for (const auto quantity : all_quantities)
+    if (worst_run(comparisons, quantity).first) all.push_back(pooled(comparisons, quantity));
+  return all;
+}
+
+std::string verdict(const std::vector<Comparison>& comparisons) {
+  auto all = pooled(comparisons);
+  std::erase_if(all, [](const auto& e) { return e.quantity == Quantity::position; });
+  const auto worst = std::ranges::max_element(all, {}, &QuantityError::normalised);
+  if (worst == all.end()) return "The runs hold nothing to compare.";
   std::string name(name_of(worst->quantity));
   std::ranges::replace(name, '_', ' ');
-  auto text = fmt::format("The model is farthest off in {}: {:.0f} % of its variation in {}", name, 100.0 * worst->normalised(), where->recorded.name);
-  if (worst->worst) text += fmt::format(", most of it from {:.6g} to {:.6g} s", worst->worst->from, worst->worst->to);
-  if (worst->region) text += fmt::format(", largest at {}", words_for(*worst->region));
+  auto text = fmt::format("The model is farthest off in {}, by {:.0f} % of its variation", name, 100.0 * worst->normalised());
+  if (std::abs(worst->bias) > 0.7 * worst->window_rms) text += fmt::format(", and too {} nearly throughout", worst->bias > 0.0 ? "high" : "low");
+  const auto [run, error] = worst_run(comparisons, worst->quantity);
+  text += fmt::format("; worst in {}", run->recorded.name);
+  if (error->worst) text += fmt::format(" from {:.5g} to {:.5g} s", error->worst->from, error->worst->to);
+  if (error->region) text += fmt::format(", with {}", words_for(*error->region));
   return text + '.';
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "statistics.hpp"
 #include "swayaw/core/angle.hpp"
@@ -65,12 +66,17 @@ std::string_view negative_side(Variable variable) {
   return "";
 }
 
-std::string size_words(const RegionError& region, double low, double high) {
-  const bool angle = region.variable != Variable::yaw_rate;
-  const auto shown = [&](double x) { return std::round((angle ? degrees(x) : x) * 1000.0) / 1000.0; };
-  const auto unit = angle ? " deg" : "";
-  if (std::isinf(high)) return fmt::format("beyond {:g}{}", shown(low), unit);
-  return fmt::format("{:g} to {:g}{}", shown(low), shown(high), unit);
+/// A bound in the unit that people read: degrees, or r'.
+std::string shown(Variable variable, double bound) {
+  if (variable == Variable::yaw_rate) return fmt::format("{:g}", bound);
+  return fmt::format("{:g}", std::round(degrees(bound) * 1000.0) / 1000.0);
+}
+
+/// "15 to 25 deg" or "beyond 25 deg", of the size of the variable.
+std::string size_words(Variable variable, double low, double high) {
+  const auto unit = variable == Variable::yaw_rate ? "" : " deg";
+  if (std::isinf(high)) return fmt::format("beyond {}{}", shown(variable, low), unit);
+  return fmt::format("{} to {}{}", shown(variable, low), shown(variable, high), unit);
 }
 
 std::string_view subject(Variable variable) {
@@ -103,12 +109,13 @@ std::span<const double> Conditions::of(Variable variable) const {
 }
 
 std::string words_for(const RegionError& region) {
-  const double infinite = std::numeric_limits<double>::infinity();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto variable = region.variable;
   const double low = region.from.value_or(-infinite), high = region.to.value_or(infinite);
-  const auto name = subject(region.variable);
-  if (low < 0.0 && high > 0.0) return fmt::format("{} within {} of zero", name, size_words(region, high, infinite).substr(7));
-  if (low > 0.0) return fmt::format("{} {} {}", name, size_words(region, low, high), positive_side(region.variable));
-  return fmt::format("{} {} {}", name, size_words(region, -high, -low), negative_side(region.variable));
+  if (low < 0.0 && high > 0.0)
+    return fmt::format("{} within {}{} of zero", subject(variable), shown(variable, high), variable == Variable::yaw_rate ? "" : " deg");
+  if (low > 0.0) return fmt::format("{} {} {}", subject(variable), size_words(variable, low, high), positive_side(variable));
+  return fmt::format("{} {} {}", subject(variable), size_words(variable, -high, -low), negative_side(variable));
 }
 
 std::vector<RegionError> errors_by_region(std::span<const double> errors, const Conditions& conditions) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/math/tools/toms748_solve.hpp>
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "swayaw/core/motion.hpp"
+#include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/controls.hpp"
 #include "swayaw/nonlinear/mmg_forces.hpp"
 
@@ -127,14 +130,13 @@ class Voyage {
       const bool fired = passes_zero(before, after);
       const double event = fired ? root(stretch, g) : stretch.to;
       const BranchChange change = branch_change(stretch);
-      if (change.time < event || (change.time == event && !fired)) {
-        advance(stretch, change.time);
-        switch_branch(change);
-        continue;
-      }
-      advance(stretch, event);
-      if (fired) return true;
-      before = after;
+      const bool branch_first = change.time < event || (change.time == event && !fired);
+      advance(stretch, branch_first ? change.time : event);
+      if (branch_first) switch_branch(change);
+      else if (fired) return true;
+      const double now = g(state_);
+      if (passes_zero(before, now)) return true;
+      before = now;
     }
     return false;
   }
@@ -194,9 +196,18 @@ class Voyage {
     const double reached = stepper_.current_time();
     const bool cut_short = tried < step_ && reached - from >= tried;  // by the limit, not by the error
     step_ = cut_short ? std::max(step_, stepper_.current_time_step()) : stepper_.current_time_step();
+    if (!cut_short) require_bounded(from);
     if (std::abs(reached - until) <= 1e-13 * time_unit_) return {from, until, state_, stepper_.current_state(), true};
     if (reached < until) return {from, reached, state_, stepper_.current_state(), true};
     return {from, until, state_, dense(until), false};
+  }
+
+  /// @throws Refusal  when the motion grows so fast that no step can follow it
+  void require_bounded(double time) const {
+    const auto& s = stepper_.current_state();
+    const bool finite = std::isfinite(s[0] + s[1] + s[2] + s[3] + s[4] + s[5]);
+    if (finite && stepper_.current_time_step() > 1e-8 * time_unit_) return;
+    throw Refusal(fmt::format("the simulated motion grows without bound at {:.6g} s", time));
   }
 
   StateVector dense(double time) const {

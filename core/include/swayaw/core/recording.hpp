@@ -23,7 +23,7 @@ struct RunRemark {
 /// A column that swayaw does not understand, as written in the file.
 struct ExtraColumn {
   std::string name;
-  std::vector<double> values;
+  std::vector<std::string> cells;  ///< text, one for each sample
 };
 
 /// What is known of a run besides its samples.

@@ -58,7 +58,11 @@ struct Comparison {
 /// @throws Refusal  if the run does not tell rudder or speed, or has fewer than three samples
 Comparison compare(const Ship& ship, const Recording& run, const CompareOptions& options = {});
 
-/// One sentence: in which quantity, run, interval and region the ship is farthest off.
+/// Errors of each quantity in all runs together, sample by sample; without a worst interval.
+std::vector<QuantityError> pooled(const std::vector<Comparison>& comparisons);
+
+/// One sentence: in which quantity the ship is farthest off, over all runs together and in units of its variation, and in
+/// which run, interval and region most. Position is left out: its variation is the length of the run.
 std::string verdict(const std::vector<Comparison>& comparisons);
 
 }  // namespace swayaw

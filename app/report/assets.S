@@ -1,0 +1,16 @@
+/* Puts the report's text files into the library; the include path finds them. */
+.macro embed name, file
+    .global swayaw_report_\name
+    .global swayaw_report_\name\()_end
+swayaw_report_\name:
+    .incbin "\file"
+swayaw_report_\name\()_end:
+.endm
+
+    .section .rodata
+    embed page_html, page.html
+    embed page_css, page.css
+    embed compare_js, compare.js
+    embed plotly_js, plotly-basic.min.js
+
+    .section .note.GNU-stack, "", %progbits

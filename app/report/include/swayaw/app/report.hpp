@@ -1,0 +1,14 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace swayaw {
+
+/// One HTML page that shows a comparison document ("swayaw.comparison/1").
+///
+/// The page holds its plotting library and its data, and asks nothing of the network. The series
+/// in it are thinned and rounded to six significant digits; all other values are kept as given.
+std::string comparison_page(const nlohmann::json& document);
+
+}  // namespace swayaw

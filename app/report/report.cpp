@@ -1,0 +1,180 @@
+#include "swayaw/app/report.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+extern "C" {
+extern const char swayaw_report_page_html[];
+extern const char swayaw_report_page_html_end[];
+extern const char swayaw_report_page_css[];
+extern const char swayaw_report_page_css_end[];
+extern const char swayaw_report_compare_js[];
+extern const char swayaw_report_compare_js_end[];
+extern const char swayaw_report_plotly_js[];
+extern const char swayaw_report_plotly_js_end[];
+}
+
+namespace swayaw {
+namespace {
+
+using nlohmann::json;
+
+std::string_view between(const char* begin, const char* end) {
+  return {begin, static_cast<std::size_t>(end - begin)};
+}
+
+std::string_view skeleton() {
+  return between(swayaw_report_page_html, swayaw_report_page_html_end);
+}
+
+// The fewer the runs, the finer each may be drawn: the page stays a few megabytes.
+std::size_t sample_limit(std::size_t runs) {
+  return std::clamp<std::size_t>(12000 / std::max<std::size_t>(runs, 1), 600, 1500);
+}
+
+double six_digits(double value) {
+  char text[32];
+  const auto written =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6);
+  double rounded = value;
+  std::from_chars(text, written.ptr, rounded);
+  return rounded;
+}
+
+void round_values(json& values) {
+  for (auto& value : values) {
+    if (value.is_number_float() && std::isfinite(value.get<double>())) {
+      value = six_digits(value.get<double>());
+    }
+  }
+}
+
+void keep_only(json& values, const std::vector<std::size_t>& kept) {
+  json chosen = json::array();
+  for (const auto index : kept) chosen.push_back(std::move(values[index]));
+  values = std::move(chosen);
+}
+
+// Marks where a line stops, and the sample after it, so that thinning cannot join two windows.
+void mark_breaks(const json& values, std::vector<bool>& wanted) {
+  for (std::size_t i = 1; i < wanted.size(); ++i) {
+    if (!values[i].is_null() || values[i - 1].is_null()) continue;
+    wanted[i] = true;
+    if (i + 1 < wanted.size()) wanted[i + 1] = true;
+  }
+}
+
+std::vector<std::size_t> samples_to_keep(const json& series, std::size_t count, std::size_t limit) {
+  std::vector<bool> wanted(count, false);
+  const std::size_t stride = (count + limit - 1) / limit;
+  for (std::size_t i = 0; i < count; i += stride) wanted[i] = true;
+  wanted.back() = true;
+  if (const auto windows = series.find("windows"); windows != series.end()) {
+    for (const auto& values : *windows) {
+      if (values.is_array() && values.size() == count) mark_breaks(values, wanted);
+    }
+  }
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (wanted[i]) kept.push_back(i);
+  }
+  return kept;
+}
+
+template <typename Change>
+void for_each_channel(json& series, std::size_t count, Change change) {
+  for (auto& part : series) {
+    if (part.is_array() && part.size() == count) {
+      change(part);
+    } else if (part.is_object()) {
+      for_each_channel(part, count, change);
+    }
+  }
+}
+
+void compact_series(json& series, std::size_t limit) {
+  const auto time = series.find("time_s");
+  if (time == series.end() || !time->is_array()) return;
+  const std::size_t count = time->size();
+  if (count > limit) {
+    const auto kept = samples_to_keep(series, count, limit);
+    for_each_channel(series, count, [&](json& values) { keep_only(values, kept); });
+    for_each_channel(series, kept.size(), round_values);
+  } else {
+    for_each_channel(series, count, round_values);
+  }
+}
+
+json compact(json document) {
+  const auto runs = document.find("runs");
+  if (runs == document.end()) return document;
+  for (auto& run : *runs) {
+    const auto series = run.find("series");
+    if (series != run.end() && series->is_object()) {
+      compact_series(*series, sample_limit(runs->size()));
+    }
+  }
+  return document;
+}
+
+// JSON text that no HTML parser can take for markup: these three only occur inside strings.
+std::string script_safe(std::string_view text) {
+  constexpr std::string_view line_separator = "\xe2\x80\xa8";
+  constexpr std::string_view paragraph_separator = "\xe2\x80\xa9";
+  std::string safe;
+  safe.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto three = text.substr(i, 3);
+    if (text[i] == '<') {
+      safe += "\\u003c";
+    } else if (three == line_separator || three == paragraph_separator) {
+      safe += three == line_separator ? "\\u2028" : "\\u2029";
+      i += 2;
+    } else {
+      safe += text[i];
+    }
+  }
+  return safe;
+}
+
+std::string document_text(const json& document) {
+  const auto text = compact(document).dump(-1, ' ', false, json::error_handler_t::replace);
+  return script_safe(text);
+}
+
+std::string_view text_for(std::string_view marker, std::string_view data) {
+  if (marker == "style") return between(swayaw_report_page_css, swayaw_report_page_css_end);
+  if (marker == "plotly") return between(swayaw_report_plotly_js, swayaw_report_plotly_js_end);
+  if (marker == "script") return between(swayaw_report_compare_js, swayaw_report_compare_js_end);
+  if (marker == "document") return data;
+  throw std::logic_error("page.html has an unknown marker: " + std::string(marker));
+}
+
+std::string fill(std::string_view page, std::string_view data) {
+  constexpr std::string_view open = "{{";
+  constexpr std::string_view close = "}}";
+  std::string filled;
+  for (;;) {
+    const auto start = page.find(open);
+    filled += page.substr(0, start);
+    if (start == std::string_view::npos) return filled;
+    page.remove_prefix(start + open.size());
+    const auto stop = page.find(close);
+    filled += text_for(page.substr(0, stop), data);
+    page.remove_prefix(stop + close.size());
+  }
+}
+
+}  // namespace
+
+std::string comparison_page(const json& document) {
+  return fill(skeleton(), document_text(document));
+}
+
+}  // namespace swayaw

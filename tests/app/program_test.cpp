@@ -1,0 +1,172 @@
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "files.hpp"
+#include "swayaw/core/atomic_file.hpp"
+#include "swayaw/core/recording_csv.hpp"
+
+/// The program from the outside: what it prints, where, and how it ends.
+namespace swayaw {
+namespace {
+
+using nlohmann::json;
+using test::Scratch;
+
+struct Outcome {
+  int code;
+  std::string out;
+  std::string err;
+};
+
+Outcome run(const Scratch& scratch, const std::string& arguments) {
+  const auto out = scratch / "stdout", err = scratch / "stderr";
+  const std::string command = std::string(SWAYAW_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
+  const int status = std::system(command.c_str());
+  return {WEXITSTATUS(status), read_text(out), read_text(err)};
+}
+
+const std::string ship = (test::ships / "kvlcc2_l7.toml").string();
+const std::string example_zigzag = (test::example_recordings / "weak_rudder_zz10_10.csv").string();
+const std::string example_turn = (test::example_recordings / "weak_rudder_turn35.csv").string();
+
+std::size_t lines(const std::string& text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
+
+TEST_CASE("the program tells its version and its commands", "[app]") {
+  const Scratch scratch;
+  const auto version = run(scratch, "--version");
+  CHECK(version.code == 0);
+  CHECK(std::regex_match(version.out, std::regex("swayaw \\d+\\.\\d+\\.\\d+\n")));
+  const auto help = run(scratch, "--help");
+  CHECK(help.code == 0);
+  for (const char* command : {"simulate", "replay", "compare"}) {
+    CHECK_THAT(help.out, ContainsSubstring(command));
+    CHECK(run(scratch, std::string(command) + " --help").code == 0);
+  }
+}
+
+TEST_CASE("wrong usage ends with code 2 and one line that helps", "[app][refusal]") {
+  const Scratch scratch;
+  const std::pair<std::string, std::string> cases[] = {
+      {"", "subcommand"},
+      {"simulat " + ship, "did you mean \"simulate\"?"},
+      {"fly", "no command \"fly\""},
+      {"simulate " + ship, "[--zigzag,--turn]"},
+      {"simulate " + ship + " --zigzag 20", "D/H"},
+      {"simulate " + ship + " --zigzag 20/20 --turn 35", "[--zigzag,--turn]"},
+      {"simulate " + ship + " --turn -5", "--turn"},
+      {"simulate " + ship + " --turn 35 --first left", "--first"},
+      {"simulate " + ship + " --turn 35 --sped 3", "--sped"},
+      {"replay " + ship + " " + example_zigzag, "--out"},
+      {"compare " + ship, "RUN"},
+      {"compare " + ship + " " + example_zigzag + " --window 0", "--window"},
+  };
+  for (const auto& [arguments, hint] : cases) {
+    INFO(arguments);
+    const auto outcome = run(scratch, arguments);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(lines(outcome.err) == 1);
+    CHECK_THAT(outcome.err, ContainsSubstring(hint));
+  }
+}
+
+TEST_CASE("bad data ends with code 1, names the place, and writes nothing", "[app][refusal]") {
+  const Scratch scratch;
+  write_text(scratch / "bad.csv", "time_s,psi_rad,delta_rad,u_m_s\n0,0,0,1\n1,0,x,1\n");
+  auto ship_text = read_text(ship);
+  const auto line = std::ranges::count(ship_text.substr(0, ship_text.find("density_kg_m3")), '\n') + 1;
+  ship_text.replace(ship_text.find("density_kg_m3 = 1000"), 20, "density_kg_m3 = -1");
+  write_text(scratch / "bad.toml", ship_text);
+  const auto bad_run = run(scratch, "replay " + ship + " " + (scratch / "bad.csv").string() + " --out " + (scratch / "out.csv").string());
+  CHECK(bad_run.code == 1);
+  CHECK(bad_run.out.empty());
+  CHECK(lines(bad_run.err) == 1);
+  CHECK_THAT(bad_run.err, ContainsSubstring((scratch / "bad.csv").string() + ":3:5: "));
+  CHECK_FALSE(std::filesystem::exists(scratch / "out.csv"));
+  const auto bad_ship = run(scratch, "simulate " + (scratch / "bad.toml").string() + " --turn 35");
+  CHECK(bad_ship.code == 1);
+  CHECK_THAT(bad_ship.err, ContainsSubstring((scratch / "bad.toml").string() + ":" + std::to_string(line) + ":17: density_kg_m3 in [water] must be positive, got -1"));
+  CHECK(run(scratch, "simulate no_such_ship.toml --turn 35").code == 1);
+  CHECK(run(scratch, "simulate " + ship + " --turn 36").code == 1);
+  CHECK(run(scratch, "simulate " + ship + " --turn 35 --out /no/such/folder/f.csv").code == 1);
+}
+
+TEST_CASE("simulate prints the indices of a zigzag as JSON", "[app]") {
+  const Scratch scratch;
+  const auto outcome = run(scratch, "simulate " + ship + " --zigzag 20/10 --first port --json");
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  const auto document = json::parse(outcome.out);
+  CHECK(document.at("manoeuvre") == "zigzag 20/10");
+  CHECK(document.at("first") == "port");
+  CHECK(document.at("execute_s").front() == 0.0);
+  CHECK(document.at("execute_s").size() >= 3);
+  CHECK(document.at("overshoot_deg").front().get<double>() > 0.0);
+  CHECK(document.at("period_s").get<double>() > 0.0);
+}
+
+TEST_CASE("simulate prints the indices of a turning circle as JSON, null for what was not reached", "[app]") {
+  const Scratch scratch;
+  const auto whole = json::parse(run(scratch, "simulate " + ship + " --turn 35 --json").out);
+  for (const char* key : {"advance_m", "transfer_m", "tactical_diameter_m", "final_diameter_m", "time_90_s", "time_180_s", "final_speed_m_s",
+                          "final_drift_rad", "final_yaw_rate_rad_s"})
+    CHECK(whole.at(key).is_number());
+  CHECK(whole.at("final_yaw_rate_rad_s").get<double>() > 0.0);
+  const auto part = json::parse(run(scratch, "simulate " + ship + " --turn 35 --duration 30 --json").out);
+  CHECK(part.at("time_90_s").is_number());
+  CHECK(part.at("time_180_s").is_null());
+}
+
+TEST_CASE("a simulated run can be read back and replayed", "[app][round-trip]") {
+  const Scratch scratch;
+  const auto made = (scratch / "run.csv").string(), again = (scratch / "again.csv").string();
+  REQUIRE(run(scratch, "simulate " + ship + " --zigzag 10/10 --duration 60 --step 0.05 --out " + made).code == 0);
+  REQUIRE(run(scratch, "replay " + ship + " " + made + " --out " + again).code == 0);
+  const auto first = read_recording(made).recording, second = read_recording(again).recording;
+  CHECK(first.facts.manoeuvre == "zigzag 10/10 first starboard");
+  REQUIRE(first.time == second.time);
+  for (std::size_t i = 0; i < first.samples(); ++i) CHECK_THAT(second[Channel::psi][i], WithinAbs(first[Channel::psi][i], 1e-4));
+}
+
+TEST_CASE("compare prints a document without NaN, a table, and a page", "[app]") {
+  const Scratch scratch;
+  const auto page = (scratch / "page.html").string();
+  const auto outcome = run(scratch, "compare " + ship + " " + example_zigzag + " " + example_turn + " --json --report " + page);
+  REQUIRE(outcome.code == 0);
+  const auto document = json::parse(outcome.out);
+  CHECK(document.at("schema") == "swayaw.comparison/1");
+  REQUIRE(document.at("runs").size() == 2);
+  CHECK(document.at("runs")[0].at("run") == "weak_rudder_zz10_10.csv");
+  CHECK(document.at("runs")[0].at("quantities").size() == 5);
+  const auto text = read_text(page);
+  CHECK(text.size() < 3'000'000);
+  CHECK_THAT(text, ContainsSubstring(document.at("verdict").get<std::string>()));
+  const auto table = run(scratch, "compare " + ship + " " + example_zigzag);
+  CHECK(table.code == 0);
+  CHECK_THAT(table.out, ContainsSubstring("worst interval"));
+  const auto markdown = run(scratch, "compare " + ship + " " + example_zigzag + " --markdown");
+  CHECK_THAT(markdown.out, ContainsSubstring("| weak_rudder_zz10_10 | yaw_rate |"));
+  CHECK_THAT(markdown.out, ContainsSubstring("| rudder 8 to 15 deg to port |"));
+}
+
+TEST_CASE("unknown columns are named on stderr, not on stdout", "[app]") {
+  const Scratch scratch;
+  auto text = read_text(example_zigzag);
+  text.replace(text.find(",rev_s"), 6, ",shaft_turns");
+  write_text(scratch / "run.csv", text);
+  const auto outcome = run(scratch, "compare " + ship + " " + (scratch / "run.csv").string() + " --json");
+  REQUIRE(outcome.code == 0);
+  CHECK(json::accept(outcome.out));
+  CHECK_THAT(outcome.err, ContainsSubstring("shaft_turns"));
+  CHECK_THAT(outcome.err, ContainsSubstring("no shaft speed recorded"));
+}
+
+}  // namespace
+}  // namespace swayaw
