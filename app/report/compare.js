@@ -597,19 +597,19 @@
     for (const node of section.querySelectorAll('.js-plotly-plot')) restyle(node, id, isShown(run, id));
   }
 
-  function keyEntry(run, source, section) {
+  function keyEntry(run, source, section, lengths) {
     const box = el('input', { type: 'checkbox' });
     box.checked = true;
     box.addEventListener('change', () => toggle(run, source.id, section));
-    return el('label', {}, box, el('span', { class: `swatch ${source.id}` }), source.label);
+    return el('label', {}, box, el('span', { class: `swatch ${source.id}` }),
+      source.id === 'windows' ? `${source.label} every ${lengths}` : source.label);
   }
 
   function key(run, section, lengths) {
     const entries = partsOf(run).filter(({ data }) => Object.values(data).some(has))
-      .map(({ source }) => keyEntry(run, source, section));
-    entries.at(-1).append(run.series.windows ? ` every ${lengths}` : '');
-    return el('div', { class: 'key' }, ...entries,
-      el('label', {}, el('span', { class: 'swatch worst' }), 'Worst interval of that quantity'));
+      .map(({ source }) => keyEntry(run, source, section, lengths));
+    const worst = el('label', {}, el('span', { class: 'swatch worst' }), 'Worst interval of that quantity');
+    return el('div', { class: 'key' }, ...entries, run.quantities.some((quantity) => quantity.worst) ? worst : null);
   }
 
   function titled(title, box) {
@@ -733,7 +733,7 @@
 
   function fitToBoxes() {
     for (const node of document.querySelectorAll('.js-plotly-plot')) {
-      Plotly.relayout(node, { width: node.clientWidth, height: node.clientHeight });
+      Plotly.relayout(node, { autosize: true });
     }
   }
 
