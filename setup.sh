@@ -8,7 +8,7 @@ wanted=$(<packages.txt)
 if command -v npm >/dev/null; then wanted=$(grep -vx npm packages.txt); fi
 
 installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2>/dev/null | sed -n 's/ installed$//p' || true)
-missing=$(comm -23 <(sort <<<"$wanted") <(sort -u <<<"$installed"))
+missing=$(grep -vxF "$installed" <<<"$wanted" || true)
 if [[ -z $missing ]]; then exit 0; fi
 
 echo "setup: installing" $missing

@@ -11,113 +11,13 @@
 #include <sstream>
 
 #include "csv_text.hpp"
+#include "run_keys.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw {
 namespace {
-
-// ---------------------------------------------------------------- run keys
-
-/// Facts of the run that change how samples are read.
-struct Convention {
-  double rudder_sign = 1.0;  ///< inside sign of a recorded positive angle
-  double reference_x = 0.0;  ///< reported point forward of midship [m]
-};
-
-constexpr std::array<std::string_view, 5> run_keys{"rudder_positive", "reference_x_m", "water_depth_m", "execute_s", "manoeuvre"};
-
-/// The run key that was perhaps meant: one that begins alike.
-std::string_view similar_run_key(std::string_view key) {
-  constexpr std::size_t alike = 6;
-  const auto begin = lower_case(key.substr(0, alike));
-  const auto similar = std::ranges::find_if(run_keys, [&](auto known) { return begin.size() == alike && known.starts_with(begin); });
-  return similar == run_keys.end() ? std::string_view{} : *similar;
-}
-
-class RunKeyReader {
- public:
-  RunKeyReader(const std::filesystem::path& file, RunFacts& facts, Convention& convention, std::vector<std::string>& warnings)
-      : file_(file), facts_(facts), convention_(convention), warnings_(warnings) {}
-
-  /// Reads `key = value`; a line without '=' is a remark to human readers.
-  void read(std::string_view line, std::size_t line_number, std::size_t column) {
-    line_number_ = line_number;
-    column_ = column;
-    const auto equals = line.find('=');
-    if (equals == std::string_view::npos) return warn_of_remark(trimmed(line));
-    try {
-      for (auto&& [key, value] : toml::parse(line))
-        if (!take_key(key.str(), value)) keep(key.str(), {std::string(trimmed(line.substr(0, equals))), std::string(trimmed(line.substr(equals + 1)))});
-    } catch (const toml::parse_error& error) {
-      throw FileError(at(error.source().begin.column), error.description());
-    }
-  }
-
- private:
-  /// @return whether the key is one of `run_keys`
-  bool take_key(std::string_view key, const toml::node& value) {
-    if (std::ranges::count(run_keys, key) == 0) return false;
-    if (std::ranges::count(seen_, key) > 0) throw FileError(at(1), fmt::format("{} appears twice", key));
-    seen_.push_back(std::string(key));
-    if (key == "rudder_positive") convention_.rudder_sign = rudder_sign_of(value);
-    else if (key == "reference_x_m") convention_.reference_x = number(key, value);
-    else if (key == "water_depth_m") facts_.water_depth = positive_number(key, value);
-    else if (key == "execute_s") facts_.execute = number(key, value);
-    else facts_.manoeuvre = text(key, value);
-    return true;
-  }
-
-  void keep(std::string_view key, RunRemark remark) {
-    facts_.remarks.push_back(std::move(remark));
-    if (const auto similar = similar_run_key(key); !similar.empty()) warn(key, similar);
-  }
-
-  void warn_of_remark(std::string_view remark) {
-    const auto word = remark.substr(0, remark.find_first_of(" \t:"));
-    if (std::ranges::count(run_keys, word) > 0) warn(remark, std::string(word) + " = ...");
-  }
-
-  void warn(std::string_view written, std::string_view meant) {
-    warnings_.push_back(fmt::format("{}: \"{}\" above the header is not understood; is {} meant?", file_.filename().string(), shown(written), meant));
-  }
-
-  double rudder_sign_of(const toml::node& value) {
-    const auto side = text("rudder_positive", value);
-    if (side == "port") return 1.0;
-    if (side == "starboard") return -1.0;
-    throw FileError(at(value), fmt::format("rudder_positive must be \"port\" or \"starboard\", got \"{}\"", shown(side)));
-  }
-
-  double number(std::string_view key, const toml::node& value) {
-    const auto found = value.value<double>();
-    if (found && value.is_number() && std::isfinite(*found)) return *found;
-    throw FileError(at(value), fmt::format("{} must be a number", key));
-  }
-
-  double positive_number(std::string_view key, const toml::node& value) {
-    const double found = number(key, value);
-    if (found > 0.0) return found;
-    throw FileError(at(value), fmt::format("{} must be positive, got {}", key, found));
-  }
-
-  std::string text(std::string_view key, const toml::node& value) {
-    if (const auto found = value.value_exact<std::string>()) return *found;
-    throw FileError(at(value), fmt::format("{} must be a text in quotes", key));
-  }
-
-  FilePlace at(std::size_t column) const { return {file_, line_number_, column_ + column - 1}; }
-  FilePlace at(const toml::node& value) const { return at(value.source().begin.column); }
-
-  std::filesystem::path file_;
-  std::size_t line_number_ = 0;
-  std::size_t column_ = 0;  ///< of the first character after '#'
-  RunFacts& facts_;
-  Convention& convention_;
-  std::vector<std::string>& warnings_;
-  std::vector<std::string> seen_;
-};
 
 // ---------------------------------------------------------------- columns
 

@@ -268,8 +268,8 @@ TEST_CASE("a heading that turns full circles to port unwraps to negative angles"
 }
 
 TEST_CASE("an unwrapped heading stays as it is, to the last bit", "[core]") {
-  const auto run = recording_of("time_s,psi_rad,delta_rad\n0,9.3,0\n1,10.7,0\n2,13.841,0\n3,12.1,0\n");
-  CHECK(samples(run, Channel::psi) == std::vector{9.3, 10.7, 13.841, 12.1});
+  const auto run = recording_of("time_s,psi_rad,delta_rad\n0,9.3,0\n1,12.4,0\n2,13.1,0\n3,10.7,0\n4,8,0\n5,5,0\n6,2.1,0\n7,1.234567890123e-5,0\n");
+  CHECK(samples(run, Channel::psi) == std::vector{9.3, 12.4, 13.1, 10.7, 8.0, 5.0, 2.1, 1.234567890123e-5});
 }
 
 // ---------------------------------------------------------------- position

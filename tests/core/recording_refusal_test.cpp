@@ -44,7 +44,8 @@ TEST_CASE("a header without time, heading or rudder is refused", "[core][refusal
       {"Time_s,psi_rad,delta_rad\n0,0,0\n", "run.csv:1:1: no column time_s; is time_s meant by Time_s?"},
       {"time_s,PSI_DEG,delta_rad\n0,0,0\n", "run.csv:1:8: no heading column (psi_rad or psi_deg); is psi_deg meant by PSI_DEG?"},
       {"time_s,psi_rad,U_KN, Delta_deg\n0,0,0,0\n", "run.csv:1:22: no rudder column " + rudders + "; is delta_deg meant by Delta_deg?"},
-      {"time_s;psi_rad;delta_rad\n0;0,1;0\n", "run.csv:1:1: no column time_s; is the file separated by semicolons? Commas are needed, and decimal points"},
+      {"time_s;psi_rad;delta_rad\n0;0,1;0\n",
+       "run.csv:1:1: no column time_s; is the file separated by semicolons? Commas are needed, and decimal points"},
       {"time_s\tpsi_rad\tdelta_rad\n0\t0\t0\n", "run.csv:1:1: no column time_s; is the file separated by tabs? Commas are needed"},
   });
 }
@@ -104,7 +105,8 @@ TEST_CASE("a row with too few or too many cells is refused", "[core][refusal]") 
       {header + "0\n", "run.csv:2:1: 1 cell, but the header row has 3"},
       {header + "0,0,0,0\n", "run.csv:2:7: 4 cells, but the header row has 3; are there decimal commas? Decimal points are needed"},
       {header + "0,0,0,\n", "run.csv:2:7: 4 cells, but the header row has 3; are there decimal commas? Decimal points are needed"},
-      {header + "0;0;0\n", "run.csv:2:1: 1 cell, but the header row has 3; is the file separated by semicolons? Commas are needed, and decimal points"},
+      {header + "0;0;0\n",
+       "run.csv:2:1: 1 cell, but the header row has 3; is the file separated by semicolons? Commas are needed, and decimal points"},
       {header + "0,0,0\n# end\n", "run.csv:3:1: 1 cell, but the header row has 3"},
   });
 }
@@ -144,7 +146,12 @@ TEST_CASE("a run key of the wrong type or value is refused", "[core][refusal]") 
 
 TEST_CASE("a run key that is not TOML is refused where it breaks", "[core][refusal]") {
   const std::string samples = "\n" + header + "0,0,0\n";
-  for (const auto& [line, place] : {std::pair{"\n# manoeuvre = zigzag", "run.csv:2:15: "}, {"# execute_s = 1 s", "run.csv:1:17: "}, {"  # manoeuvre = \"turn", "run.csv:1:22: "}}) {
+  const std::pair<const char*, const char*> broken[] = {
+      {"\n# manoeuvre = zigzag", "run.csv:2:15: "},
+      {"# execute_s = 1 s", "run.csv:1:17: "},
+      {"  # manoeuvre = \"turn", "run.csv:1:22: "},
+  };
+  for (const auto& [line, place] : broken) {
     INFO(line);
     const auto refusal = refusal_of(line + samples);
     CHECK(refusal.starts_with(place));

@@ -30,7 +30,7 @@ Recording random_recording(unsigned seed) {
   for (double t = -5.0; run.time.size() < 40; t += std::uniform_real_distribution(1e-3, 1.0)(random)) run.time.push_back(t);
   for (std::size_t i = 0; i < channel_count; ++i)
     for (double& value : run.fill(static_cast<Channel>(i))) value = any_number(random);
-  for (double& psi : run.fill(Channel::psi)) psi = std::uniform_real_distribution(8.0, 11.0)(random);
+  for (double& psi : run.fill(Channel::psi)) psi = std::uniform_real_distribution(-1.5, 1.5)(random);
   run.fill(Channel::x)[0] = std::numeric_limits<double>::denorm_min();
   run.fill(Channel::x)[1] = std::numeric_limits<double>::max();
   run.fill(Channel::x)[2] = -0.0;

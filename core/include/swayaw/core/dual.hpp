@@ -10,10 +10,4 @@ namespace swayaw {
 template <int N>
 using Dual = ceres::Jet<double, N>;
 
-/// The number in a dual, without its derivatives.
-template <int N>
-double value_of(const Dual<N>& x) {
-  return x.a;
-}
-
 }  // namespace swayaw

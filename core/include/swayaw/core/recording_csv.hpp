@@ -12,15 +12,15 @@ namespace swayaw {
 /// A recording and what its reader should be told.
 struct RecordingFile {
   Recording recording;
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings;  ///< one line each, beginning with the file's name
 };
 
 /// Reads a recording from comma-separated text (docs/formats.md).
 ///
 /// Every unit becomes SI, the rudder positive to port, latitude and longitude a north–east plane
 /// about the first fix, heading unwrapped. Position and velocity move from the reported point, reference_x_m
-/// forward of midship, to midship:  x − l cos(psi),  y − l sin(psi),  v − l r.
-/// Columns that are not understood are kept and named in a warning.
+/// forward of midship, to midship:  x − l cos(psi),  y − l sin(psi),  v − l r,  and speed and course over
+/// ground accordingly. Columns that are not understood are kept and named in a warning.
 ///
 /// @throws FileError  "FILE:LINE:COLUMN: what is wrong"
 RecordingFile read_recording(const std::filesystem::path& file);

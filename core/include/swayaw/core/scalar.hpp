@@ -29,8 +29,12 @@ Scalar select(bool condition, const Scalar& a, const Scalar& b) {
   return condition ? a : b;
 }
 
-/// The number in a scalar, without its derivatives. Duals bring their own.
-inline double value_of(double x) { return x; }
+/// The number in a double or a dual, without derivatives.
+template <class Scalar>
+double value_of(const Scalar& x) {
+  if constexpr (requires { x.a; }) return x.a;
+  else return x;
+}
 
 /// x where positive, else 0.
 template <class Scalar>
