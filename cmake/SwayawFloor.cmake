@@ -29,7 +29,9 @@ function(swayaw_set_warnings target)
     -Wno-missing-field-initializers
     $<$<BOOL:${SWAYAW_WARNINGS_AS_ERRORS}>:-Werror>)
   if(SWAYAW_SANITIZE)
-    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-omit-frame-pointer
+    # the sanitizers make g++ 12 suspect xsimd and Eigen of using what they do not
+    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized
+      -fsanitize=address,undefined -fno-omit-frame-pointer
       -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()

@@ -1,0 +1,196 @@
+#include "swayaw/linear/zigzag.hpp"
+
+#include <catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "files.hpp"
+#include "random_linear_ships.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/dual.hpp"
+#include "swayaw/linear/indices.hpp"
+
+namespace swayaw {
+namespace {
+
+using nlohmann::json;
+using test::RandomLinearShips;
+
+json reference() {
+  std::ifstream file(test::golden / "artyszuk_linear.json");
+  return json::parse(file).at("artyszuk");
+}
+
+/// 10/10 zigzag with a rudder rate in degrees per second of a ship that sails a length in 13.39 s.
+LinearZigzagOrder ten_ten(double rate_deg_s) { return {.rudder = radians(10), .heading = radians(10), .rate = radians(rate_deg_s) * 13.39, .first = Side::port}; }
+
+SwayYawCoefficients<double> printed_indices(double T3b = 0.154, double T3w = 0.983) {
+  return coefficients_from(SteeringIndices<double>{10.491 * 0.298, 10.491 + 0.298, T3b, T3w, -3.464, -4.896});
+}
+
+void check_zigzag(const json& wanted, const LinearZigzag<double>& found) {
+  const auto& execute = wanted.at("execute_s");
+  REQUIRE(found.reversals.size() >= execute.size());
+  for (std::size_t i = 0; i < execute.size(); ++i) {
+    CHECK_THAT(found.reversals[i].execute, WithinRel(execute[i].get<double>(), 1e-9));
+    if (wanted.contains("peak_s")) CHECK_THAT(found.reversals[i].peak, WithinRel(wanted.at("peak_s")[i].get<double>(), 1e-9));
+    CHECK_THAT(degrees(found.reversals[i].overshoot), WithinRel(wanted.at("overshoot_deg")[i].get<double>(), 1e-9));
+  }
+}
+
+TEST_CASE("exact zigzags agree with the reference to 1e-9", "[linear][published]") {
+  const auto r = reference().at("zigzag_exact");
+  const auto tanker = RandomLinearShips::tanker();
+  check_zigzag(r.at("REF_printed_abc_rate2.5"), linear_zigzag(tanker, ten_ten(2.5)));
+  check_zigzag(r.at("REF_printed_abc_rate0.5"), linear_zigzag(tanker, ten_ten(0.5)));
+  check_zigzag(r.at("REF_printed_TK_rate2.5"), linear_zigzag(printed_indices(), ten_ten(2.5)));
+  check_zigzag(r.at("REF_printed_TK_rate0.5"), linear_zigzag(printed_indices(), ten_ten(0.5)));
+  check_zigzag(r.at("T3b_0.309_rate2.5"), linear_zigzag(printed_indices(0.309), ten_ten(2.5)));
+  check_zigzag(r.at("T3w_0.492_rate2.5"), linear_zigzag(printed_indices(0.154, 0.492), ten_ten(2.5)));
+  check_zigzag(r.at("T3w_0.492_rate0.5"), linear_zigzag(printed_indices(0.154, 0.492), ten_ten(0.5)));
+}
+
+TEST_CASE("zigzags of the figures and of the first-order equation agree with the reference", "[linear][published]") {
+  const auto r = reference().at("figure_numbers_printed_TK");
+  for (const double T3w : {1.966, 3.0, 5.0}) {
+    const auto name = T3w == 1.966 ? std::string("T3w=1.966") : T3w == 3.0 ? "T3w=3" : "T3w=5";
+    check_zigzag(r.at(name), linear_zigzag(printed_indices(0.154, T3w), ten_ten(2.5)));
+  }
+  check_zigzag(r.at("first_order rate 2.5"), linear_zigzag(first_order_ship(-4.896, 9.806), ten_ten(2.5)));
+  check_zigzag(r.at("first_order rate 0.5"), linear_zigzag(first_order_ship(-4.896, 9.806), ten_ten(0.5)));
+}
+
+TEST_CASE("30-digit zigzags agree to 1e-10", "[linear][published]") {
+  const auto r = reference().at("zigzag_exact_mp");
+  for (const auto& [name, rate] : {std::pair{"REF_printed_abc_rate2.5", 2.5}, std::pair{"REF_printed_abc_rate0.5", 0.5}}) {
+    const auto found = linear_zigzag(RandomLinearShips::tanker(), ten_ten(rate));
+    for (std::size_t i = 0; i < r.at(name).at("execute_s").size(); ++i) {
+      CHECK_THAT(found.reversals[i].execute, WithinRel(std::stod(r.at(name).at("execute_s")[i].get<std::string>()), 1e-12));
+      CHECK_THAT(degrees(found.reversals[i].overshoot), WithinRel(std::stod(r.at(name).at("overshoot_deg")[i].get<std::string>()), 1e-12));
+    }
+  }
+}
+
+/// First sample at which a condition holds, on a fine grid of the exact legs: no zero may have been missed.
+TEST_CASE("no earlier switch or peak was missed", "[linear][second-route]") {
+  RandomLinearShips random(41);
+  int sailed = 0, unstable = 0, complex = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const auto m = random.ship();
+    const LinearZigzagOrder order{.rudder = radians(random.uniform(3, 20)), .heading = radians(random.uniform(1, 20)), .rate = random.uniform(0.1, 5.0), .reversals = 4, .longest = 60.0};
+    const auto z = linear_zigzag(m, order);
+    if (z.reversals.empty()) continue;
+    ++sailed;
+    unstable += !is_stable(m);
+    complex += has_complex_poles(m);
+    const LinearResponse<double> ship(m);
+    double turn = 1.0;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < z.legs.size() && next < z.reversals.size(); ++i) {
+      const auto& leg = z.legs[i];
+      for (int j = 0; j < 20; ++j) {
+        const double s = leg.length * j / 20.0;
+        const auto x = state_after(ship, leg.start, leg.rudder, s);
+        REQUIRE(turn * x.psi <= (leg.from + s <= z.reversals[next].execute ? order.heading + 1e-9 : 1e9));
+      }
+      const auto end = state_after(ship, leg.start, leg.rudder, leg.length);
+      if (std::abs(leg.from + leg.length - z.reversals[next].execute) < 1e-12) {
+        REQUIRE_THAT(turn * end.psi, WithinAbs(order.heading, 1e-11));
+        turn = -turn;
+        ++next;
+      }
+    }
+  }
+  CHECK(sailed > 1000);
+  CHECK(unstable > 100);
+  CHECK(complex > 100);
+}
+
+TEST_CASE("a mirrored zigzag is the mirrored zigzag", "[linear][symmetry]") {
+  RandomLinearShips random(42);
+  for (int k = 0; k < 500; ++k) {
+    const auto m = random.ship();
+    LinearZigzagOrder order{.rudder = radians(10), .heading = radians(10), .rate = 1.0, .reversals = 4, .longest = 100.0};
+    const auto starboard = linear_zigzag(m, order);
+    order.first = Side::port;
+    const auto port = linear_zigzag(m, order);
+    REQUIRE(port.reversals.size() == starboard.reversals.size());
+    for (std::size_t i = 0; i < port.reversals.size(); ++i) REQUIRE_THAT(port.reversals[i].execute, WithinRel(starboard.reversals[i].execute, 1e-12));
+  }
+}
+
+TEST_CASE("time scales: a ship n times as quick makes the zigzag in 1/n of the lengths", "[linear][limit]") {
+  RandomLinearShips random(43);
+  for (int k = 0; k < 300; ++k) {
+    const auto m = random.ship();
+    const double n = random.uniform(0.3, 3.0);
+    // s -> s/n: omega scales with n, beta stays
+    const SwayYawCoefficients<double> quick{n * m.a1, m.b1, n * m.c1, n * n * m.a2, n * m.b2, n * n * m.c2};
+    const LinearZigzagOrder order{.rudder = radians(10), .heading = radians(10), .rate = 1.0, .reversals = 4, .longest = 100.0};
+    auto quick_order = order;
+    quick_order.rate *= n;
+    quick_order.longest /= n;
+    const auto a = linear_zigzag(m, order), b = linear_zigzag(quick, quick_order);
+    REQUIRE(a.reversals.size() == b.reversals.size());
+    for (std::size_t i = 0; i < a.reversals.size(); ++i) REQUIRE_THAT(b.reversals[i].execute * n, WithinRel(a.reversals[i].execute, 1e-9));
+  }
+}
+
+TEST_CASE("a switch moves with the coefficients as duals say", "[linear][second-route]") {
+  using D = Dual<6>;
+  RandomLinearShips random(44);
+  int compared = 0;
+  for (int k = 0; k < 200; ++k) {
+    const auto m = random.ship();
+    const LinearZigzagOrder order{.rudder = radians(10), .heading = radians(8), .rate = 0.8, .reversals = 3, .longest = 60.0};
+    const auto z = linear_zigzag(m, order);
+    if (z.reversals.size() < 3) continue;
+    const SwayYawCoefficients<D> dual{D(m.a1, 0), D(m.b1, 1), D(m.c1, 2), D(m.a2, 3), D(m.b2, 4), D(m.c2, 5)};
+    const auto carried = carried_through(z, dual, order);
+    REQUIRE(carried.reversals.size() == 3);
+    using C = SwayYawCoefficients<double>;
+    double C::*const members[] = {&C::a1, &C::b1, &C::c1, &C::a2, &C::b2, &C::c2};
+    for (int i = 0; i < 6; ++i) {
+      const double h = 1e-6;
+      auto up = m, down = m;
+      up.*members[i] += h;
+      down.*members[i] -= h;
+      const auto zu = linear_zigzag(up, order), zd = linear_zigzag(down, order);
+      if (zu.reversals.size() < 3 || zd.reversals.size() < 3) continue;
+      ++compared;
+      for (std::size_t r = 0; r < 3; ++r) {
+        const double execute = (zu.reversals[r].execute - zd.reversals[r].execute) / (2 * h);
+        const double overshoot = (zu.reversals[r].overshoot - zd.reversals[r].overshoot) / (2 * h);
+        REQUIRE_THAT(carried.reversals[r].execute.a, WithinRel(z.reversals[r].execute, 1e-11));
+        REQUIRE_THAT(carried.reversals[r].overshoot.a, WithinAbs(z.reversals[r].overshoot, 1e-11));
+        REQUIRE_THAT(carried.reversals[r].execute.v[i], WithinAbs(execute, 1e-4 * (1.0 + std::abs(execute))));
+        REQUIRE_THAT(carried.reversals[r].overshoot.v[i], WithinAbs(overshoot, 1e-4 * (1.0 + std::abs(overshoot))));
+      }
+    }
+  }
+  CHECK(compared > 300);
+}
+
+TEST_CASE("T3b does not touch the yaw, and drift does not know T3w before the first reversal", "[linear][published]") {
+  const auto reference_zigzag = linear_zigzag(printed_indices(), ten_ten(2.5));
+  const auto other_T3b = linear_zigzag(printed_indices(0.309), ten_ten(2.5));
+  for (std::size_t i = 0; i < reference_zigzag.reversals.size(); ++i) {
+    CHECK_THAT(other_T3b.reversals[i].execute, WithinRel(reference_zigzag.reversals[i].execute, 1e-12));
+    CHECK_THAT(other_T3b.reversals[i].overshoot, WithinRel(reference_zigzag.reversals[i].overshoot, 1e-11));
+  }
+  const LinearResponse<double> ship(printed_indices()), other_T3w(printed_indices(0.154, 0.492));
+  for (double s = 0.1; s < 1.7; s += 0.1) {
+    const RudderLine<double> rudder{0.0, 0.4};
+    CHECK_THAT(state_after(other_T3w, {0, 0, 0}, rudder, s).beta, WithinAbs(state_after(ship, {0, 0, 0}, rudder, s).beta, 1e-14));
+  }
+}
+
+TEST_CASE("senseless zigzags are refused", "[linear][refusal]") {
+  const auto ship = RandomLinearShips::tanker();
+  CHECK_THROWS_WITH(linear_zigzag(ship, {.rudder = 0.0, .heading = 0.1, .rate = 1.0}), "rudder angle [rad] must be positive, got 0");
+  CHECK_THROWS_WITH(linear_zigzag(ship, {.rudder = 0.1, .heading = 0.1, .rate = 0.0}), ContainsSubstring("rudder rate"));
+}
+
+}  // namespace
+}  // namespace swayaw
