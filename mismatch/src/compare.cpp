@@ -264,11 +264,12 @@ std::vector<QuantityError> pooled(const std::vector<Comparison>& comparisons) {
 std::string verdict(const std::vector<Comparison>& comparisons) {
   auto all = pooled(comparisons);
   std::erase_if(all, [](const auto& e) { return e.quantity == Quantity::position; });
-  const auto worst = std::ranges::max_element(all, {}, &QuantityError::normalised);
+  const auto share = [](const QuantityError& e) { return e.variation > 0.0 ? e.beyond_noise() / e.variation : 0.0; };
+  const auto worst = std::ranges::max_element(all, {}, share);
   if (worst == all.end()) return "The runs hold nothing to compare.";
   std::string name(name_of(worst->quantity));
   std::ranges::replace(name, '_', ' ');
-  auto text = fmt::format("The model is farthest off in {}, by {:.0f} % of its variation", name, 100.0 * worst->normalised());
+  auto text = fmt::format("The model is farthest off in {}, by {:.0f} % of its variation", name, 100.0 * share(*worst));
   if (std::abs(worst->bias) > 0.7 * worst->window_rms) text += fmt::format(", and too {} nearly throughout", worst->bias > 0.0 ? "high" : "low");
   const auto [run, error] = worst_run(comparisons, worst->quantity);
   text += fmt::format("; worst in {}", run->recorded.name);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,6 +43,8 @@ struct QuantityError {
   std::vector<RegionError> regions;
   std::optional<RegionError> region;  ///< the worst of them
 
+  /// Window error beyond the noise of the recording, sqrt(max(0, window_rms² − noise²)).
+  double beyond_noise() const { return std::sqrt(std::max(0.0, window_rms * window_rms - noise * noise)); }
   double normalised() const { return variation > 0.0 ? window_rms / variation : 0.0; }
   double open_loop_normalised() const { return variation > 0.0 ? open_loop_rms / variation : 0.0; }
 };
@@ -61,8 +65,8 @@ Comparison compare(const Ship& ship, const Recording& run, const CompareOptions&
 /// Errors of each quantity in all runs together, sample by sample; without a worst interval.
 std::vector<QuantityError> pooled(const std::vector<Comparison>& comparisons);
 
-/// One sentence: in which quantity the ship is farthest off, over all runs together and in units of its variation, and in
-/// which run, interval and region most. Position is left out: its variation is the length of the run.
+/// One sentence: in which quantity the ship is farthest off, beyond noise, over all runs together and in units of its
+/// variation, and in which run, interval and region most. Position is left out: its variation is the length of the run.
 std::string verdict(const std::vector<Comparison>& comparisons);
 
 }  // namespace swayaw
