@@ -10,7 +10,9 @@ swayaw_report_\name\()_end:
     .section .rodata
     embed page_html, page.html
     embed page_css, page.css
+    embed page_js, page.js
     embed compare_js, compare.js
+    embed loop_js, loop.js
     embed plotly_js, plotly-basic.min.js
 
     .section .note.GNU-stack, "", %progbits

@@ -14,8 +14,12 @@ extern const char swayaw_report_page_html[];
 extern const char swayaw_report_page_html_end[];
 extern const char swayaw_report_page_css[];
 extern const char swayaw_report_page_css_end[];
+extern const char swayaw_report_page_js[];
+extern const char swayaw_report_page_js_end[];
 extern const char swayaw_report_compare_js[];
 extern const char swayaw_report_compare_js_end[];
+extern const char swayaw_report_loop_js[];
+extern const char swayaw_report_loop_js_end[];
 extern const char swayaw_report_plotly_js[];
 extern const char swayaw_report_plotly_js_end[];
 }
@@ -144,19 +148,25 @@ std::string script_safe(std::string_view text) {
 }
 
 std::string document_text(const json& document) {
-  const auto text = compact(document).dump(-1, ' ', false, json::error_handler_t::replace);
-  return script_safe(text);
+  return script_safe(document.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-std::string_view text_for(std::string_view marker, std::string_view data) {
+// What differs between pages: the script that draws them, and their data.
+struct Content {
+  std::string_view script;
+  std::string data;
+};
+
+std::string_view text_for(std::string_view marker, const Content& content) {
   if (marker == "style") return between(swayaw_report_page_css, swayaw_report_page_css_end);
   if (marker == "plotly") return between(swayaw_report_plotly_js, swayaw_report_plotly_js_end);
-  if (marker == "script") return between(swayaw_report_compare_js, swayaw_report_compare_js_end);
-  if (marker == "document") return data;
+  if (marker == "helpers") return between(swayaw_report_page_js, swayaw_report_page_js_end);
+  if (marker == "script") return content.script;
+  if (marker == "document") return content.data;
   throw std::logic_error("page.html has an unknown marker: " + std::string(marker));
 }
 
-std::string fill(std::string_view page, std::string_view data) {
+std::string fill(std::string_view page, const Content& content) {
   constexpr std::string_view open = "{{";
   constexpr std::string_view close = "}}";
   std::string filled;
@@ -166,7 +176,7 @@ std::string fill(std::string_view page, std::string_view data) {
     if (start == std::string_view::npos) return filled;
     page.remove_prefix(start + open.size());
     const auto stop = page.find(close);
-    filled += text_for(page.substr(0, stop), data);
+    filled += text_for(page.substr(0, stop), content);
     page.remove_prefix(stop + close.size());
   }
 }
@@ -174,7 +184,13 @@ std::string fill(std::string_view page, std::string_view data) {
 }  // namespace
 
 std::string comparison_page(const json& document) {
-  return fill(skeleton(), document_text(document));
+  const auto script = between(swayaw_report_compare_js, swayaw_report_compare_js_end);
+  return fill(skeleton(), {script, document_text(compact(document))});
+}
+
+std::string loop_page(const json& document) {
+  const auto script = between(swayaw_report_loop_js, swayaw_report_loop_js_end);
+  return fill(skeleton(), {script, document_text(document)});
 }
 
 }  // namespace swayaw

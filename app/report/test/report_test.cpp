@@ -162,6 +162,14 @@ void sparse_documents_are_accepted() {
 
 }  // namespace
 
+void the_loop_page_carries_its_document() {
+  const json document = {{"schema", "swayaw.loop/1"}, {"ship", "<Tanker>"}};
+  const auto page = swayaw::loop_page(document);
+  check(contains(page, "swayaw.loop/1"), "the loop document is in its page");
+  check(contains(page, "showLoop"), "the loop page has its own script");
+  check(!contains(page, "<Tanker>"), "the ship's name cannot become markup");
+}
+
 int main() {
   the_page_carries_the_document();
   the_page_is_whole();
@@ -171,5 +179,6 @@ int main() {
   long_runs_are_thinned();
   three_runs_stay_small();
   sparse_documents_are_accepted();
+  the_loop_page_carries_its_document();
   return failures == 0 ? 0 : 1;
 }

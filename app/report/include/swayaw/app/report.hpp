@@ -11,4 +11,8 @@ namespace swayaw {
 /// in it are thinned and rounded to six significant digits; all other values are kept as given.
 std::string comparison_page(const nlohmann::json& document);
 
+/// One HTML page that shows a drift–yaw loop document ("swayaw.loop/1"): indices, zigzag, loop, the
+/// map of a loop measure over T3b and T3w. Every plot can be saved as SVG.
+std::string loop_page(const nlohmann::json& document);
+
 }  // namespace swayaw
