@@ -43,4 +43,30 @@ struct CompareArguments {
 };
 void compare(const CompareArguments& arguments);
 
+struct IndicesArguments {
+  std::filesystem::path ship;
+  std::optional<double> speed;  ///< [m/s]
+  bool json = false;
+};
+void indices(const IndicesArguments& arguments);
+
+struct InvertArguments {
+  std::filesystem::path ship;
+  std::string known;            ///< the number known beforehand; empty: c_Ry
+  std::filesystem::path parts;  ///< ship whose hull and rudder give all other numbers; empty: the ship itself
+  bool json = false;
+};
+void invert(const InvertArguments& arguments);
+
+struct LoopArguments {
+  std::filesystem::path ship;
+  std::string zigzag;               ///< "D/H" in degrees
+  std::string first = "starboard";  ///< side turned to first
+  std::optional<double> speed;      ///< [m/s]
+  std::filesystem::path out;        ///< empty: no time series
+  std::filesystem::path report;     ///< empty: no page
+  bool json = false;
+};
+void loop(const LoopArguments& arguments);
+
 }  // namespace swayaw::app

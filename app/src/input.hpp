@@ -4,12 +4,19 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <variant>
 
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/atomic_file.hpp"
+#include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/side.hpp"
+#include "swayaw/linear/linear_ship_file.hpp"
 #include "swayaw/nonlinear/replay.hpp"
+#include "swayaw/nonlinear/ship_file.hpp"
 
 namespace swayaw::app {
 
@@ -18,6 +25,38 @@ inline Recording load_run(const std::filesystem::path& file) {
   auto loaded = read_recording(file);
   for (const auto& warning : loaded.warnings) fmt::print(stderr, "swayaw: {}\n", warning);
   return std::move(loaded.recording);
+}
+
+/// A ship of any model.
+using AnyShip = std::variant<LinearShip, Ship>;
+
+inline AnyShip load_ship(const std::filesystem::path& file) {
+  const auto text = read_text(file);
+  if (model_of(text, file) == "linear") return parse_linear_ship(text, file);
+  return parse_ship(text, file);
+}
+
+/// A linear ship. @throws Refusal  for another, saying what will be the way with her
+inline LinearShip load_linear_ship(const std::filesystem::path& file) {
+  auto ship = load_ship(file);
+  if (auto* linear = std::get_if<LinearShip>(&ship)) return std::move(*linear);
+  throw Refusal(fmt::format("{}: this ship is nonlinear; her linear coefficients come with `linearize`, which this version does not have", file.string()));
+}
+
+/// "20/10": rudder angle and heading of a zigzag in degrees. The form was checked when the arguments were read.
+struct ZigzagAngles {
+  double rudder;   ///< [rad]
+  double heading;  ///< [rad]
+};
+
+inline ZigzagAngles zigzag_angles(const std::string& text) {
+  const auto slash = text.find('/');
+  return {.rudder = radians(std::stod(text.substr(0, slash))), .heading = radians(std::stod(text.substr(slash + 1)))};
+}
+
+/// "zigzag 20/10".
+inline std::string name_of(const ZigzagAngles& angles) {
+  return fmt::format("zigzag {:.6g}/{:.6g}", degrees(angles.rudder), degrees(angles.heading));
 }
 
 inline Side side_named(std::string_view name) { return name == "port" ? Side::port : Side::starboard; }

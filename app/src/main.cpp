@@ -16,7 +16,7 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 3> commands{"compare", "replay", "simulate"};
+constexpr std::array<std::string_view, 6> commands{"compare", "indices", "invert", "loop", "replay", "simulate"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -83,6 +83,36 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   command.callback([&a] { compare(a); });
 }
 
+void add_indices(CLI::App& app, IndicesArguments& a) {
+  auto& command = *app.add_subcommand("indices", "coefficients, time constants, gains and stability of a linear ship");
+  add_ship(command, a.ship);
+  command.add_option("--speed", a.speed, "speed in m/s of the numbers with dimension (default: service speed)")->check(CLI::PositiveNumber);
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { indices(a); });
+}
+
+void add_invert(CLI::App& app, InvertArguments& a) {
+  auto& command = *app.add_subcommand("invert", "from time constants and gains to coefficients, hull and rudder");
+  add_ship(command, a.ship);
+  command.add_option("--known", a.known, "the number that is known beforehand (default: c_Ry)")->check(CLI::IsMember({"Y_b", "Y_w", "N_b", "N_w", "c_Ry"}));
+  command.add_option("--parts", a.parts, "ship file with [hull] and [rudder] for all numbers that do not follow (default: SHIP)");
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { invert(a); });
+}
+
+void add_loop(CLI::App& app, LoopArguments& a) {
+  auto& command = *app.add_subcommand("loop", "drift-yaw loop of a zigzag and what T3b and T3w do to it");
+  add_ship(command, a.ship);
+  command.add_option("--zigzag", a.zigzag, "rudder D and heading H in degrees")->check(zigzag_form)->required();
+  command.add_option("--first", a.first, "side turned to first")->check(side_name)->capture_default_str();
+  command.add_option("--speed", a.speed, "speed in m/s, which turns the rate of the steering gear into one per ship length (default: service speed)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--out", a.out, "time series to this file (CSV)");
+  command.add_option("--report", a.report, "write an HTML page that needs no network");
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { loop(a); });
+}
+
 /// Says what was probably meant by a command that does not exist. @return whether there was one
 bool refuse_unknown_command(int count, char** words) {
   if (count < 2 || words[1][0] == '-') return false;
@@ -95,15 +125,21 @@ bool refuse_unknown_command(int count, char** words) {
 
 int run(int count, char** words) {
   if (refuse_unknown_command(count, words)) return wrong_usage;
-  CLI::App app("Ship steering dynamics: simulate manoeuvres and say where a model and a recording differ.", "swayaw");
+  CLI::App app("Ship steering dynamics: simulate manoeuvres, explain linear steering, and say where a model and a recording differ.", "swayaw");
   app.set_version_flag("--version", "swayaw " + std::string(version()));
   app.require_subcommand(1);
   SimulateArguments simulate_arguments;
   ReplayArguments replay_arguments;
   CompareArguments compare_arguments;
+  IndicesArguments indices_arguments;
+  InvertArguments invert_arguments;
+  LoopArguments loop_arguments;
   add_simulate(app, simulate_arguments);
   add_replay(app, replay_arguments);
   add_compare(app, compare_arguments);
+  add_indices(app, indices_arguments);
+  add_invert(app, invert_arguments);
+  add_loop(app, loop_arguments);
   try {
     app.parse(count, words);
     return done;

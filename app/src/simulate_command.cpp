@@ -3,9 +3,9 @@
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
+#include "linear_output.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "swayaw/nonlinear/ship_file.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -16,12 +16,6 @@ ManoeuvreOptions options_of(const SimulateArguments& a) {
 
 // ---------------------------------------------------------------- zigzag
 
-/// "20/10": rudder angle and heading in degrees. The form was checked when the arguments were read.
-ZigzagOrder zigzag_order(const std::string& text, Side first) {
-  const auto slash = text.find('/');
-  return {.rudder = radians(std::stod(text.substr(0, slash))), .heading = radians(std::stod(text.substr(slash + 1))), .first = first};
-}
-
 Json zigzag_json(const Zigzag& z, const ZigzagOrder& order) {
   Json execute = Json::array({0.0}), peaks = Json::array(), overshoots = Json::array();
   for (const auto& reversal : z.reversals) {
@@ -30,7 +24,7 @@ Json zigzag_json(const Zigzag& z, const ZigzagOrder& order) {
     peaks.push_back(*reversal.peak_time);
     overshoots.push_back(degrees(*reversal.overshoot));
   }
-  return {{"manoeuvre", fmt::format("zigzag {:.6g}/{:.6g}", degrees(order.rudder), degrees(order.heading))},
+  return {{"manoeuvre", name_of(ZigzagAngles{order.rudder, order.heading})},
           {"first", name_of(order.first)},
           {"approach_speed_m_s", z.approach_speed},
           {"rev_s", z.shaft_speed},
@@ -56,7 +50,8 @@ void print_zigzag(const Ship& ship, const Zigzag& z) {
 }
 
 Recording run_zigzag(const Ship& ship, const SimulateArguments& a) {
-  const auto order = zigzag_order(a.zigzag, side_named(a.first));
+  const auto [rudder, heading] = zigzag_angles(a.zigzag);
+  const ZigzagOrder order{.rudder = rudder, .heading = heading, .first = side_named(a.first)};
   auto result = zigzag(ship, order, options_of(a));
   if (a.json) fmt::print("{}\n", zigzag_json(result, order).dump(2));
   else print_zigzag(ship, result);
@@ -118,7 +113,9 @@ Recording run_circle(const Ship& ship, const SimulateArguments& a) {
 }  // namespace
 
 void simulate(const SimulateArguments& a) {
-  const Ship ship = read_ship(a.ship);
+  const AnyShip any = load_ship(a.ship);
+  if (const auto* linear = std::get_if<LinearShip>(&any)) return simulate_linear(*linear, a);
+  const auto& ship = std::get<Ship>(any);
   const Recording run = a.turn ? run_circle(ship, a) : run_zigzag(ship, a);
   if (!a.out.empty()) write_recording(run, a.out);
 }

@@ -1,128 +1,231 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
+#include "modes.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/linear/response.hpp"
 
 /// Zeros of heading, yaw rate and their derivatives along a leg. Not installed.
 namespace swayaw {
 
-/// A few ascending numbers.
-struct Few {
-  std::array<double, 16> value{};
-  std::size_t count = 0;
-
-  void add(double x) {
-    if (count < value.size()) value[count++] = x;
-  }
+/// A place on a leg: s, psi with its first four derivatives, and beta.
+struct Knot {
+  double s;
+  std::array<double, 5> f;
+  double beta;
 };
 
-/// psi, omega, d(omega)/ds, d²(omega)/ds² along a leg.
+/// A response with its modes, prepared for many legs.
+struct LegShip {
+  LinearResponse<double> response;
+  Modes modes;  ///< of use if the poles are well apart
+
+  explicit LegShip(const LinearResponse<double>& ship) : response(ship), modes(ship.m, ship.p.slow, ship.p.fast) {}
+};
+
+/// psi and its derivatives along a leg.
 ///
-/// The highest of them that the rudder does not force obeys y'' = tr y' − det y, so its zeros are known in closed form.
-/// Between two zeros of a derivative a function is monotone (Rolle), so its zeros are found one level at a time and none is missed.
+/// The rudder moves in a straight line, so that from the order `free` on (2 under a resting rudder, else 3) the derivatives
+/// f_free, f_free+1, … obey y'' = tr y' − det y with no force. With v = (beta, omega) differentiated free − 1 times at the start,
+///
+///     f_free(s) = (exp(A s) v)_omega,   f_free−k(s) = Taylor polynomial of degree k − 1 at the start + k-fold integral of f_free.
+///
+/// Within the horizon f_free passes zero at most once. A function whose derivative does so has one top at most, and the signs
+/// at both ends tell whether that top matters; so the zeros are isolated one order at a time and none is missed.
 class LegFunctions {
  public:
-  LegFunctions(const LinearResponse<double>& ship, const LinearState<double>& start, const RudderLine<double>& rudder)
-      : ship_(ship), start_(start), rudder_(rudder), free_level_(rudder.rate == 0.0 ? 2 : 3) {}
-
-  /// Derivatives of psi of order `level` and of the next one.
-  std::pair<double, double> at(int level, double s) const {
-    const LinearState<double> x = state_after(ship_, start_, rudder_, s);
-    if (level == 0) return {x.psi, x.omega};
-    const LinearState<double> d = rates(ship_.m, x, rudder_.value + rudder_.rate * s);
-    if (level == 1) return {x.omega, d.omega};
-    const double second = ship_.m.a2 * d.beta + ship_.m.b2 * d.omega + ship_.m.c2 * rudder_.rate;
-    if (level == 2) return {d.omega, second};
-    const double drift = ship_.m.a1 * d.beta + ship_.m.b1 * d.omega + ship_.m.c1 * rudder_.rate;
-    return {second, ship_.m.a2 * drift + ship_.m.b2 * second};
+  LegFunctions(const LegShip& ship, const LinearState<double>& start, const RudderLine<double>& rudder)
+      : ship_(ship.response), modes_(ship.modes), start_(start), ramp_(rudder.rate != 0.0), free_(ramp_ ? 3 : 2) {
+    const auto& m = ship_.m;
+    first_ = rates(m, start, rudder.value);
+    v_ = ramp_ ? rates(m, {first_.beta, first_.omega, 0.0}, rudder.rate) : first_;
+    const double yaw1 = modes_.yaw_beta * v_.beta + modes_.yaw_omega * v_.omega;
+    const double drift1 = modes_.drift_beta * v_.beta + modes_.drift_omega * v_.omega;
+    yaw_ = {yaw1, v_.omega - yaw1, v_.omega, m.a2 * v_.beta - m.a1 * v_.omega};
+    drift_ = {drift1, v_.beta - drift1, v_.beta, m.b1 * v_.omega - m.b2 * v_.beta};
   }
+
+  Knot at(double s) const {
+    const Basis b = basis(s);
+    return knot(s, combined(b, yaw_), combined(b, drift_));
+  }
+
+  LinearState<double> state_at(double s) const { return state(at(s)); }
+  static LinearState<double> state(const Knot& k) { return {k.beta, k.f[1], k.f[0]}; }
 
   /// First s in (0, end] at which the derivative of that order equals `target` (0 from the second on), if there is one.
+  /// @param end  at most the horizon
   std::optional<double> first(int level, double target, double end) const {
-    if (level == free_level_) {
-      const Few all = free_zeros(end);
-      return all.count > 0 ? std::optional(all.value[0]) : std::nullopt;
-    }
-    const Few breaks = zeros(level + 1, end);
-    double from = 0.0, before = at(level, from).first - target;
-    for (std::size_t i = 0; i <= breaks.count; ++i) {
-      const double to = i < breaks.count ? breaks.value[i] : end;
-      const double after = at(level, to).first - target;
-      if (before != 0.0 && (after == 0.0 || (before < 0.0) != (after < 0.0))) return root(level, target, from, to, before);
-      from = to;
-      before = after;
-    }
-    return std::nullopt;
+    const Sailed result = sail(level, target, end);
+    return result.found ? std::optional(result.end.s) : std::nullopt;
   }
 
-  /// Length of time within which no function has more zeros than `Few` holds, and exponentials stay in range.
+  /// The first such place, or the end.
+  struct Sailed {
+    bool found;
+    Knot end;
+  };
+
+  Sailed sail(int level, double target, double end) const {
+    Knot a = knot(0.0, {ship_.p.tr * yaw_.y0 + yaw_.turn, yaw_.y0, 0.0, 0.0, 0.0}, {});
+    for (;;) {
+      const double guess = a.s + 1.25 * step_to(a, level, target);
+      const Knot b = at(guess > a.s && guess < end ? guess : end);
+      if (const auto found = descend(a, b, free_, level, target)) return {true, at(*found)};
+      if (b.s == end) return {false, b};
+      a = b;
+    }
+  }
+
+  /// Length of time within which f_free has one zero at most, and exponentials stay in range.
   double horizon() const {
     const auto& p = ship_.p;
-    if (p.q < 0.0) return 2.0 * pi / std::sqrt(-p.q);
-    return p.size > 0.0 ? 30.0 / p.size : std::numeric_limits<double>::infinity();
+    const double range = 30.0 / p.size;
+    return p.q < 0.0 ? std::min(range, 0.99 * pi / std::sqrt(-p.q)) : range;
   }
 
  private:
-  Few zeros(int level, double end) const {
-    if (level == free_level_) return free_zeros(end);
-    Few found;
-    const Few breaks = zeros(level + 1, end);
-    double from = 0.0, before = at(level, from).first;
-    for (std::size_t i = 0; i <= breaks.count; ++i) {
-      const double to = i < breaks.count ? breaks.value[i] : end;
-      const double after = at(level, to).first;
-      if (before != 0.0 && (after == 0.0 || (before < 0.0) != (after < 0.0))) found.add(root(level, 0.0, from, to, before));
-      from = to;
-      before = after;
-    }
-    return found;
+  /// A function that obeys y'' = tr y' − det y: its derivative, itself, its integrals.
+  struct Free {
+    double rise, y, i1, i2, i3;
+  };
+
+  /// Such a function from its start, by modes and by Cayley–Hamilton, y = h_{−1} y0 + h_0 turn.
+  struct FreeStart {
+    double mode1, mode2, y0, turn;
+  };
+
+  /// What all functions of the leg are made of.
+  struct Basis {
+    Moments slow, fast;  ///< if the poles are well apart
+    ResponseBasis<double> h;     ///< else
+  };
+
+  static double sign(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
+
+  /// Sign just behind the start of an interval.
+  static double sign_behind(const Knot& k, int level, double target) {
+    if (const double y = k.f[static_cast<std::size_t>(level)] - target; y != 0.0) return sign(y);
+    for (auto i = static_cast<std::size_t>(level) + 1; i < k.f.size(); ++i)
+      if (k.f[i] != 0.0) return sign(k.f[i]);
+    return 0.0;
   }
 
-  /// Zeros in (0, end] of y with y'' = tr y' − det y.
-  Few free_zeros(double end) const {
-    const auto [y, slope] = at(free_level_, 0.0);
-    const auto& p = ship_.p;
-    const double mu = 0.5 * p.tr, lead = slope - mu * y;  // y(s) = exp(mu s) (y C(s) + lead S(s))
-    Few found;
-    if (p.q < 0.0) {
-      const double nu = std::sqrt(-p.q);
-      double s = std::atan2(-y, lead / nu) / nu;
-      while (s <= 0.0) s += pi / nu;
-      for (; s <= end && found.count < found.value.size(); s += pi / nu) found.add(s);
-      return found;
-    }
-    const double root_q = std::sqrt(p.q), t = -y / lead;  // tanh(root_q s)/root_q = t
-    const double s = root_q * t < 1e-6 ? t : 0.5 * std::log1p(2.0 * root_q * t / (1.0 - root_q * t)) / root_q;
-    if (lead != 0.0 && t > 0.0 && root_q * t < 1.0 && s <= end) found.add(s);
-    return found;
+  /// Whether the function of that order passes zero in (a, b], if it does so at most once.
+  static bool passes(const Knot& a, const Knot& b, int level, double target) {
+    const double before = sign_behind(a, level, target), after = sign(b.f[static_cast<std::size_t>(level)] - target);
+    return before != 0.0 && after != before;
   }
 
-  /// Newton's method that never leaves a bracket on which the function is monotone.
-  double root(int level, double target, double low, double high, double at_low) const {
-    double s = 0.5 * (low + high);
-    for (int i = 0; i < 100; ++i) {
-      const auto [value, slope] = at(level, s);
-      const double y = value - target;
-      if (y == 0.0) return s;
-      ((y < 0.0) == (at_low < 0.0) ? low : high) = s;
-      double next = s - y / slope;
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      if (std::abs(next - s) <= 4e-16 * std::abs(s) || next == low || next == high) return next;
-      s = next;
+  /// First zero of f_level in (a, b], where f_order+1 passes zero at most once.
+  std::optional<double> search(const Knot& a, const Knot& b, int order, int level, double target) const {
+    const double value = order == level ? target : 0.0;
+    if (!needs_top(a, b, order, value)) return descend(a, b, order, level, target);
+    const Knot top = at(root(a, b, order + 1, 0.0));
+    if (const auto found = descend(a, top, order, level, target)) return found;
+    return descend(top, b, order, level, target);
+  }
+
+  /// The same where f_order passes zero at most once.
+  std::optional<double> descend(const Knot& a, const Knot& b, int order, int level, double target) const {
+    if (order > level) return search(a, b, order - 1, level, target);
+    return passes(a, b, level, target) ? std::optional(root(a, b, level, target)) : std::nullopt;
+  }
+
+  /// Whether between a and b the function turns back on its way to zero, so that it may have two zeros or none.
+  static bool needs_top(const Knot& a, const Knot& b, int level, double target) {
+    return passes(a, b, level + 1, 0.0) && !passes(a, b, level, target) &&
+           sign_behind(a, level, target) != sign_behind(a, level + 1, 0.0);
+  }
+
+  Basis basis(double s) const {
+    if (!ship_.p.apart) return {{}, {}, response_basis(ship_.p, s)};
+    return {moments(modes_.l1, modes_.over_l1, s), moments(modes_.l2, modes_.over_l2, s), {}};
+  }
+
+  Free combined(const Basis& b, const FreeStart& f) const {
+    const auto& [slow, fast, h] = b;
+    const auto& [c1, c2, y0, turn] = f;
+    if (ship_.p.apart)
+      return {modes_.l1 * c1 * slow.e + modes_.l2 * c2 * fast.e, c1 * slow.e + c2 * fast.e, c1 * slow.p1 + c2 * fast.p1,
+              c1 * slow.p2 + c2 * fast.p2, c1 * slow.p3 + c2 * fast.p3};
+    return {(ship_.p.tr * h.h_1 - ship_.p.det * h.h0) * y0 + h.h_1 * turn, h.h_1 * y0 + h.h0 * turn, h.h0 * y0 + h.h1 * turn,
+            h.h1 * y0 + h.h2 * turn, h.h2 * y0 + h.h3 * turn};
+  }
+
+  Knot knot(double s, const Free& yaw, const Free& drift) const {
+    const double psi = start_.psi + start_.omega * s;
+    const double curve = ship_.p.tr * yaw.rise - ship_.p.det * yaw.y;
+    if (!ramp_) return {s, {psi + yaw.i2, start_.omega + yaw.i1, yaw.y, yaw.rise, curve}, start_.beta + drift.i1};
+    return {s, {psi + 0.5 * first_.omega * s * s + yaw.i3, start_.omega + first_.omega * s + yaw.i2, first_.omega + yaw.i1, yaw.y, yaw.rise},
+            start_.beta + first_.beta * s + drift.i2};
+  }
+
+  /// How far from a the target is reached by the parabola that touches the function there.
+  ///
+  ///     y + f t + ½ g t² = 0, without cancellation; the first t > 0, if there is one
+  static double step_to(const Knot& a, int level, double target) {
+    const auto i = static_cast<std::size_t>(level);
+    const double y = a.f[i] - target, f = a.f[i + 1], g = a.f[i + 2];
+    const double root = std::sqrt(std::max(f * f - 2.0 * y * g, 0.0));
+    return -2.0 * y / (f - std::copysign(root, y));
+  }
+
+  /// Householder's method of third order from b, never leaving the bracket (a, b] with one zero.
+  double root(const Knot& a, const Knot& b, int level, double target) const {
+    const auto i = static_cast<std::size_t>(level);
+    double low = a.s, high = b.s;
+    const double before = sign_behind(a, level, target);
+    Knot k = b;
+    for (int step = 0; step < 100; ++step) {
+      const double y = k.f[i] - target;
+      const double newton = -y / k.f[i + 1];
+      const double bend = i + 2 < k.f.size() ? newton * k.f[i + 2] / k.f[i + 1] : 0.0;
+      const double twist = i + 3 < k.f.size() ? newton * newton * k.f[i + 3] / k.f[i + 1] : 0.0;
+      const double by = newton * (1.0 + 0.5 * bend) / (1.0 + bend + twist / 6.0);
+      // the error left is of the fourth order in the step; upon the zero itself rounding may lead out of the bracket
+      const double error = std::abs(by) * ship_.p.size + std::abs(bend);
+      double next = k.s + by;
+      const bool inside = next > low && next < high;
+      if (y == 0.0 || error < 1e-13) return inside ? next : k.s;
+      if (inside && error < 1e-4) return next;
+      if (!inside) next = 0.5 * (low + high);
+      if (next == low || next == high) return next;
+      k = at(next);
+      (sign(k.f[i] - target) == before ? low : high) = next;
     }
-    return s;
+    return k.s;
   }
 
   const LinearResponse<double>& ship_;
+  const Modes& modes_;
   LinearState<double> start_;
-  RudderLine<double> rudder_;
-  int free_level_;
+  bool ramp_;
+  int free_;
+  LinearState<double> first_{};  ///< beta' and omega' at the start
+  LinearState<double> v_{};      ///< beta and omega differentiated free − 1 times, at the start
+  FreeStart yaw_{}, drift_{};
 };
+
+/// Calls visit(state, s) at all s in (0, length] at which the derivative of psi of that order passes zero.
+template <class Visit>
+void for_each_zero(const LegShip& ship, LinearState<double> start, RudderLine<double> rudder, double length, int level, const Visit& visit) {
+  double from = 0.0;
+  while (from < length) {
+    const LegFunctions functions(ship, start, rudder);
+    const auto [found, last] = functions.sail(level, 0.0, std::min(length - from, functions.horizon()));
+    if (found) visit(LegFunctions::state(last), from + last.s);
+    // go on just behind the zero, where the function is no longer zero
+    const double on = found ? last.s * (1.0 + 1e-9) + 1e-12 : last.s;
+    start = functions.state_at(on);
+    rudder.value += rudder.rate * on;
+    from += on;
+  }
+}
 
 }  // namespace swayaw

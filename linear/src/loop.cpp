@@ -115,27 +115,14 @@ struct Places {
   std::vector<double> beta_zero, beta_top, omega_zero, omega_top;
 };
 
-/// All s in (0, length] at which the function of that level passes zero.
-std::vector<double> all_zeros(const LinearResponse<double>& ship, LinearState<double> start, RudderLine<double> rudder, double length, int level) {
+std::vector<double> all_zeros(const LegShip& ship, const LinearState<double>& start, const RudderLine<double>& rudder, double length, int level) {
   std::vector<double> zeros;
-  double from = 0.0;
-  while (from < length) {
-    const LegFunctions functions(ship, start, rudder);
-    const double end = std::min(length - from, functions.horizon());
-    const auto found = functions.first(level, 0.0, end);
-    const double step = found ? *found : end;
-    if (found) zeros.push_back(from + *found);
-    // go on just behind the zero, where the function is no longer zero
-    const double on = found ? std::nextafter(step, 2.0 * step) * (1.0 + 1e-9) + 1e-12 : step;
-    start = state_after(ship, start, rudder, on);
-    rudder.value += rudder.rate * on;
-    from += on;
-  }
+  for_each_zero(ship, start, rudder, length, level, [&](const LinearState<double>&, double s) { zeros.push_back(s); });
   return zeros;
 }
 
 Places places_on(const SwayYawCoefficients<double>& m, const Leg<double>& leg) {
-  const LinearResponse<double> ship(m), swapped = exchanged(m);
+  const LegShip ship(LinearResponse<double>{m}), swapped(exchanged(m));
   const auto start = exchanged(leg.start);
   return {.beta_zero = all_zeros(swapped, start, leg.rudder, leg.length, 1),
           .beta_top = all_zeros(swapped, start, leg.rudder, leg.length, 2),

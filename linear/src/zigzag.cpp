@@ -12,10 +12,16 @@ namespace {
 using State = LinearState<double>;
 using Rudder = RudderLine<double>;
 
+/// A heading [rad] from which no ship comes back: only an unstable one gets there, and her motion soon leaves the range of numbers.
+constexpr double runaway = 1e9;
+
 /// Sails leg after leg.
 class LinearVoyage {
  public:
-  LinearVoyage(const SwayYawCoefficients<double>& ship, double rate, double longest) : ship_(ship), rate_(rate), longest_(longest) {}
+  LinearVoyage(const SwayYawCoefficients<double>& ship, const LinearZigzagOrder& order)
+      : ship_(LinearResponse<double>(ship)), rate_(order.rate), longest_(order.longest) {
+    legs_.reserve(3 * std::min<std::size_t>(order.reversals, 100) + 2);
+  }
 
   void order(double angle) {
     target_ = angle;
@@ -28,14 +34,14 @@ class LinearVoyage {
 
   /// Sails until the derivative of psi of that order passes `value`; keeps the legs. @return whether it did
   bool sail_to(int level, double value) {
-    while (now_ < longest_) {
+    while (now_ < longest_ && std::abs(state_.psi) < runaway) {
       const Rudder rudder = line();
       const LegFunctions functions(ship_, state_, rudder);
       const double ramp = moving_ ? (target_ - angle_) / rudder.rate : longest_ - now_;
       const double end = std::min({ramp, functions.horizon(), longest_ - now_});
-      const auto found = functions.first(level, value, end);
+      const auto [found, last] = functions.sail(level, value, end);
       const auto limit = moving_ && end == ramp ? LegEnd::arrival : LegEnd::limit;
-      advance(rudder, found.value_or(end), found ? (level == 0 ? LegEnd::heading : LegEnd::peak) : limit);
+      advance(rudder, last, found ? (level == 0 ? LegEnd::heading : LegEnd::peak) : limit);
       if (found) return true;
     }
     return false;
@@ -48,15 +54,17 @@ class LinearVoyage {
  private:
   Rudder line() const { return {angle_, moving_ ? std::copysign(rate_, target_ - angle_) : 0.0}; }
 
-  void advance(const Rudder& rudder, double length, LegEnd end) {
+  void advance(const Rudder& rudder, const Knot& last, LegEnd end) {
+    const double length = last.s;
     legs_.push_back({now_, length, state_, rudder, end});
-    state_ = state_after(ship_, state_, rudder, length);
+    state_ = LegFunctions::state(last);
+    if (end == LegEnd::peak) state_.omega = 0.0;
     now_ += length;
     angle_ = end == LegEnd::arrival ? target_ : rudder.value + rudder.rate * length;
     if (end == LegEnd::arrival) moving_ = false;
   }
 
-  LinearResponse<double> ship_;
+  LegShip ship_;
   double rate_;
   double longest_;
   double now_ = 0.0;
@@ -73,8 +81,9 @@ LinearZigzag<double> linear_zigzag(const SwayYawCoefficients<double>& ship, cons
   require_positive(order.rudder, "rudder angle [rad]");
   require_positive(order.heading, "heading angle [rad]");
   require_positive(order.rate, "rudder rate [rad per ship length]");
-  LinearVoyage voyage(ship, order.rate, order.longest);
+  LinearVoyage voyage(ship, order);
   LinearZigzag<double> result;
+  result.reversals.reserve(std::min<std::size_t>(order.reversals, 100));
   double turn = yaw_sign(order.first);
   voyage.order(-turn * order.rudder);
   while (result.reversals.size() < order.reversals && voyage.sail_to(0, turn * order.heading)) {

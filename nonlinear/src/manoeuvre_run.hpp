@@ -7,6 +7,7 @@
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/core/rounding.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/mmg_forces.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
@@ -18,13 +19,6 @@ namespace swayaw {
 /// Straight ahead at the origin.
 inline Moment approach(double speed, double rev) {
   return {0.0, {0.0, 0.0, 0.0, {speed, 0.0, 0.0}}, {0.0, rev}};
-}
-
-/// 1, 2 or 5 times a power of ten, not above x.
-inline double round_down(double x) {
-  const double decade = std::pow(10.0, std::floor(std::log10(x)));
-  const double lead = x / decade;
-  return decade * (lead >= 5.0 ? 5.0 : lead >= 2.0 ? 2.0 : 1.0);
 }
 
 /// 0, step, 2 step, … up to the end.
@@ -65,14 +59,6 @@ inline std::optional<double> way_made(const std::vector<Moment>& samples, double
   }
   const double rest = until - samples.back().time;
   return way + std::max(0.0, rest) * speed(samples.back().state.motion);
-}
-
-/// @throws std::domain_error
-inline void require_rudder(double angle, const SteeringGear<double>& gear) {
-  require_positive(angle, "rudder angle [rad]");
-  if (angle <= gear.max_angle * (1.0 + 1e-12)) return;
-  throw std::domain_error(fmt::format("rudder angle {:.6g} deg is beyond the ship's largest, {:.6g} deg", degrees(angle),
-                                      degrees(gear.max_angle)));
 }
 
 /// States and thrust as a recording.

@@ -1,14 +1,12 @@
-#include <sys/wait.h>
-
 #include <algorithm>
 #include <catch.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "files.hpp"
+#include "program.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/recording_csv.hpp"
 
@@ -17,26 +15,13 @@ namespace swayaw {
 namespace {
 
 using nlohmann::json;
+using test::lines;
+using test::run;
 using test::Scratch;
-
-struct Outcome {
-  int code;
-  std::string out;
-  std::string err;
-};
-
-Outcome run(const Scratch& scratch, const std::string& arguments) {
-  const auto out = scratch / "stdout", err = scratch / "stderr";
-  const std::string command = std::string(SWAYAW_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
-  const int status = std::system(command.c_str());
-  return {WEXITSTATUS(status), read_text(out), read_text(err)};
-}
 
 const std::string ship = (test::ships / "kvlcc2_l7.toml").string();
 const std::string example_zigzag = (test::example_recordings / "weak_rudder_zz10_10.csv").string();
 const std::string example_turn = (test::example_recordings / "weak_rudder_turn35.csv").string();
-
-std::size_t lines(const std::string& text) { return static_cast<std::size_t>(std::ranges::count(text, '\n')); }
 
 TEST_CASE("the program tells its version and its commands", "[app]") {
   const Scratch scratch;
@@ -45,7 +30,7 @@ TEST_CASE("the program tells its version and its commands", "[app]") {
   CHECK(std::regex_match(version.out, std::regex("swayaw \\d+\\.\\d+\\.\\d+\n")));
   const auto help = run(scratch, "--help");
   CHECK(help.code == 0);
-  for (const char* command : {"simulate", "replay", "compare"}) {
+  for (const char* command : {"simulate", "replay", "compare", "indices", "invert", "loop"}) {
     CHECK_THAT(help.out, ContainsSubstring(command));
     CHECK(run(scratch, std::string(command) + " --help").code == 0);
   }
@@ -66,6 +51,11 @@ TEST_CASE("wrong usage ends with code 2 and one line that helps", "[app][refusal
       {"replay " + ship + " " + example_zigzag, "--out"},
       {"compare " + ship, "RUN"},
       {"compare " + ship + " " + example_zigzag + " --window 0", "--window"},
+      {"indices", "SHIP"},
+      {"indices " + ship + " --speed 0", "--speed"},
+      {"invert " + ship + " --known a_H", "--known"},
+      {"loop " + ship, "--zigzag"},
+      {"loop " + ship + " --zigzag ten", "D/H"},
   };
   for (const auto& [arguments, hint] : cases) {
     INFO(arguments);

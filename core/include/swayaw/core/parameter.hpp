@@ -8,20 +8,22 @@
 /// ship files, confidence, fits and reports read that list.
 namespace swayaw {
 
-/// Values that make sense, in the unit of the ship file. `low` itself is refused when `above_low`.
+/// Values that make sense, in the unit of the ship file. `low` itself is refused when `above_low`, 0 when `not_zero`.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
   bool above_low = false;
+  bool not_zero = false;
 
   constexpr bool contains(double value) const {
-    return (above_low ? value > low : value >= low) && value <= high;
+    return (above_low ? value > low : value >= low) && value <= high && !(not_zero && value == 0.0);
   }
 };
 
 inline constexpr Range any_number{};
 inline constexpr Range positive{.low = 0.0, .above_low = true};
 inline constexpr Range non_negative{.low = 0.0};
+inline constexpr Range not_zero{.not_zero = true};
 inline constexpr Range fraction{.low = 0.0, .high = 1.0};
 
 /// What a number is: a coefficient can be uncertain and be fitted, a fact cannot.

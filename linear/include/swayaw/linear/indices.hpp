@@ -22,6 +22,17 @@ struct SteeringIndices {
   S T3w;         ///< rudder-rate time constant of yaw
   S Kb;          ///< gain of drift
   S Kw;          ///< gain of yaw
+
+  static constexpr auto parameters() {
+    constexpr auto index = [](std::string_view key, S SteeringIndices::*member, const Range& range = any_number) {
+      return Parameter<SteeringIndices, S>{key, member, "-", range, Role::coefficient};
+    };
+    return std::array{
+        index("T1T2", &SteeringIndices::T1T2, not_zero), index("T1_plus_T2", &SteeringIndices::T1_plus_T2),
+        index("T3b", &SteeringIndices::T3b),             index("T3w", &SteeringIndices::T3w),
+        index("Kb", &SteeringIndices::Kb),               index("Kw", &SteeringIndices::Kw),
+    };
+  }
 };
 
 /// T1 and T2, real.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+
+#include "swayaw/core/parameter.hpp"
 #include "swayaw/core/scalar.hpp"
 
 namespace swayaw {
@@ -15,6 +18,16 @@ template <class S = double>
 struct SwayYawCoefficients {
   S a1, b1, c1;  ///< drift
   S a2, b2, c2;  ///< yaw
+
+  static constexpr auto parameters() {
+    constexpr auto coefficient = [](std::string_view key, S SwayYawCoefficients::*member) {
+      return Parameter<SwayYawCoefficients, S>{key, member, "-", any_number, Role::coefficient};
+    };
+    return std::array{
+        coefficient("a1", &SwayYawCoefficients::a1), coefficient("b1", &SwayYawCoefficients::b1), coefficient("c1", &SwayYawCoefficients::c1),
+        coefficient("a2", &SwayYawCoefficients::a2), coefficient("b2", &SwayYawCoefficients::b2), coefficient("c2", &SwayYawCoefficients::c2),
+    };
+  }
 };
 
 /// det A = a1 b2 − a2 b1 = 1/(T1 T2); negative for an unstable ship.

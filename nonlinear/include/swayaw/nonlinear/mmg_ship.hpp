@@ -3,8 +3,8 @@
 #include <array>
 #include <tuple>
 
-#include "swayaw/core/angle.hpp"
 #include "swayaw/core/parameter.hpp"
+#include "swayaw/core/steering_gear.hpp"
 
 /// The numbers of a ship in the MMG standard model, part by part.
 ///
@@ -161,23 +161,6 @@ struct MmgRudder {
         P{"epsilon", &MmgRudder::epsilon, "-", positive, coefficient},
         P{"kappa", &MmgRudder::kappa, "-", any_number, coefficient},
         P{"f_alpha", &MmgRudder::f_alpha, "1/rad", positive, coefficient},
-    };
-  }
-};
-
-/// How fast and how far the rudder moves.
-template <class S = double>
-struct SteeringGear {
-  S rate;       ///< [rad/s]
-  S max_angle;  ///< [rad]
-
-  static constexpr auto parameters() {
-    using P = Parameter<SteeringGear, S>;
-    constexpr double degree = pi / 180.0;
-    return std::array{
-        P{.key = "rate_deg_s", .member = &SteeringGear::rate, .unit = "deg/s", .range = positive, .si = degree},
-        P{.key = "max_angle_deg", .member = &SteeringGear::max_angle, .unit = "deg",
-          .range = {.low = 0.0, .high = 90.0, .above_low = true}, .si = degree},
     };
   }
 };

@@ -1,23 +1,12 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <utility>
 #include <variant>
-#include <vector>
 
+#include "swayaw/core/confidence.hpp"
 #include "swayaw/nonlinear/mmg_ship.hpp"
 
 namespace swayaw {
-
-/// How far the numbers of a ship are trusted: relative standard deviations of its coefficients.
-struct Confidence {
-  double coefficients = 0.1;                          ///< of every coefficient not named below
-  std::vector<std::pair<std::string, double>> named;  ///< key of the ship file, relative standard deviation
-
-  /// Relative standard deviation of the coefficient with that key.
-  double of(std::string_view key) const;
-};
 
 /// A ship: one of the models, its name, and the trust in its numbers.
 struct Ship {

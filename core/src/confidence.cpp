@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "swayaw/core/confidence.hpp"
 
-#include "swayaw/nonlinear/ship.hpp"
+#include <algorithm>
 
 namespace swayaw {
 

@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "commands.hpp"
+#include "input.hpp"
+#include "linear_output.hpp"
+
+namespace swayaw::app {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// What is printed of a ship; not a number where there is nothing.
+struct Findings {
+  SwayYawTransfer<double> h;
+  SteeringIndices<double> i;
+  SwayYawCoefficients<double> m;
+  TimeConstants<double> T;
+  double T_b, T_w;
+};
+
+Findings findings_of(const LinearShip& ship) {
+  const auto h = transfer_functions(ship);
+  const auto i = indices(ship);
+  const auto m = has_coefficients(ship) ? coefficients(ship) : SwayYawCoefficients<double>{none, none, none, none, none, none};
+  return {h, i, m, time_constants(h).value_or(TimeConstants<double>{none, none}), first_order_drift(i).T, first_order_yaw(i).T};
+}
+
+// ---------------------------------------------------------------- JSON
+
+Json dimensional_json(const Findings& f, const PrimeScale& scale) {
+  const double t = scale.L / scale.U;
+  const auto d = dimensional(f.i, scale);
+  const auto c = dimensional(f.m, scale);
+  return {{"speed_m_s", scale.U},
+          {"T1_s", number(f.T.T1 * t)},
+          {"T2_s", number(f.T.T2 * t)},
+          {"T1T2_s2", number(d.T1T2_s2)},
+          {"T1_plus_T2_s", number(d.T1_plus_T2_s)},
+          {"T3b_s", number(d.T3b_s)},
+          {"T3w_s", number(d.T3w_s)},
+          {"Kb", number(d.Kb)},
+          {"K_r_per_s", number(d.Kr_per_s)},
+          {"T_b_s", number(f.T_b * t)},
+          {"T_w_s", number(f.T_w * t)},
+          {"v_v_per_s", number(c.v_v)},
+          {"v_r_m_per_s", number(c.v_r)},
+          {"v_delta_m_per_s2", number(c.v_delta)},
+          {"r_v_per_m_s", number(c.r_v)},
+          {"r_r_per_s", number(c.r_r)},
+          {"r_delta_per_s2", number(c.r_delta)}};
+}
+
+/// With the masses of the hull, or those of a ship whose virtual mass and moment of inertia are 1 and who has no mass of her own.
+Json sname_json(const LinearShip& ship, const SwayYawCoefficients<double>& m) {
+  SnameDerivatives<double> masses{};
+  masses.Y_vdot = masses.N_rdot = -1.0;
+  const auto* given = parts(ship);
+  if (given) masses = inertia(given->hull);
+  const auto d = sname_derivatives(m, masses);
+  Json json{{"Y_v", number(d.Y_v)}, {"Y_r", number(d.Y_r)}, {"Y_delta", number(d.Y_delta)},
+            {"N_v", number(d.N_v)}, {"N_r", number(d.N_r)}, {"N_delta", number(d.N_delta)}};
+  json["system"] = given ? "force 0.5 rho L T U^2, moment 0.5 rho L^2 T U^2" : "accelerations";
+  if (given) json.update({{"m", d.m}, {"I_z", d.I_z}, {"Y_vdot", d.Y_vdot}, {"N_rdot", d.N_rdot}});
+  return json;
+}
+
+Json split_json(const LinearParts<double>& ship) {
+  const auto split = coefficients(ship);
+  return {{"hull", coefficients_json(split.hull)}, {"rudder", coefficients_json(split.rudder)}, {"centrifugal", coefficients_json(split.centrifugal)}};
+}
+
+Json document_of(const LinearShip& ship, const Findings& f, double speed) {
+  Json json{{"ship", ship.name}, {"length_m", ship.particulars.L}, {"given", form_words(ship)}};
+  json.update(coefficients_json(f.m));
+  json.update({{"T1", number(f.T.T1)},
+               {"T2", number(f.T.T2)},
+               {"T3b", number(f.i.T3b)},
+               {"T3w", number(f.i.T3w)},
+               {"Kb", number(f.i.Kb)},
+               {"Kw", number(f.i.Kw)},
+               {"T1T2", number(f.i.T1T2)},
+               {"T1_plus_T2", number(f.i.T1_plus_T2)},
+               {"T_b", number(f.T_b)},
+               {"T_w", number(f.T_w)},
+               {"stable", f.h.e0 > 0.0 && f.h.e1 > 0.0},
+               {"complex_poles", f.h.e1 * f.h.e1 < 4.0 * f.h.e0}});
+  json["dimensional"] = dimensional_json(f, prime_scale(ship, speed));
+  json["sname"] = sname_json(ship, f.m);
+  if (const auto* given = parts(ship)) json["parts"] = split_json(*given);
+  json["condition_number"] = number(condition_number(f.m));
+  return json;
+}
+
+// ---------------------------------------------------------------- text
+
+void print_row(std::string_view name, double prime, double dimensional, std::string_view unit, std::string_view words) {
+  fmt::print("  {:<9}{:>12}{:>13} {:<5} {}\n", name, cell(prime), cell(dimensional), unit, words);
+}
+
+void print_indices(const Findings& f, const PrimeScale& scale) {
+  const double t = scale.L / scale.U;
+  fmt::print("  {:<9}{:>12}{:>13}\n", "index", "per L/U", fmt::format("{:.4g} m/s", scale.U));
+  print_row("T1", f.T.T1, f.T.T1 * t, "s", "slower mode");
+  print_row("T2", f.T.T2, f.T.T2 * t, "s", "faster mode");
+  print_row("T1 T2", f.i.T1T2, f.i.T1T2 * t * t, "s2", "");
+  print_row("T1 + T2", f.i.T1_plus_T2, f.i.T1_plus_T2 * t, "s", "");
+  print_row("T3b", f.i.T3b, f.i.T3b * t, "s", "rudder rate to drift");
+  print_row("T3w", f.i.T3w, f.i.T3w * t, "s", "rudder rate to yaw");
+  print_row("Kb", f.i.Kb, f.i.Kb, "-", "drift angle by rudder angle");
+  print_row("Kw", f.i.Kw, f.i.Kw / t, "1/s", "yaw rate by rudder angle");
+  print_row("T_b", f.T_b, f.T_b * t, "s", "first-order drift, T1 + T2 - T3b");
+  print_row("T_w", f.T_w, f.T_w * t, "s", "first-order yaw, T1 + T2 - T3w");
+}
+
+void print_coefficients(std::string_view name, const SwayYawCoefficients<double>& m) {
+  fmt::print("  {:<13}", name);
+  for (const auto& p : m.parameters()) fmt::print("{:>11}", cell(m.*p.member));
+  fmt::print("\n");
+}
+
+/// The rudder's part of each coefficient in percent of the whole.
+void print_rudder_share(const SwayYawCoefficients<double>& rudder, const SwayYawCoefficients<double>& whole) {
+  fmt::print("  {:<13}", "rudder share");
+  for (const auto& p : whole.parameters()) fmt::print("{:>11}", fmt::format("{:.0f} %", 100.0 * rudder.*p.member / whole.*p.member));
+  fmt::print("\n");
+}
+
+void print_equations(const LinearShip& ship, const SwayYawCoefficients<double>& m) {
+  fmt::print("\n  {:<13}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "a1", "b1", "c1", "a2", "b2", "c2");
+  if (const auto* given = parts(ship)) {
+    const auto split = coefficients(*given);
+    print_coefficients("hull", split.hull);
+    print_coefficients("rudder", split.rudder);
+    print_coefficients("centrifugal", split.centrifugal);
+    print_coefficients("whole", m);
+    print_rudder_share(split.rudder, m);
+  } else {
+    print_coefficients("whole", m);
+  }
+}
+
+void print_text(const LinearShip& ship, const Findings& f, double speed) {
+  fmt::print("{}: L = {:.5g} m, given by {}\n", ship.name, ship.particulars.L, form_words(ship));
+  fmt::print("The ship is {}.\n\n", stability_words(f.h));
+  print_indices(f, prime_scale(ship, speed));
+  print_equations(ship, f.m);
+  if (!has_coefficients(ship)) fmt::print("\nNo coupled equations follow from these indices: T3b = T3w, or Kb or Kw = 0.\n");
+}
+
+}  // namespace
+
+void indices(const IndicesArguments& a) {
+  const auto ship = load_linear_ship(a.ship);
+  const auto findings = findings_of(ship);
+  const double speed = speed_of(ship, a.speed);
+  if (a.json) fmt::print("{}\n", document_of(ship, findings, speed).dump(2));
+  else print_text(ship, findings, speed);
+}
+
+}  // namespace swayaw::app

@@ -1,0 +1,146 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "commands.hpp"
+#include "input.hpp"
+#include "linear_output.hpp"
+#include "swayaw/linear/inversion.hpp"
+
+namespace swayaw::app {
+namespace {
+
+constexpr double near_equal = 0.05;  ///< inverse_distance below which the inverse is warned of
+
+KnownPart known_named(const std::string& name) {
+  for (const auto known : {KnownPart::Y_b, KnownPart::Y_w, KnownPart::N_b, KnownPart::N_w})
+    if (name_of(known) == name) return known;
+  return KnownPart::c_Ry;
+}
+
+/// What was asked.
+struct Question {
+  LinearShip ship;
+  std::optional<LinearParts<double>> formal;  ///< where the numbers that do not follow come from
+  KnownPart known;
+};
+
+/// @throws Refusal
+std::optional<LinearParts<double>> formal_parts(const LinearShip& ship, const InvertArguments& a) {
+  if (a.parts.empty()) {
+    const auto* own = parts(ship);
+    if (!own && !a.known.empty()) throw Refusal("--known needs a ship with [hull] and [rudder] for the other numbers; name one with --parts");
+    return own ? std::optional(*own) : std::nullopt;
+  }
+  const auto other = load_linear_ship(a.parts);
+  const auto* given = parts(other);
+  if (!given) throw Refusal(fmt::format("{}: has no [hull]; --parts needs a ship given by hull and rudder", a.parts.string()));
+  return *given;
+}
+
+struct Answer {
+  SteeringIndices<double> indices;
+  std::array<InvertedNumber, 6> coefficients;
+  double condition_number;
+  std::optional<Inversion> parts;
+  std::array<KnownCondition, 5> conditions;  ///< only with parts
+};
+
+Answer answer_of(const Question& q) {
+  const auto m = coefficients(q.ship);
+  const auto i = indices(q.ship);
+  Answer answer{i, inverted_coefficients(m, i), condition_number(m), {}, {}};
+  if (q.formal) {
+    answer.parts = inverted(m, i, *q.formal, q.known);
+    answer.conditions = known_conditions(m, *q.formal);
+  }
+  return answer;
+}
+
+std::vector<std::string> warnings_of(const Answer& answer) {
+  const double distance = inverse_distance(answer.indices);
+  if (!(distance < near_equal)) return {};
+  return {fmt::format("T3b and T3w are near each other ({:.2g} of their sum apart): a1, b1, a2 and b2 change by {:.0f} times any relative error in them",
+                      distance, 0.5 / distance)};
+}
+
+// ---------------------------------------------------------------- JSON
+
+Json values_json(std::span<const InvertedNumber> numbers) {
+  Json json = Json::object();
+  for (const auto& n : numbers) json[std::string(n.name)] = number(n.value);
+  return json;
+}
+
+void add_elasticities(Json& json, std::span<const InvertedNumber> numbers, std::size_t inputs) {
+  for (const auto& n : numbers)
+    for (std::size_t k = 0; k < inputs; ++k) json[std::string(n.name)][std::string(inversion_inputs[k])] = number(n.elasticity[k]);
+}
+
+Json condition_json(const Answer& answer) {
+  Json json{{"inverse_distance", number(inverse_distance(answer.indices))}, {"condition_number", number(answer.condition_number)}};
+  if (!answer.parts) return json;
+  for (const auto& c : answer.conditions) json["known"][std::string(name_of(c.known))] = {{"by_known", number(c.by_known)}, {"worst", number(c.worst)}};
+  json["best_known"] = name_of(best_known(answer.conditions));
+  return json;
+}
+
+Json document_of(const Question& q, const Answer& answer) {
+  Json elasticity = Json::object();
+  add_elasticities(elasticity, answer.coefficients, inversion_inputs.size() - 1);
+  if (answer.parts) add_elasticities(elasticity, answer.parts->parts, inversion_inputs.size());
+  return {{"ship", q.ship.name},
+          {"given", form_words(q.ship)},
+          {"coefficients", values_json(answer.coefficients)},
+          {"parts", answer.parts ? values_json(answer.parts->parts) : Json(nullptr)},
+          {"known", answer.parts ? Json(name_of(q.known)) : Json(nullptr)},
+          {"elasticity", std::move(elasticity)},
+          {"condition", condition_json(answer)},
+          {"warnings", warnings_of(answer)}};
+}
+
+// ---------------------------------------------------------------- text
+
+void print_numbers(std::span<const InvertedNumber> numbers, std::size_t inputs) {
+  fmt::print("  {:<14}{:>12}   change in % per % of\n  {:<14}{:>12}", "", "", "", "value");
+  for (std::size_t k = 0; k < inputs; ++k) fmt::print("{:>11}", inversion_inputs[k]);
+  fmt::print("\n");
+  for (const auto& n : numbers) {
+    fmt::print("  {:<14}{:>12}", n.name, cell(n.value));
+    for (std::size_t k = 0; k < inputs; ++k) fmt::print("{:>11}", std::isfinite(n.elasticity[k]) ? fmt::format("{:.3f}", n.elasticity[k]) : "-");
+    fmt::print("\n");
+  }
+}
+
+void print_conditions(const Answer& answer) {
+  fmt::print("\n  which number to know     % per % of it   worst for 1 % in a1 ... c2 and it\n");
+  for (const auto& c : answer.conditions) fmt::print("  {:<14}{:>24}{:>20}\n", name_of(c.known), cell(c.by_known), cell(c.worst));
+  fmt::print("Best conditioned: {}.\n", name_of(best_known(answer.conditions)));
+}
+
+void print_text(const Question& q, const Answer& answer) {
+  fmt::print("{}: given by {}\n\nCoefficients\n", q.ship.name, form_words(q.ship));
+  print_numbers(answer.coefficients, inversion_inputs.size() - 1);
+  fmt::print("Condition number of the indices by the coefficients: {}\n", cell(answer.condition_number));
+  if (!answer.parts) return;
+  fmt::print("\nHull and rudder, {} known\n", name_of(q.known));
+  print_numbers(answer.parts->parts, inversion_inputs.size());
+  print_conditions(answer);
+}
+
+}  // namespace
+
+void invert(const InvertArguments& a) {
+  auto ship = load_linear_ship(a.ship);
+  const auto formal = formal_parts(ship, a);
+  const Question question{std::move(ship), formal, known_named(a.known)};
+  const auto answer = answer_of(question);
+  for (const auto& warning : warnings_of(answer)) fmt::print(stderr, "swayaw: {}\n", warning);
+  if (a.json) fmt::print("{}\n", document_of(question, answer).dump(2));
+  else print_text(question, answer);
+}
+
+}  // namespace swayaw::app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "commands.hpp"
+#include "json.hpp"
+#include "swayaw/core/recording.hpp"
+#include "swayaw/linear/linear_ship.hpp"
+#include "swayaw/linear/zigzag.hpp"
+
+/// What the commands on linear ships share.
+namespace swayaw::app {
+
+/// {"a1": …, …, "c2": …}
+Json coefficients_json(const SwayYawCoefficients<double>& m);
+
+/// A number in a column, "-" where it is infinite or not a number.
+std::string cell(double value);
+
+/// "course stable, …" and the like.
+std::string stability_words(const SwayYawTransfer<double>& h);
+
+/// "hull and rudder", "coefficients" or "indices": what the ship file gives.
+std::string_view form_words(const LinearShip& ship);
+
+/// The manoeuvre's speed: as asked, or the service speed.
+double speed_of(const LinearShip& ship, const std::optional<double>& asked);
+
+/// A zigzag D/H with the steering gear of the ship, rudder rate in rad per ship length.
+/// @throws std::domain_error  if an angle is not positive, or the rudder order beyond the largest angle
+LinearZigzagOrder linear_order(const LinearShip& ship, const std::string& zigzag, const std::string& first, double speed);
+
+/// The zigzag as a recording, its facts filled in.
+Recording zigzag_recording(const LinearShip& ship, const LinearZigzag<double>& zigzag, const LinearZigzagOrder& order, double speed,
+                           const std::optional<double>& step);
+
+/// `swayaw simulate` for a linear ship.
+void simulate_linear(const LinearShip& ship, const SimulateArguments& arguments);
+
+}  // namespace swayaw::app

@@ -1,0 +1,303 @@
+#include "swayaw/linear/loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "commands.hpp"
+#include "input.hpp"
+#include "linear_output.hpp"
+#include "swayaw/app/report.hpp"
+#include "swayaw/core/atomic_file.hpp"
+#include "swayaw/core/version.hpp"
+#include "swayaw/linear/batch.hpp"
+
+namespace swayaw::app {
+namespace {
+
+constexpr std::size_t shown_overshoots = 6;
+
+/// The loop of a ship and how she came to it.
+struct Finding {
+  LinearZigzagOrder order;
+  double speed;
+  LimitCycle cycle;
+  LoopMeasures<double> loop;
+  std::optional<LoopSensitivity> sensitivity;
+  std::vector<std::string> warnings;
+};
+
+/// Whether the inverse formulas give the ship back, so that T3b and T3w can be varied.
+bool has_inverse(const SwayYawCoefficients<double>& m, const SteeringIndices<double>& i) {
+  const auto again = coefficients_from(i);
+  const auto list = m.parameters();
+  return std::ranges::all_of(list, [&](const auto& p) { return std::abs(again.*p.member - m.*p.member) <= 1e-6 * std::abs(m.*p.member); });
+}
+
+/// The first few of a list of angles.
+std::vector<double> first_in_degrees(std::vector<double> angles) {
+  angles.resize(std::min(angles.size(), shown_overshoots));
+  for (double& x : angles) x = degrees(x);
+  return angles;
+}
+
+std::vector<double> overshoots_deg(const std::vector<LinearReversal<double>>& reversals) {
+  std::vector<double> angles;
+  for (const auto& r : reversals) angles.push_back(r.overshoot);
+  return first_in_degrees(std::move(angles));
+}
+
+/// Where no coupled equations follow from the indices, beta = (Kb/Kw) omega' all along: the loop is a line.
+LoopMeasures<double> line_of(const SteeringIndices<double>& i, const LoopMeasures<double>& yaw) {
+  LoopMeasures<double> line{};
+  line.length = std::numeric_limits<double>::quiet_NaN();  // an ellipse of no area
+  line.inclination = i.Kb == 0.0 ? 0.5 * pi : std::atan(i.Kw / i.Kb);
+  line.omega_max = yaw.omega_max;
+  line.beta_max = std::abs(i.Kb / i.Kw) * yaw.omega_max;
+  return line;
+}
+
+/// What a reader of the numbers should know.
+std::vector<std::string> warnings_of(const LinearShip& ship, const Finding& f) {
+  std::vector<std::string> warnings;
+  if (!has_coefficients(ship))
+    warnings.push_back("drift is proportional to yaw in this ship (T3b = T3w, or Kb = 0): the loop is a line, without sensitivities");
+  else if (!f.sensitivity)
+    warnings.push_back("no sensitivities: T3b and T3w cannot be varied in this ship (T3b = T3w, Kb = 0, Kw = 0, or a neutral ship)");
+  if (!f.cycle.settled)
+    warnings.push_back(fmt::format("the zigzag still changes after {} reversals: the loop is that of its last cycle", f.cycle.zigzag.reversals.size()));
+  return warnings;
+}
+
+/// @throws Refusal  if the zigzag has no full cycle
+Finding finding_of(const LinearShip& ship, const LoopArguments& a) {
+  const double speed = speed_of(ship, a.speed);
+  const auto order = linear_order(ship, a.zigzag, a.first, speed);
+  const auto m = yaw_coefficients(ship);
+  const auto i = indices(ship);
+  auto cycle = limit_cycle(m, order);
+  const auto loop = drift_yaw_loop(m, cycle.zigzag);
+  if (!loop) throw Refusal(fmt::format("the zigzag comes to {} reversals only: a loop needs 3 (the ship is {})", cycle.zigzag.reversals.size(),
+                                       stability_words(transfer_functions(m))));
+  Finding finding{order, speed, std::move(cycle), *loop, {}, {}};
+  if (!has_coefficients(ship)) finding.loop = line_of(i, *loop);
+  else if (has_inverse(m, i)) finding.sensitivity = loop_sensitivity(i, order);
+  finding.warnings = warnings_of(ship, finding);
+  return finding;
+}
+
+// ---------------------------------------------------------------- JSON
+
+Json measures_json(const LoopMeasures<double>& m) {
+  return {{"area", number(m.area)},
+          {"length", number(m.length)},
+          {"width", number(m.width)},
+          {"inclination_rad", number(m.inclination)},
+          {"beta_max_rad", number(m.beta_max)},
+          {"omega_max", number(m.omega_max)},
+          {"omega_at_beta_zero", number(m.omega_at_beta_zero)},
+          {"beta_at_omega_zero_rad", number(m.beta_at_omega_zero)},
+          {"distance_from_line", number(m.distance_from_line)}};
+}
+
+Json derivatives_json(const LoopMeasures<double>& m, double period, const std::vector<double>& overshoots) {
+  Json json = measures_json(m);
+  json["period"] = number(period);
+  json["overshoot_deg"] = numbers(first_in_degrees(overshoots));
+  json["limit_overshoot_deg"] = number(degrees(overshoots.back()));
+  return json;
+}
+
+Json sensitivity_json(const std::optional<LoopSensitivity>& s) {
+  if (!s) return nullptr;
+  return {{"T3b", derivatives_json(s->by_T3b, s->period_by_T3b, s->overshoot_by_T3b)},
+          {"T3w", derivatives_json(s->by_T3w, s->period_by_T3w, s->overshoot_by_T3w)}};
+}
+
+Json document_of(const LinearShip& ship, const Finding& f) {
+  const auto& reversals = f.cycle.zigzag.reversals;
+  const double period = f.cycle.zigzag.period().value();
+  Json json{{"ship", ship.name},
+            {"manoeuvre", name_of(ZigzagAngles{f.order.rudder, f.order.heading})},
+            {"first", name_of(f.order.first)},
+            {"speed_m_s", f.speed},
+            {"rudder_rate_rad_per_length", f.order.rate}};
+  json.update(measures_json(f.loop));
+  json["overshoot_deg"] = numbers(overshoots_deg(reversals));
+  json["limit_overshoot_deg"] = number(degrees(reversals.back().overshoot));
+  json["period"] = number(period);
+  json["period_s"] = number(period * ship.particulars.L / f.speed);
+  json["settled"] = f.cycle.settled;
+  json["reversals"] = reversals.size();
+  json["sensitivity"] = sensitivity_json(f.sensitivity);
+  json["warnings"] = f.warnings;
+  return json;
+}
+
+// ---------------------------------------------------------------- page
+
+/// Points along the legs from one to another, as columns.
+Json curve_json(const SwayYawCoefficients<double>& m, const std::vector<Leg<double>>& legs, std::size_t first, std::size_t last) {
+  constexpr int points = 24;
+  const LinearResponse<double> ship(m);
+  std::vector<double> time, psi, beta, omega, delta;
+  for (std::size_t i = first; i < last; ++i) {
+    for (int k = 0; k <= points; ++k) {
+      const double s = legs[i].length * k / points;
+      const auto x = state_after(ship, legs[i].start, legs[i].rudder, s);
+      time.push_back(legs[i].from + s);
+      psi.push_back(x.psi);
+      beta.push_back(x.beta);
+      omega.push_back(x.omega);
+      delta.push_back(legs[i].rudder.value + legs[i].rudder.rate * s);
+    }
+  }
+  return {{"s", numbers(time)}, {"psi_rad", numbers(psi)}, {"beta_rad", numbers(beta)}, {"omega", numbers(omega)}, {"delta_rad", numbers(delta)}};
+}
+
+std::vector<double> around(double value) {
+  std::vector<double> values;
+  for (int k = 0; k < 33; ++k) values.push_back(value * (0.25 + 0.0625 * k));
+  return values;
+}
+
+template <class Get>
+Json grid_json(const T3Map& map, Get&& get) {
+  Json rows_of_map = Json::array();
+  for (std::size_t w = 0; w < map.T3w.size(); ++w) {
+    Json row = Json::array();
+    for (std::size_t b = 0; b < map.T3b.size(); ++b) row.push_back(number(get(map.at(b, w))));
+    rows_of_map.push_back(std::move(row));
+  }
+  return rows_of_map;
+}
+
+Json map_json(const SteeringIndices<double>& i, const LinearZigzagOrder& order) {
+  const auto map = t3_map(i, order, around(i.T3b), around(i.T3w));
+  return {{"T3b", numbers(map.T3b)},
+          {"T3w", numbers(map.T3w)},
+          {"measures",
+           {{"area", grid_json(map, [](const T3Point& p) { return p.area; })},
+            {"beta_max_rad", grid_json(map, [](const T3Point& p) { return p.beta_max; })},
+            {"omega_max", grid_json(map, [](const T3Point& p) { return p.omega_max; })},
+            {"omega_at_beta_zero", grid_json(map, [](const T3Point& p) { return p.omega_at_beta_zero; })},
+            {"period", grid_json(map, [](const T3Point& p) { return p.period; })},
+            {"first_overshoot_deg", grid_json(map, [](const T3Point& p) { return degrees(p.overshoot1); })},
+            {"second_overshoot_deg", grid_json(map, [](const T3Point& p) { return degrees(p.overshoot2); })}}}};
+}
+
+Json indices_json(const LinearShip& ship) {
+  const auto i = indices(ship);
+  Json json{{"T3b", number(i.T3b)}, {"T3w", number(i.T3w)}, {"Kb", number(i.Kb)}, {"Kw", number(i.Kw)},
+            {"T_b", number(first_order_drift(i).T)}, {"T_w", number(first_order_yaw(i).T)}};
+  if (const auto T = time_constants(transfer_functions(i))) {
+    json["T1"] = number(T->T1);
+    json["T2"] = number(T->T2);
+  }
+  return json;
+}
+
+std::string verdict_of(const Finding& f) {
+  const auto& m = f.loop;
+  auto text = fmt::format("The {} takes {:.2f} ship lengths; its loop has an area of {:.4f} rad and passes zero drift at omega' = {:.3f}.",
+                          f.cycle.settled ? "limit cycle" : "last cycle", f.cycle.zigzag.period().value(), m.area, m.omega_at_beta_zero);
+  if (f.sensitivity)
+    text += fmt::format(" One hundredth more of T3w changes the area by {:+.2g} rad and the first overshoot by {:+.2g} deg; of T3b by {:+.2g} rad and not the overshoot.",
+                        0.01 * f.sensitivity->by_T3w.area, 0.01 * degrees(f.sensitivity->overshoot_by_T3w.front()), 0.01 * f.sensitivity->by_T3b.area);
+  return text;
+}
+
+Json page_document(const LinearShip& ship, const Finding& f, const LoopArguments& a) {
+  const auto m = yaw_coefficients(ship);
+  const auto i = indices(ship);
+  const auto& zigzag = f.cycle.zigzag;
+  const auto& r = zigzag.reversals;
+  Json measures = measures_json(f.loop);
+  measures["period"] = number(zigzag.period().value());
+  Json json{{"schema", "swayaw.loop/1"},
+            {"version", version()},
+            {"ship", ship.name},
+            {"ship_file", a.ship.string()},
+            {"manoeuvre", fmt::format("{} first {}", name_of(ZigzagAngles{f.order.rudder, f.order.heading}), name_of(f.order.first))},
+            {"length_m", ship.particulars.L},
+            {"speed_m_s", f.speed},
+            {"verdict", verdict_of(f)},
+            {"indices", indices_json(ship)},
+            {"slope", number(i.Kw / i.Kb)},
+            {"loop", std::move(measures)},
+            {"overshoot_deg", numbers(overshoots_deg(r))},
+            {"sensitivity", sensitivity_json(f.sensitivity)},
+            {"zigzag", curve_json(m, zigzag.legs, 0, r[std::min<std::size_t>(r.size(), 7) - 1].leg)},
+            {"cycle", curve_json(m, zigzag.legs, r[r.size() - 3].leg, r.back().leg)},
+            {"map", f.sensitivity ? map_json(i, f.order) : Json(nullptr)}};
+  return json;
+}
+
+void write_page(const LinearShip& ship, const Finding& f, const LoopArguments& a) {
+  write_text(a.report, loop_page(nlohmann::json::parse(page_document(ship, f, a).dump())));
+  fmt::print(stderr, "swayaw: report written to {}\n", a.report.string());
+}
+
+// ---------------------------------------------------------------- text
+
+/// One measure and its derivatives, in the unit that people read.
+struct Row {
+  std::string_view name;
+  std::string_view unit;
+  double LoopMeasures<double>::*member;
+  double scale = 1.0;
+};
+
+constexpr double degree = 180.0 / pi;
+constexpr Row rows[] = {
+    {"area", "rad", &LoopMeasures<double>::area},
+    {"length", "-", &LoopMeasures<double>::length},
+    {"width", "-", &LoopMeasures<double>::width},
+    {"inclination", "deg", &LoopMeasures<double>::inclination, degree},
+    {"largest drift", "deg", &LoopMeasures<double>::beta_max, degree},
+    {"largest omega'", "-", &LoopMeasures<double>::omega_max},
+    {"omega' at beta = 0", "-", &LoopMeasures<double>::omega_at_beta_zero},
+    {"drift at omega' = 0", "deg", &LoopMeasures<double>::beta_at_omega_zero, degree},
+    {"off the line", "-", &LoopMeasures<double>::distance_from_line},
+};
+
+/// A derivative, 0 where only rounding is left of it.
+std::string derivative_cell(double derivative, double value) { return std::abs(derivative) < 1e-10 * std::abs(value) ? "0" : cell(derivative); }
+
+void print_row(std::string_view name, std::string_view unit, double value, double by_T3b, double by_T3w, bool varied) {
+  fmt::print("  {:<22}{:>11} {:<4}", name, cell(value), unit);
+  if (varied) fmt::print("{:>13}{:>13}", derivative_cell(by_T3b, value), derivative_cell(by_T3w, value));
+  fmt::print("\n");
+}
+
+void print_text(const LinearShip& ship, const Finding& f) {
+  const auto& s = f.sensitivity;
+  const auto& reversals = f.cycle.zigzag.reversals;
+  fmt::print("{}: {} first {} at {:.4g} m/s, the loop of {}\n", ship.name, name_of(ZigzagAngles{f.order.rudder, f.order.heading}), name_of(f.order.first),
+             f.speed, f.cycle.settled ? "the limit cycle" : "the last cycle");
+  fmt::print("  {:<22}{:>11} {:<4}{}\n", "", "value", "", s ? "      by T3b       by T3w" : "");
+  for (const auto& [name, unit, member, scale] : rows)
+    print_row(name, unit, f.loop.*member * scale, s ? s->by_T3b.*member * scale : 0.0, s ? s->by_T3w.*member * scale : 0.0, s.has_value());
+  print_row("period", "L", f.cycle.zigzag.period().value(), s ? s->period_by_T3b : 0.0, s ? s->period_by_T3w : 0.0, s.has_value());
+  for (std::size_t k = 0; k < std::min(reversals.size(), shown_overshoots); ++k)
+    print_row(fmt::format("overshoot {}", k + 1), "deg", degrees(reversals[k].overshoot), s ? degrees(s->overshoot_by_T3b[k]) : 0.0,
+              s ? degrees(s->overshoot_by_T3w[k]) : 0.0, s.has_value());
+  print_row(fmt::format("overshoot {}", reversals.size()), "deg", degrees(reversals.back().overshoot), s ? degrees(s->overshoot_by_T3b.back()) : 0.0,
+            s ? degrees(s->overshoot_by_T3w.back()) : 0.0, s.has_value());
+}
+
+}  // namespace
+
+void loop(const LoopArguments& a) {
+  const auto ship = load_linear_ship(a.ship);
+  const auto finding = finding_of(ship, a);
+  for (const auto& warning : finding.warnings) fmt::print(stderr, "swayaw: {}\n", warning);
+  if (!a.out.empty()) write_recording(zigzag_recording(ship, finding.cycle.zigzag, finding.order, finding.speed, {}), a.out);
+  if (!a.report.empty()) write_page(ship, finding, a);
+  if (a.json) fmt::print("{}\n", document_of(ship, finding).dump(2));
+  else print_text(ship, finding);
+}
+
+}  // namespace swayaw::app

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "input.hpp"
+#include "linear_output.hpp"
+
+namespace swayaw::app {
+namespace {
+
+// ---------------------------------------------------------------- zigzag
+
+/// A zigzag and the times of its rudder orders, the last of which may have no heading peak yet.
+struct Run {
+  LinearZigzagOrder order;
+  LinearZigzag<double> zigzag;
+  std::vector<double> execute;  ///< [s], without the first order at 0
+  PrimeScale scale;
+
+  double seconds(double s) const { return s * scale.L / scale.U; }
+
+  std::optional<double> period() const {
+    const auto n = execute.size();
+    return n >= 3 ? std::optional(execute[n - 1] - execute[n - 3]) : std::nullopt;
+  }
+};
+
+Run run_of(const LinearShip& ship, const SimulateArguments& a) {
+  const double speed = speed_of(ship, a.speed);
+  Run run{linear_order(ship, a.zigzag, a.first, speed), {}, {}, prime_scale(ship, speed)};
+  run.order.reversals = a.duration ? std::numeric_limits<std::size_t>::max() : 4;
+  run.order.longest = a.duration ? *a.duration * speed / ship.particulars.L : 200.0;
+  run.zigzag = linear_zigzag(yaw_coefficients(ship), run.order);
+  for (const auto& leg : run.zigzag.legs)
+    if (leg.end == LegEnd::heading) run.execute.push_back(run.seconds(leg.from + leg.length));
+  return run;
+}
+
+Json zigzag_json(const Run& run) {
+  Json execute = Json::array({0.0}), peaks = Json::array(), overshoots = Json::array();
+  for (const double time : run.execute) execute.push_back(time);
+  for (const auto& reversal : run.zigzag.reversals) {
+    peaks.push_back(run.seconds(reversal.peak));
+    overshoots.push_back(degrees(reversal.overshoot));
+  }
+  const Json turning = run.execute.empty() ? Json(nullptr) : number(run.execute.front() * run.scale.U);
+  return {{"manoeuvre", name_of(ZigzagAngles{run.order.rudder, run.order.heading})},
+          {"first", name_of(run.order.first)},
+          {"approach_speed_m_s", run.scale.U},
+          {"rev_s", nullptr},
+          {"execute_s", std::move(execute)},
+          {"peak_s", std::move(peaks)},
+          {"overshoot_deg", std::move(overshoots)},
+          {"period_s", number(run.period())},
+          {"initial_turning_m", turning}};
+}
+
+void print_zigzag(const LinearShip& ship, const Run& run) {
+  fmt::print("{}: {} first {}, {:.4g} m/s\n", ship.name, name_of(ZigzagAngles{run.order.rudder, run.order.heading}), name_of(run.order.first), run.scale.U);
+  fmt::print("  {:<10}{:>12}{:>12}{:>16}\n", "reversal", "at s", "peak s", "overshoot deg");
+  for (std::size_t k = 0; k < run.execute.size(); ++k) {
+    fmt::print("  {:<10}{:>12.3f}", k + 1, run.execute[k]);
+    if (k < run.zigzag.reversals.size())
+      fmt::print("{:>12.3f}{:>16.3f}\n", run.seconds(run.zigzag.reversals[k].peak), degrees(run.zigzag.reversals[k].overshoot));
+    else fmt::print("{:>12}{:>16}\n", "-", "-");
+  }
+  if (run.period()) fmt::print("  period of the last cycle {:.2f} s\n", *run.period());
+  if (run.execute.empty()) fmt::print("  the heading never reached the switch angle\n");
+}
+
+void simulate_zigzag(const LinearShip& ship, const SimulateArguments& a) {
+  const auto run = run_of(ship, a);
+  if (!a.out.empty()) write_recording(zigzag_recording(ship, run.zigzag, run.order, run.scale.U, a.step), a.out);
+  if (a.json) fmt::print("{}\n", zigzag_json(run).dump(2));
+  else print_zigzag(ship, run);
+}
+
+// ---------------------------------------------------------------- steady turn
+
+/// beta = Kb delta, omega' = Kw delta.
+struct SteadyTurn {
+  double drift;     ///< [rad]
+  double yaw_rate;  ///< [rad/s]
+  double diameter;  ///< 2U/|r| [m]
+};
+
+/// @throws Refusal  if the ship does not settle
+SteadyTurn steady_turn(const LinearShip& ship, double delta, double speed) {
+  const auto h = transfer_functions(ship);
+  if (!(h.e0 > 0.0 && h.e1 > 0.0)) throw Refusal(fmt::format("the ship is {}; she settles in no steady turn", stability_words(h)));
+  const double omega = h.nw0 / h.e0 * delta, L = ship.particulars.L;
+  return {h.nb0 / h.e0 * delta, omega * speed / L, 2.0 * L / std::abs(omega)};
+}
+
+Json turn_json(const SteadyTurn& t, const SimulateArguments& a, double speed) {
+  return {{"manoeuvre", fmt::format("turn {:.6g}", *a.turn)},
+          {"first", a.first},
+          {"approach_speed_m_s", speed},
+          {"rev_s", nullptr},
+          {"advance_m", nullptr},
+          {"transfer_m", nullptr},
+          {"tactical_diameter_m", nullptr},
+          {"final_diameter_m", number(t.diameter)},
+          {"time_90_s", nullptr},
+          {"time_180_s", nullptr},
+          {"initial_turning_m", nullptr},
+          {"final_speed_m_s", speed},
+          {"final_drift_rad", number(t.drift)},
+          {"final_yaw_rate_rad_s", number(t.yaw_rate)}};
+}
+
+void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
+  if (!a.out.empty()) throw Refusal("the turn of a linear ship is known by its steady values only: no time series for --out");
+  const double angle = radians(*a.turn), speed = speed_of(ship, a.speed);
+  require_rudder(angle, ship.steering_gear);
+  const auto turn = steady_turn(ship, rudder_sign(side_named(a.first)) * angle, speed);
+  if (a.json) {
+    fmt::print("{}\n", turn_json(turn, a, speed).dump(2));
+    return;
+  }
+  fmt::print("{}: turn {:.6g} to {}, {:.4g} m/s held, steady values of the linear equations\n", ship.name, *a.turn, a.first, speed);
+  fmt::print("  {:<20}{:>12.2f} m{:>10.3f} L\n", "final diameter", turn.diameter, turn.diameter / ship.particulars.L);
+  fmt::print("  {:<20}{:>12.2f} deg\n", "final drift angle", degrees(turn.drift));
+  fmt::print("  {:<20}{:>12.4f} deg/s\n", "final yaw rate", degrees(turn.yaw_rate));
+}
+
+}  // namespace
+
+void simulate_linear(const LinearShip& ship, const SimulateArguments& a) {
+  if (a.turn) simulate_turn(ship, a);
+  else simulate_zigzag(ship, a);
+}
+
+}  // namespace swayaw::app

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "swayaw/core/confidence.hpp"
+#include "swayaw/core/parameter.hpp"
+
+/// How ship files are read: one set of rules for every model. A model lists its parts in `sections()` and each part its
+/// numbers in `parameters()`; every key of the lists must be there, no other may be, and every number must lie in its range.
+namespace swayaw {
+
+/// Models of the ship files that this version understands.
+inline constexpr std::array<std::string_view, 2> ship_models{"linear", "mmg"};
+
+/// A number of a ship file and where it goes.
+struct FileNumber {
+  std::string_view table;
+  std::string_view key;  ///< "kt[0]" is the first number of the list kt
+  Range range;           ///< in the unit of the file
+  Role role;
+  double si;             ///< SI value of one unit
+  bool required;
+  double* value;         ///< to be set, in SI
+};
+
+/// All numbers of a model, in the order of its lists.
+template <class Model>
+std::vector<FileNumber> file_numbers(Model& model) {
+  std::vector<FileNumber> numbers;
+  const auto add_part = [&](const auto& section) {
+    auto& part = model.*section.part;
+    for (const auto& p : part.parameters()) numbers.push_back({section.table, p.key, p.range, p.role, p.si, p.required, &(part.*p.member)});
+  };
+  std::apply([&](const auto&... section) { (add_part(section), ...); }, Model::sections());
+  return numbers;
+}
+
+/// What every ship file says besides its numbers.
+struct ShipFileHead {
+  std::string name;
+  Confidence confidence;
+};
+
+/// The TOML of a ship file.
+class PartsReader {
+ public:
+  /// @param name  stands for the file in messages
+  /// @throws FileError  if the text is not TOML
+  PartsReader(std::string_view text, const std::filesystem::path& name);
+  ~PartsReader();
+
+  /// The model named in the file; empty if none is named.
+  /// @throws FileError  if it is not a text
+  std::string model() const;
+
+  /// Refuses other models, and physics that later versions may understand. A file without a model passes.
+  /// @throws FileError
+  void require_model(std::string_view model) const;
+
+  /// Whether the file has that key or table.
+  bool has(std::string_view key) const;
+
+  /// Whether the table has that key.
+  bool has(std::string_view table, std::string_view key) const;
+
+  /// Sets the numbers.
+  /// @throws FileError  naming the key that is missing, not known or out of range
+  ShipFileHead read(std::span<const FileNumber> numbers) const;
+
+  /// @throws FileError  with the place of the value; of the table where the key is not there, of the file where neither is
+  [[noreturn]] void fail(std::string_view table, std::string_view key, std::string_view what) const;
+
+ private:
+  struct Document;
+  std::unique_ptr<Document> document_;
+};
+
+/// The model named in the text of a ship file; empty if none is named.
+/// @throws FileError
+std::string model_of(std::string_view text, const std::filesystem::path& name);
+
+}  // namespace swayaw

@@ -1,0 +1,227 @@
+#include "swayaw/core/parts_reader.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "swayaw/core/refusal.hpp"
+
+namespace swayaw {
+namespace {
+
+/// "kt[0]" is the first number of the list kt.
+struct KeyPlace {
+  std::string_view key;
+  std::optional<std::size_t> index;
+};
+
+KeyPlace place_of(std::string_view key) {
+  const auto bracket = key.find('[');
+  if (bracket == std::string_view::npos) return {key, std::nullopt};
+  return {key.substr(0, bracket), static_cast<std::size_t>(key[bracket + 1] - '0')};
+}
+
+std::string requirement(const Range& range) {
+  if (range.not_zero) return "must not be 0";
+  if (range.low == 0.0 && std::isinf(range.high)) return range.above_low ? "must be positive" : "must not be negative";
+  if (range.above_low) return fmt::format("must be above {} and not above {}", range.low, range.high);
+  return fmt::format("must lie between {} and {}", range.low, range.high);
+}
+
+enum class Holds { text, table, number };
+
+/// A key that a table may have.
+struct KnownKey {
+  std::string table;  ///< "" for the keys and tables of the file itself
+  std::string key;
+  Holds holds;
+  bool required = true;
+  bool coefficient = false;
+  std::size_t numbers = 1;  ///< length of the list
+
+  std::string name() const { return holds == Holds::table ? fmt::format("[{}]", key) : key; }
+};
+
+/// The keys of a ship file with these numbers, without those of [confidence].
+std::vector<KnownKey> known_keys(std::span<const FileNumber> numbers) {
+  std::vector<KnownKey> keys{{"", "name", Holds::text}, {"", "model", Holds::text}, {"", "confidence", Holds::table, false}};
+  for (const auto& n : numbers) {
+    if (keys.back().table != n.table) keys.push_back({"", std::string(n.table), Holds::table});
+    const auto [key, index] = place_of(n.key);
+    if (index.value_or(0) > 0) ++keys.back().numbers;
+    else keys.push_back({std::string(n.table), std::string(key), Holds::number, n.required, n.role == Role::coefficient});
+  }
+  return keys;
+}
+
+toml::table parsed(std::string_view text, const std::filesystem::path& name) {
+  try {
+    return toml::parse(text, name.string());
+  } catch (const toml::parse_error& error) {
+    const auto place = error.source().begin;
+    throw FileError({name, place.line, place.column}, error.description());
+  }
+}
+
+/// Where things are in a ship file.
+class ShipText {
+ public:
+  ShipText(const toml::table& root, const std::filesystem::path& file) : root_(root), file_(file) {}
+
+  const toml::table& root() const { return root_; }
+
+  [[noreturn]] void fail(const toml::source_position& place, std::string_view what) const {
+    throw FileError({file_, place.line, place.column}, what);
+  }
+  [[noreturn]] void fail(const toml::node& node, std::string_view what) const { fail(node.source().begin, what); }
+
+  std::string text(std::string_view key) const {
+    const auto& node = *root_.get(key);
+    if (const auto value = node.value_exact<std::string>()) return *value;
+    fail(node, fmt::format("{} must be a text in quotes", key));
+  }
+
+  const toml::table& table(std::string_view name) const {
+    const auto& node = *root_.get(name);
+    if (const auto* table = node.as_table()) return *table;
+    fail(node, fmt::format("{} must be a table", name));
+  }
+
+ private:
+  const toml::table& root_;
+  const std::filesystem::path& file_;
+};
+
+/// Fills the numbers of one model.
+class NumberReader {
+ public:
+  NumberReader(const ShipText& file, std::span<const FileNumber> numbers) : file_(file), numbers_(numbers), keys_(known_keys(numbers)) {}
+
+  ShipFileHead read() const {
+    require_keys(file_.root(), "");
+    ShipFileHead head{.name = file_.text("name"), .confidence = {}};
+    for (const auto& k : keys_)
+      if (k.holds == Holds::table && k.required) require_keys(file_.table(k.key), k.key);
+    for (const auto& n : numbers_) read_number(n);
+    read_confidence(head.confidence);
+    return head;
+  }
+
+ private:
+  // -------------------------------------------------------------- every key, and no other
+
+  /// The first required key that the table lacks.
+  const KnownKey* missing_key(const toml::table& table, std::string_view name) const {
+    const auto lacks = [&](const KnownKey& k) { return k.table == name && k.required && !table.contains(k.key); };
+    const auto found = std::ranges::find_if(keys_, lacks);
+    return found == keys_.end() ? nullptr : &*found;
+  }
+
+  void require_keys(const toml::table& table, std::string_view name) const {
+    const auto* missing = missing_key(table, name);
+    const auto where = name.empty() ? std::string{} : fmt::format(" in [{}]", name);
+    for (auto&& [key, value] : table) {
+      const auto is_key = [&](const KnownKey& k) { return k.table == name && k.key == key.str(); };
+      if (std::ranges::any_of(keys_, is_key)) continue;
+      const auto hint = missing ? fmt::format("; {} is missing", missing->name()) : std::string{};
+      file_.fail(key.source().begin, fmt::format("{}{} is not known{}", key.str(), where, hint));
+    }
+    if (missing) file_.fail(table, fmt::format("{} is missing{}", missing->name(), where));
+  }
+
+  // -------------------------------------------------------------- numbers
+
+  void read_number(const FileNumber& n) const {
+    const auto place = place_of(n.key);
+    if (const auto* node = file_.table(n.table).get(place.key)) *n.value = number(*node, place, n.table, n.range) * n.si;
+  }
+
+  double number(const toml::node& node, const KeyPlace& place, std::string_view table, const Range& range) const {
+    const auto& element = place.index ? list_element(node, place, table) : node;
+    const auto value = element.value<double>();
+    if (!value || !element.is_number() || !std::isfinite(*value)) file_.fail(element, fmt::format("{} in [{}] must be a number", place.key, table));
+    if (range.contains(*value)) return *value;
+    file_.fail(element, fmt::format("{} in [{}] {}, got {}", place.key, table, requirement(range), *value));
+  }
+
+  const toml::node& list_element(const toml::node& node, const KeyPlace& place, std::string_view table) const {
+    const auto same = [&](const KnownKey& k) { return k.table == table && k.key == place.key; };
+    const auto numbers = std::ranges::find_if(keys_, same)->numbers;
+    const auto* list = node.as_array();
+    if (!list) file_.fail(node, fmt::format("{} in [{}] must be a list of {} numbers", place.key, table, numbers));
+    if (list->size() != numbers) file_.fail(node, fmt::format("{} in [{}] must be a list of {} numbers, got {}", place.key, table, numbers, list->size()));
+    return *list->get(*place.index);
+  }
+
+  // -------------------------------------------------------------- trust
+
+  void read_confidence(Confidence& confidence) const {
+    if (!file_.root().contains("confidence")) return;
+    for (auto&& [key, value] : file_.table("confidence")) {
+      if (key != "coefficients" && !is_coefficient(key.str()))
+        file_.fail(key.source().begin, fmt::format("{} in [confidence] is not a coefficient of this model", key.str()));
+      const double deviation = number(value, {key.str(), std::nullopt}, "confidence", non_negative);
+      if (key == "coefficients") confidence.coefficients = deviation;
+      else confidence.named.emplace_back(key.str(), deviation);
+    }
+  }
+
+  bool is_coefficient(std::string_view key) const {
+    return std::ranges::any_of(keys_, [&](const KnownKey& k) { return k.coefficient && k.key == key; });
+  }
+
+  const ShipText& file_;
+  std::span<const FileNumber> numbers_;
+  std::vector<KnownKey> keys_;
+};
+
+}  // namespace
+
+struct PartsReader::Document {
+  toml::table root;
+  std::filesystem::path file;
+
+  ShipText text() const { return {root, file}; }
+};
+
+PartsReader::PartsReader(std::string_view text, const std::filesystem::path& name)
+    : document_(std::make_unique<Document>(Document{parsed(text, name), name})) {}
+
+PartsReader::~PartsReader() = default;
+
+std::string PartsReader::model() const { return has("model") ? document_->text().text("model") : std::string{}; }
+
+void PartsReader::require_model(std::string_view wanted) const {
+  const auto named = model();
+  if (has("model") && std::ranges::count(ship_models, named) == 0)
+    fail("", "model", fmt::format("model \"{}\" is not known to this version (known: {})", named, fmt::join(ship_models, ", ")));
+  if (has("model") && named != wanted) fail("", "model", fmt::format("a ship of model \"{}\" is needed here, got \"{}\"", wanted, named));
+  if (has("effect")) fail("", "effect", "[[effect]] is not understood by this version");
+}
+
+bool PartsReader::has(std::string_view key) const { return document_->root.contains(key); }
+
+bool PartsReader::has(std::string_view table, std::string_view key) const {
+  const auto* found = document_->root.get_as<toml::table>(table);
+  return found && found->contains(key);
+}
+
+ShipFileHead PartsReader::read(std::span<const FileNumber> numbers) const {
+  const auto text = document_->text();
+  return NumberReader(text, numbers).read();
+}
+
+void PartsReader::fail(std::string_view table, std::string_view key, std::string_view what) const {
+  const auto text = document_->text();
+  const auto* in_table = table.empty() ? &document_->root : document_->root.get_as<toml::table>(table);
+  if (!in_table) text.fail(document_->root, what);
+  const auto* node = in_table->get(key);
+  text.fail(node ? *node : *in_table, what);
+}
+
+std::string model_of(std::string_view text, const std::filesystem::path& name) { return PartsReader(text, name).model(); }
+
+}  // namespace swayaw

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+
+/// What the batch kernels do, one translation unit for each instruction set. Not installed.
+///
+/// These units are compiled for processors that the program may not run on. So they hold nothing but templates over the
+/// instruction set: no function on plain numbers that the linker could take for the rest of the program.
+namespace swayaw::batch {
+
+/// Ships in, reversals out, [reversal · ships + ship].
+struct ZigzagJob {
+  const double *a1, *b1, *c1, *a2, *b2, *c2;
+  double rudder, heading, rate, turn, longest;
+  std::size_t ships, reversals;
+  double *execute, *peak, *overshoot;
+  unsigned char* count;  ///< how many reversals, or `redo`
+};
+
+/// What the packs leave to the scalar code: complex or close poles, a pole near 0, a top that decides.
+inline constexpr unsigned char redo = 255;
+
+/// Most reversals of a kernel.
+inline constexpr std::size_t most_reversals = 16;
+
+/// Zigzags of the ships [first, last).
+using ZigzagKernel = void (*)(const ZigzagJob&, std::size_t first, std::size_t last);
+
+ZigzagKernel baseline_zigzags();  ///< null where xsimd knows no instruction set
+ZigzagKernel avx2_zigzags();      ///< AVX2 and fused multiply-add
+ZigzagKernel avx512_zigzags();    ///< AVX-512 F, CD, DQ and BW
+
+}  // namespace swayaw::batch
