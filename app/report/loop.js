@@ -23,6 +23,10 @@ function trace(x, y, color, name, more = {}) {
   return { type: 'scatter', mode: 'lines', x, y, name, line: { color, width: 1.9 }, ...more };
 }
 
+// A derivative of which only rounding is left is zero.
+const unlessRounding = (derivative, value) =>
+  (isNumber(derivative) && Math.abs(derivative) < 1e-10 * Math.abs(value) ? 0 : derivative);
+
 // ---- tables ------------------------------------------------------------------------------
 
 function indexTable(indices) {
@@ -35,17 +39,19 @@ function indexTable(indices) {
 function measureRow(report, id) {
   const measure = MEASURES[id];
   const of = (values) => (values && isNumber(values[id]) ? values[id] * measure.scale : null);
+  const value = of(report.loop);
   const sensitivity = report.sensitivity || {};
   return row(
     el('th', { scope: 'row' }, withUnit(measure)),
-    el('td', {}, digits(of(report.loop))),
-    el('td', {}, digits(of(sensitivity.T3b))),
-    el('td', {}, digits(of(sensitivity.T3w))));
+    el('td', {}, digits(value)),
+    el('td', {}, digits(unlessRounding(of(sensitivity.T3b), value))),
+    el('td', {}, digits(unlessRounding(of(sensitivity.T3w), value))));
 }
 
 function overshootRows(report) {
   const sensitivity = report.sensitivity || {};
-  const of = (values, i) => digits(values && values.overshoot_deg ? values.overshoot_deg[i] : null);
+  const of = (values, i) => digits(values && values.overshoot_deg
+    ? unlessRounding(values.overshoot_deg[i], report.overshoot_deg[i]) : null);
   return (report.overshoot_deg || []).slice(0, 4).map((value, i) => row(
     el('th', { scope: 'row' }, `Overshoot ${i + 1}, deg`),
     el('td', {}, digits(value)), el('td', {}, of(sensitivity.T3b, i)), el('td', {}, of(sensitivity.T3w, i))));

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "input.hpp"
 #include "linear_output.hpp"
 #include "swayaw/linear/inversion.hpp"
+#include "swayaw/linear/uncertainty.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -41,18 +43,39 @@ std::optional<LinearParts<double>> formal_parts(const LinearShip& ship, const In
   return *given;
 }
 
+/// How sure the results are when the indices are as sure as [confidence] says.
+struct Certainty {
+  double separation;                        ///< T3b − T3w in standard errors
+  CoefficientCovariance coefficients;
+  SampledCoefficients sampled;
+  std::optional<PartCovariance> parts;
+  std::optional<std::string> warning;
+};
+
+/// Nothing for ships that are not given by indices.
+std::optional<Certainty> certainty_of(const Question& q) {
+  const auto* i = std::get_if<SteeringIndices<double>>(&q.ship.form);
+  if (!i) return std::nullopt;
+  const auto covariance = covariance_of(*i, q.ship.confidence);
+  Certainty certainty{separation(*i, covariance), coefficient_covariance(*i, covariance), sample_coefficients(*i, covariance), {},
+                      separation_warning(*i, covariance)};
+  if (q.formal) certainty.parts = part_covariance(*i, covariance, *q.formal, q.known);
+  return certainty;
+}
+
 struct Answer {
   SteeringIndices<double> indices;
   std::array<InvertedNumber, 6> coefficients;
   double condition_number;
   std::optional<Inversion> parts;
   std::array<KnownCondition, 5> conditions;  ///< only with parts
+  std::optional<Certainty> certainty;
 };
 
 Answer answer_of(const Question& q) {
   const auto m = coefficients(q.ship);
   const auto i = indices(q.ship);
-  Answer answer{i, inverted_coefficients(m, i), condition_number(m), {}, {}};
+  Answer answer{i, inverted_coefficients(m, i), condition_number(m), {}, {}, certainty_of(q)};
   if (q.formal) {
     answer.parts = inverted(m, i, *q.formal, q.known);
     answer.conditions = known_conditions(m, *q.formal);
@@ -61,10 +84,13 @@ Answer answer_of(const Question& q) {
 }
 
 std::vector<std::string> warnings_of(const Answer& answer) {
+  std::vector<std::string> warnings;
+  if (answer.certainty && answer.certainty->warning) warnings.push_back(*answer.certainty->warning);
   const double distance = inverse_distance(answer.indices);
-  if (!(distance < near_equal)) return {};
-  return {fmt::format("T3b and T3w are near each other ({:.2g} of their sum apart): a1, b1, a2 and b2 change by {:.0f} times any relative error in them",
-                      distance, 0.5 / distance)};
+  if (!(distance < near_equal)) return warnings;
+  warnings.push_back(fmt::format("T3b and T3w are near each other ({:.2g} of their sum apart): a1, b1, a2 and b2 change by {:.0f} times any relative error in them",
+                      distance, 0.5 / distance));
+  return warnings;
 }
 
 // ---------------------------------------------------------------- JSON
@@ -88,6 +114,20 @@ Json condition_json(const Answer& answer) {
   return json;
 }
 
+Json certainty_json(const Answer& answer) {
+  if (!answer.certainty) return nullptr;
+  const auto& c = *answer.certainty;
+  Json json{{"separation", number(c.separation)}, {"sign_changes", number(c.sampled.crossed)}};
+  for (int k = 0; k < 6; ++k) {
+    const std::string name(answer.coefficients[static_cast<std::size_t>(k)].name);
+    json["standard_error"][name] = number(std::sqrt(c.coefficients(k, k)));
+    json["interval_95"][name] = {number(c.sampled.low[k]), number(c.sampled.high[k])};
+  }
+  if (!c.parts) return json;
+  for (int k = 0; k < 7; ++k) json["standard_error"][std::string(answer.parts->parts[static_cast<std::size_t>(k)].name)] = number(std::sqrt((*c.parts)(k, k)));
+  return json;
+}
+
 Json document_of(const Question& q, const Answer& answer) {
   Json elasticity = Json::object();
   add_elasticities(elasticity, answer.coefficients, inversion_inputs.size() - 1);
@@ -98,6 +138,7 @@ Json document_of(const Question& q, const Answer& answer) {
           {"parts", answer.parts ? values_json(answer.parts->parts) : Json(nullptr)},
           {"known", answer.parts ? Json(name_of(q.known)) : Json(nullptr)},
           {"elasticity", std::move(elasticity)},
+          {"uncertainty", certainty_json(answer)},
           {"condition", condition_json(answer)},
           {"warnings", warnings_of(answer)}};
 }
@@ -115,6 +156,22 @@ void print_numbers(std::span<const InvertedNumber> numbers, std::size_t inputs) 
   }
 }
 
+void print_certainty(const Answer& answer, const Confidence& confidence) {
+  const auto& c = *answer.certainty;
+  fmt::print("\nWith the indices known to {:g} % ([confidence]; T3b and T3w are {:.1f} standard errors apart)\n", 100.0 * confidence.coefficients, c.separation);
+  fmt::print("  {:<14}{:>12}{:>16}{:>28}\n", "", "value", "standard error", "95 % of samples within");
+  for (int k = 0; k < 6; ++k) {
+    const auto& n = answer.coefficients[static_cast<std::size_t>(k)];
+    fmt::print("  {:<14}{:>12}{:>16}{:>28}\n", n.name, cell(n.value), cell(std::sqrt(c.coefficients(k, k))),
+               fmt::format("{} to {}", cell(c.sampled.low[k]), cell(c.sampled.high[k])));
+  }
+  if (!c.parts) return;
+  for (int k = 0; k < 7; ++k) {
+    const auto& n = answer.parts->parts[static_cast<std::size_t>(k)];
+    fmt::print("  {:<14}{:>12}{:>16}\n", n.name, cell(n.value), cell(std::sqrt((*c.parts)(k, k))));
+  }
+}
+
 void print_conditions(const Answer& answer) {
   fmt::print("\n  which number to know     % per % of it   worst for 1 % in a1 ... c2 and it\n");
   for (const auto& c : answer.conditions) fmt::print("  {:<14}{:>24}{:>20}\n", name_of(c.known), cell(c.by_known), cell(c.worst));
@@ -125,10 +182,12 @@ void print_text(const Question& q, const Answer& answer) {
   fmt::print("{}: given by {}\n\nCoefficients\n", q.ship.name, form_words(q.ship));
   print_numbers(answer.coefficients, inversion_inputs.size() - 1);
   fmt::print("Condition number of the indices by the coefficients: {}\n", cell(answer.condition_number));
-  if (!answer.parts) return;
-  fmt::print("\nHull and rudder, {} known\n", name_of(q.known));
-  print_numbers(answer.parts->parts, inversion_inputs.size());
-  print_conditions(answer);
+  if (answer.parts) {
+    fmt::print("\nHull and rudder, {} known\n", name_of(q.known));
+    print_numbers(answer.parts->parts, inversion_inputs.size());
+    print_conditions(answer);
+  }
+  if (answer.certainty) print_certainty(answer, q.ship.confidence);
 }
 
 }  // namespace

@@ -63,6 +63,19 @@ IndexCovariance independent(const SteeringIndices<double>& indices, const Steeri
   return deviation.cwiseAbs2().asDiagonal();
 }
 
+IndexCovariance covariance_of(const SteeringIndices<double>& i, const Confidence& confidence) {
+  const auto of = [&](std::string_view key) { return confidence.of(key); };
+  auto covariance = independent(i, {of("T1T2"), of("T1_plus_T2"), of("T3b"), of("T3w"), of("Kb"), of("Kw")});
+  const auto T = time_constants(transfer_functions(i));
+  if (!T) return covariance;
+  // product and sum of independent T1 and T2
+  Eigen::Matrix2d J;
+  J << T->T2, T->T1, 1.0, 1.0;
+  const Eigen::Vector2d deviation(of("T1") * T->T1, of("T2") * T->T2);
+  covariance.topLeftCorner<2, 2>() = J * deviation.cwiseAbs2().asDiagonal() * J.transpose();
+  return covariance;
+}
+
 CoefficientCovariance coefficient_covariance(const SteeringIndices<double>& indices, const IndexCovariance& covariance) {
   const auto m = coefficients_from(varied(indices));
   const auto J = jacobian_of<6>({m.a1, m.b1, m.c1, m.a2, m.b2, m.c2});

@@ -212,7 +212,8 @@ TEST_CASE("T3b near T3w is warned of, equal is refused, in words", "[app][refusa
   const auto near = told(nomoto_form(0.5, 0.51, -3, -4), "invert");
   CHECK(near.code == 0);
   CHECK_THAT(near.err, ContainsSubstring("near each other"));
-  CHECK(near.document.at("warnings").size() == 1);
+  CHECK_THAT(near.err, ContainsSubstring("cannot be told apart"));
+  CHECK(near.document.at("warnings").size() == 2);
   const auto equal = told(nomoto_form(0.5, 0.5, -3, -4), "invert");
   CHECK(equal.code == 1);
   CHECK_THAT(equal.err, ContainsSubstring("T3b and T3w are both 0.5"));
@@ -333,6 +334,22 @@ TEST_CASE("the turn of a stable linear ship is told by its steady values", "[app
   const auto unstable = told(coefficients_form(-0.5, 0.5, -0.17, 4.0, -2.0, -1.4), "simulate", "--turn 20");
   CHECK(unstable.code == 1);
   CHECK_THAT(unstable.err, ContainsSubstring("course unstable"));
+}
+
+TEST_CASE("invert tells how sure the coefficients of uncertain indices are", "[app][linear]") {
+  const Scratch scratch;
+  auto text = read_text(test::ships / "tanker97_nomoto.toml");
+  const auto uncertainty_with = [&](const std::string& confidence) {
+    write_text(scratch / "ship.toml", text + "\n[confidence]\n" + confidence + "\n");
+    const auto outcome = run(scratch, "invert " + (scratch / "ship.toml").string() + " --json");
+    REQUIRE(outcome.code == 0);
+    return json::parse(outcome.out).at("uncertainty");
+  };
+  const auto sure = uncertainty_with("coefficients = 0.01"), unsure = uncertainty_with("coefficients = 0.02");
+  CHECK_THAT(unsure.at("standard_error").at("a1").get<double>(), WithinRel(2.0 * sure.at("standard_error").at("a1").get<double>(), 1e-9));
+  CHECK(sure.at("interval_95").at("b1")[0] < sure.at("interval_95").at("b1")[1]);
+  CHECK(uncertainty_with("T3b = 6.0").at("separation") < 1.0);
+  CHECK(json::parse(run(scratch, "invert " + (test::ships / "tanker97_abc.toml").string() + " --json").out).at("uncertainty").is_null());
 }
 
 }  // namespace

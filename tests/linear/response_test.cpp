@@ -1,7 +1,10 @@
 #include "swayaw/linear/response.hpp"
 
+#include <array>
+#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <catch.hpp>
-#include <complex>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -51,6 +54,29 @@ TEST_CASE("the exact response is that of many small steps", "[linear][second-rou
     CHECK_THAT(exact.beta, WithinAbs(slow.beta, 1e-11 * scale));
     CHECK_THAT(exact.omega, WithinAbs(slow.omega, 1e-11 * scale));
     CHECK_THAT(exact.psi, WithinAbs(slow.psi, 1e-11 * scale));
+  }
+}
+
+TEST_CASE("the exact response is that of odeint at 1e-13", "[linear][second-route]") {
+  namespace odeint = boost::numeric::odeint;
+  using State = std::array<double, 3>;
+  RandomLinearShips random(36);
+  for (int k = 0; k < 500; ++k) {
+    const auto m = random.ship();
+    const LinearState<double> start{random.uniform(-0.2, 0.2), random.uniform(-0.5, 0.5), 0.0};
+    const RudderLine<double> rudder{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)};
+    const double end = random.uniform(0.1, 5.0);
+    State x{start.beta, start.omega, start.psi};
+    const auto system = [&](const State& y, State& rate, double s) {
+      const auto d = rates(m, {y[0], y[1], y[2]}, rudder.value + rudder.rate * s);
+      rate = {d.beta, d.omega, d.psi};
+    };
+    odeint::integrate_adaptive(odeint::make_controlled(1e-13, 1e-13, odeint::runge_kutta_dopri5<State>()), system, x, 0.0, end, 1e-3);
+    const auto exact = state_after(Response(m), start, rudder, end);
+    const double scale = 1.0 + std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);
+    REQUIRE_THAT(exact.beta, WithinAbs(x[0], 1e-10 * scale));
+    REQUIRE_THAT(exact.omega, WithinAbs(x[1], 1e-10 * scale));
+    REQUIRE_THAT(exact.psi, WithinAbs(x[2], 1e-10 * scale));
   }
 }
 

@@ -96,6 +96,17 @@ TEST_CASE("a separation of T3b and T3w within its standard error is said", "[lin
   CHECK_THAT(separation_warning(i, independent(i, {0.01, 0.01, 0.05, 0.05, 0.01, 0.01})).value(), ContainsSubstring("standard errors apart"));
 }
 
+TEST_CASE("trust in T1 and T2 becomes a covariance of their product and sum", "[linear][second-route]") {
+  const auto i = tanker();
+  const auto T = time_constants(transfer_functions(i)).value();
+  const Confidence confidence{.coefficients = 0.02, .named = {{"T1", 0.05}, {"T2", 0.1}}};
+  const auto C = covariance_of(i, confidence);
+  CHECK_THAT(std::sqrt(C(0, 0)) / i.T1T2, WithinRel(std::hypot(0.05, 0.1), 1e-12));
+  CHECK_THAT(std::sqrt(C(1, 1)), WithinRel(std::hypot(0.05 * T.T1, 0.1 * T.T2), 1e-12));
+  CHECK_THAT(C(0, 1), WithinRel(0.0025 * T.T1 * T.T1 * T.T2 + 0.01 * T.T2 * T.T2 * T.T1, 1e-12));
+  CHECK_THAT(std::sqrt(C(5, 5)), WithinRel(0.02 * std::abs(i.Kw), 1e-12));
+}
+
 TEST_CASE("the same seed gives the same samples", "[linear][limit]") {
   CHECK(sample_coefficients(tanker(), relative(0.02), 500, 7).mean == sample_coefficients(tanker(), relative(0.02), 500, 7).mean);
   CHECK(sample_coefficients(tanker(), relative(0.02), 500, 7).mean != sample_coefficients(tanker(), relative(0.02), 500, 8).mean);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "swayaw/core/confidence.hpp"
 #include "swayaw/linear/indices.hpp"
 #include "swayaw/linear/ship_parts.hpp"
 
@@ -22,6 +23,10 @@ using PartCovariance = Eigen::Matrix<double, 7, 7>;
 
 /// Covariance of independent indices with relative standard deviations.
 IndexCovariance independent(const SteeringIndices<double>& indices, const SteeringIndices<double>& relative_deviation);
+
+/// Covariance of independent T1, T2, T3b, T3w, Kb and Kw, or for complex poles T1T2 and T1_plus_T2 in place of T1 and T2, with
+/// the relative standard deviations of a ship file.
+IndexCovariance covariance_of(const SteeringIndices<double>& indices, const Confidence& confidence);
 
 /// Covariance of the coefficients to first order, J C Jᵀ with the exact Jacobian J = d(a1 … c2)/d(indices).
 CoefficientCovariance coefficient_covariance(const SteeringIndices<double>& indices, const IndexCovariance& covariance);
