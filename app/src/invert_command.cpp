@@ -49,6 +49,7 @@ struct Certainty {
   CoefficientCovariance coefficients;
   SampledCoefficients sampled;
   std::optional<PartCovariance> parts;
+  std::optional<SampledParts> sampled_parts;
   std::optional<std::string> warning;
 };
 
@@ -57,9 +58,11 @@ std::optional<Certainty> certainty_of(const Question& q) {
   const auto* i = std::get_if<SteeringIndices<double>>(&q.ship.form);
   if (!i) return std::nullopt;
   const auto covariance = covariance_of(*i, q.ship.confidence);
-  Certainty certainty{separation(*i, covariance), coefficient_covariance(*i, covariance), sample_coefficients(*i, covariance), {},
+  Certainty certainty{separation(*i, covariance), coefficient_covariance(*i, covariance), sample_coefficients(*i, covariance), {}, {},
                       separation_warning(*i, covariance)};
-  if (q.formal) certainty.parts = part_covariance(*i, covariance, *q.formal, q.known);
+  if (!q.formal) return certainty;
+  certainty.parts = part_covariance(*i, covariance, *q.formal, q.known);
+  certainty.sampled_parts = sample_parts(*i, covariance, *q.formal, q.known);
   return certainty;
 }
 
@@ -124,7 +127,11 @@ Json certainty_json(const Answer& answer) {
     json["interval_95"][name] = {number(c.sampled.low[k]), number(c.sampled.high[k])};
   }
   if (!c.parts) return json;
-  for (int k = 0; k < 7; ++k) json["standard_error"][std::string(answer.parts->parts[static_cast<std::size_t>(k)].name)] = number(std::sqrt((*c.parts)(k, k)));
+  for (int k = 0; k < 7; ++k) {
+    const std::string name(answer.parts->parts[static_cast<std::size_t>(k)].name);
+    json["standard_error"][name] = number(std::sqrt((*c.parts)(k, k)));
+    json["interval_95"][name] = {number(c.sampled_parts->low[k]), number(c.sampled_parts->high[k])};
+  }
   return json;
 }
 
@@ -160,16 +167,13 @@ void print_certainty(const Answer& answer, const Confidence& confidence) {
   const auto& c = *answer.certainty;
   fmt::print("\nWith the indices known to {:g} % ([confidence]; T3b and T3w are {:.1f} standard errors apart)\n", 100.0 * confidence.coefficients, c.separation);
   fmt::print("  {:<14}{:>12}{:>16}{:>28}\n", "", "value", "standard error", "95 % of samples within");
-  for (int k = 0; k < 6; ++k) {
-    const auto& n = answer.coefficients[static_cast<std::size_t>(k)];
-    fmt::print("  {:<14}{:>12}{:>16}{:>28}\n", n.name, cell(n.value), cell(std::sqrt(c.coefficients(k, k))),
-               fmt::format("{} to {}", cell(c.sampled.low[k]), cell(c.sampled.high[k])));
-  }
+  const auto print_row = [](const InvertedNumber& n, double variance, double low, double high) {
+    fmt::print("  {:<14}{:>12}{:>16}{:>28}\n", n.name, cell(n.value), cell(std::sqrt(variance)), fmt::format("{} to {}", cell(low), cell(high)));
+  };
+  for (int k = 0; k < 6; ++k) print_row(answer.coefficients[static_cast<std::size_t>(k)], c.coefficients(k, k), c.sampled.low[k], c.sampled.high[k]);
   if (!c.parts) return;
-  for (int k = 0; k < 7; ++k) {
-    const auto& n = answer.parts->parts[static_cast<std::size_t>(k)];
-    fmt::print("  {:<14}{:>12}{:>16}\n", n.name, cell(n.value), cell(std::sqrt((*c.parts)(k, k))));
-  }
+  for (int k = 0; k < 7; ++k)
+    print_row(answer.parts->parts[static_cast<std::size_t>(k)], (*c.parts)(k, k), c.sampled_parts->low[k], c.sampled_parts->high[k]);
 }
 
 void print_conditions(const Answer& answer) {

@@ -56,6 +56,42 @@ double quantile(std::vector<double>& values, double share) {
   return *at;
 }
 
+Eigen::Vector<double, 7> vector_of(const LinearParts<double>& ship) {
+  const auto& [hull, rudder] = ship;
+  return (Eigen::Vector<double, 7>() << rudder.a_H, rudder.c_Ry, rudder.x_Reff, hull.Y_b, hull.Y_w, hull.N_b, hull.N_w).finished();
+}
+
+/// What `result_of` makes of indices drawn with that covariance.
+template <int Count, class ResultOf>
+Sampled<Count> sample(const SteeringIndices<double>& indices, const IndexCovariance& covariance, std::size_t samples, std::uint64_t seed, ResultOf&& result_of) {
+  using Result = Eigen::Vector<double, Count>;
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal;
+  const IndexCovariance factor = factor_of(covariance);
+  const Vector centre = vector_of(indices);
+  std::array<std::vector<double>, static_cast<std::size_t>(Count)> columns;
+  std::vector<Result> results;
+  Sampled<Count> all{Result::Zero(), Eigen::Matrix<double, Count, Count>::Zero(), Result::Zero(), Result::Zero(), 0.0};
+  for (std::size_t k = 0; k < samples; ++k) {
+    const Vector z = Vector::NullaryExpr([&] { return normal(engine); });
+    const auto i = indices_of(centre + factor * z);
+    all.crossed += (i.T3b - i.T3w > 0.0) != (indices.T3b - indices.T3w > 0.0) ? 1.0 : 0.0;
+    const Result x = result_of(i);
+    results.push_back(x);
+    all.mean += x;
+    for (int j = 0; j < Count; ++j) columns[static_cast<std::size_t>(j)].push_back(x[j]);
+  }
+  const auto n = static_cast<double>(samples);
+  all.mean /= n;
+  for (const auto& x : results) all.covariance += (x - all.mean) * (x - all.mean).transpose() / n;
+  all.crossed /= n;
+  for (int j = 0; j < Count; ++j) {
+    all.low[j] = quantile(columns[static_cast<std::size_t>(j)], 0.025);
+    all.high[j] = quantile(columns[static_cast<std::size_t>(j)], 0.975);
+  }
+  return all;
+}
+
 }  // namespace
 
 IndexCovariance independent(const SteeringIndices<double>& indices, const SteeringIndices<double>& relative_deviation) {
@@ -90,30 +126,12 @@ PartCovariance part_covariance(const SteeringIndices<double>& indices, const Ind
 }
 
 SampledCoefficients sample_coefficients(const SteeringIndices<double>& indices, const IndexCovariance& covariance, std::size_t samples, std::uint64_t seed) {
-  std::mt19937_64 engine(seed);
-  std::normal_distribution<double> normal;
-  const IndexCovariance factor = factor_of(covariance);
-  const Vector centre = vector_of(indices);
-  std::array<std::vector<double>, 6> columns;
-  SampledCoefficients result{Vector::Zero(), CoefficientCovariance::Zero(), Vector::Zero(), Vector::Zero(), 0.0};
-  for (std::size_t k = 0; k < samples; ++k) {
-    const Vector z = Vector::NullaryExpr([&] { return normal(engine); });
-    const auto i = indices_of(centre + factor * z);
-    result.crossed += (i.T3b - i.T3w > 0.0) != (indices.T3b - indices.T3w > 0.0) ? 1.0 : 0.0;
-    const Vector m = vector_of(coefficients_from(i));
-    result.mean += m;
-    result.covariance += m * m.transpose();
-    for (int j = 0; j < 6; ++j) columns[static_cast<std::size_t>(j)].push_back(m[j]);
-  }
-  const auto n = static_cast<double>(samples);
-  result.mean /= n;
-  result.covariance = result.covariance / n - result.mean * result.mean.transpose();
-  result.crossed /= n;
-  for (int j = 0; j < 6; ++j) {
-    result.low[j] = quantile(columns[static_cast<std::size_t>(j)], 0.025);
-    result.high[j] = quantile(columns[static_cast<std::size_t>(j)], 0.975);
-  }
-  return result;
+  return sample<6>(indices, covariance, samples, seed, [](const auto& i) { return vector_of(coefficients_from(i)); });
+}
+
+SampledParts sample_parts(const SteeringIndices<double>& indices, const IndexCovariance& covariance, const LinearParts<double>& formal, KnownPart known,
+                          std::size_t samples, std::uint64_t seed) {
+  return sample<7>(indices, covariance, samples, seed, [&](const auto& i) { return vector_of(parts_from(coefficients_from(i), formal, known)); });
 }
 
 double separation(const SteeringIndices<double>& indices, const IndexCovariance& covariance) {

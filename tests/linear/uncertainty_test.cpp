@@ -84,6 +84,16 @@ TEST_CASE("the seven numbers take over the errors of the indices, the known one 
   CHECK_THAT(part_covariance(i, covariance, ship, KnownPart::Y_b)(0, 0), WithinRel(part_covariance(i, covariance, ship, KnownPart::c_Ry)(0, 0), 1e-9));
 }
 
+TEST_CASE("the seven numbers spread as their first-order covariance says, for small errors", "[linear][second-route]") {
+  const LinearParts<double> ship{.hull = {5.867, 0.761, 0.056, 1.004, 0.247, 0.225, 0.0043, 0.026, 0.0024, -0.063},
+                                 .rudder = {0.0177, 0.326, 2.127, 0.0385, 0.6, 1.0, -0.5}};
+  const auto i = steering_indices(coefficients(ship).total());
+  const auto covariance = independent(i, {0.005, 0.005, 0.005, 0.005, 0.005, 0.005});
+  const auto first_order = part_covariance(i, covariance, ship, KnownPart::N_b);
+  const auto sampled = sample_parts(i, covariance, ship, KnownPart::N_b);
+  for (int j = 0; j < 7; ++j) CHECK_THAT(std::sqrt(sampled.covariance(j, j)), WithinAbs(std::sqrt(first_order(j, j)), 0.05 * std::sqrt(first_order(j, j)) + 1e-9));
+}
+
 TEST_CASE("a separation of T3b and T3w within its standard error is said", "[linear][refusal]") {
   auto i = tanker();
   CHECK_FALSE(separation_warning(i, relative(0.01)).has_value());

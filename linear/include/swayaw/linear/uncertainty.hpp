@@ -36,17 +36,25 @@ CoefficientCovariance coefficient_covariance(const SteeringIndices<double>& indi
 PartCovariance part_covariance(const SteeringIndices<double>& indices, const IndexCovariance& covariance, const LinearParts<double>& formal,
                                KnownPart known);
 
-/// Coefficients of normally distributed indices, by sampling.
-struct SampledCoefficients {
-  Eigen::Vector<double, 6> mean;
-  CoefficientCovariance covariance;
-  Eigen::Vector<double, 6> low, high;  ///< 2.5 and 97.5 % quantiles
-  double crossed;                      ///< share of the samples in which T3b − T3w has the other sign: no inverse lies between
+/// Results of normally distributed indices, by sampling.
+template <int Count>
+struct Sampled {
+  Eigen::Vector<double, Count> mean;
+  Eigen::Matrix<double, Count, Count> covariance;
+  Eigen::Vector<double, Count> low, high;  ///< 2.5 and 97.5 % quantiles
+  double crossed;                          ///< share of the samples in which T3b − T3w has the other sign: no inverse lies between
 };
+
+using SampledCoefficients = Sampled<6>;
+using SampledParts = Sampled<7>;
 
 /// @param seed     same seed, same samples
 SampledCoefficients sample_coefficients(const SteeringIndices<double>& indices, const IndexCovariance& covariance, std::size_t samples = 20'000,
                                         std::uint64_t seed = 1);
+
+/// The seven empirical numbers alike; the known one is taken as exact.
+SampledParts sample_parts(const SteeringIndices<double>& indices, const IndexCovariance& covariance, const LinearParts<double>& formal, KnownPart known,
+                          std::size_t samples = 20'000, std::uint64_t seed = 1);
 
 /// T3b − T3w in units of its own standard error. The inverse formulas divide by it: below 1 they say nothing, and below
 /// about 3 the first-order covariance is too small.
