@@ -18,7 +18,7 @@ double product_of_poles(const MmgShip<double>& numbers, double drift) {
   const double U = numbers.particulars.U_0, n = self_propulsion_rev(numbers, U);
   const PlanarMotion<D> motion{D(U), D(-U * drift, 0), D(0.0, 1)};
   const auto ship = cast<D>(numbers);
-  const auto a = acceleration(ship, motion, forces(ship, motion, {D(0.0), D(n)}).total());
+  const auto a = acceleration(ship, motion, forces(ship, motion, Controls<D>{D(0.0), D(n)}).total());
   return a.v.v[0] * a.r.v[1] - a.v.v[1] * a.r.v[0];
 }
 

@@ -14,6 +14,17 @@ ManoeuvreOptions options_of(const SimulateArguments& a) {
   return {.speed = a.speed, .duration = a.duration, .step = a.step, .tolerance = a.tolerance};
 }
 
+/// "shaft 11.85 1/s" or "thrust 11.2 N".
+std::string propulsion_text(const Controls<double>& c) {
+  if (!c.by_thrust) return fmt::format("shaft {:.5g} 1/s", c.rev);
+  return fmt::format("thrust {:.5g} N", c.thrust.port + c.thrust.starboard);
+}
+
+void add_propulsion(Json& json, const Controls<double>& c) {
+  if (c.by_thrust) json["thrust_N"] = c.thrust.port + c.thrust.starboard;
+  else json["rev_s"] = c.rev;
+}
+
 // ---------------------------------------------------------------- zigzag
 
 Json zigzag_json(const Zigzag& z, const ZigzagOrder& order) {
@@ -24,19 +35,20 @@ Json zigzag_json(const Zigzag& z, const ZigzagOrder& order) {
     peaks.push_back(*reversal.peak_time);
     overshoots.push_back(degrees(*reversal.overshoot));
   }
-  return {{"manoeuvre", name_of(ZigzagAngles{order.rudder, order.heading})},
+  Json json{{"manoeuvre", name_of(ZigzagAngles{order.rudder, order.heading})},
           {"first", name_of(order.first)},
           {"approach_speed_m_s", z.approach_speed},
-          {"rev_s", z.shaft_speed},
           {"execute_s", std::move(execute)},
           {"peak_s", std::move(peaks)},
           {"overshoot_deg", std::move(overshoots)},
           {"period_s", number(z.period)},
           {"initial_turning_m", number(z.initial_turning)}};
+  add_propulsion(json, z.propulsion);
+  return json;
 }
 
 void print_zigzag(const Ship& ship, const Zigzag& z) {
-  fmt::print("{}: {}, approach {:.4g} m/s, shaft {:.5g} 1/s\n", ship.name, z.run.facts.manoeuvre, z.approach_speed, z.shaft_speed);
+  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, z.run.facts.manoeuvre, z.approach_speed, propulsion_text(z.propulsion));
   fmt::print("  {:<10}{:>12}{:>12}{:>16}\n", "reversal", "at s", "peak s", "overshoot deg");
   for (std::size_t i = 0; i < z.reversals.size(); ++i) {
     const auto& r = z.reversals[i];
@@ -62,10 +74,9 @@ Recording run_zigzag(const Ship& ship, const SimulateArguments& a) {
 
 Json circle_json(const TurningCircle& c, const TurnOrder& order) {
   const bool steady = c.steady.has_value();
-  return {{"manoeuvre", fmt::format("turn {:.6g}", degrees(order.rudder))},
+  Json json{{"manoeuvre", fmt::format("turn {:.6g}", degrees(order.rudder))},
           {"first", name_of(order.side)},
           {"approach_speed_m_s", c.approach_speed},
-          {"rev_s", c.shaft_speed},
           {"advance_m", number(c.advance)},
           {"transfer_m", number(c.transfer)},
           {"tactical_diameter_m", number(c.tactical_diameter)},
@@ -76,6 +87,8 @@ Json circle_json(const TurningCircle& c, const TurnOrder& order) {
           {"final_speed_m_s", steady ? number(speed(*c.steady)) : Json(nullptr)},
           {"final_drift_rad", steady ? number(drift_angle(*c.steady)) : Json(nullptr)},
           {"final_yaw_rate_rad_s", steady ? number(c.steady->r) : Json(nullptr)}};
+  add_propulsion(json, c.propulsion);
+  return json;
 }
 
 void print_length(std::string_view name, const std::optional<double>& metres, double L) {
@@ -85,7 +98,7 @@ void print_length(std::string_view name, const std::optional<double>& metres, do
 
 void print_circle(const Ship& ship, const TurningCircle& c) {
   const double L = length(ship);
-  fmt::print("{}: {}, approach {:.4g} m/s, shaft {:.5g} 1/s\n", ship.name, c.run.facts.manoeuvre, c.approach_speed, c.shaft_speed);
+  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, c.run.facts.manoeuvre, c.approach_speed, propulsion_text(c.propulsion));
   print_length("advance", c.advance, L);
   print_length("transfer", c.transfer, L);
   print_length("tactical diameter", c.tactical_diameter, L);

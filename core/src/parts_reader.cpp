@@ -31,7 +31,7 @@ std::string requirement(const Range& range) {
   return fmt::format("must lie between {} and {}", range.low, range.high);
 }
 
-enum class Holds { text, table, number };
+enum class Holds { text, table, effects, number, choice };
 
 /// A key that a table may have.
 struct KnownKey {
@@ -45,14 +45,25 @@ struct KnownKey {
   std::string name() const { return holds == Holds::table ? fmt::format("[{}]", key) : key; }
 };
 
-/// The keys of a ship file with these numbers, without those of [confidence].
-std::vector<KnownKey> known_keys(std::span<const FileNumber> numbers) {
-  std::vector<KnownKey> keys{{"", "name", Holds::text}, {"", "model", Holds::text}, {"", "confidence", Holds::table, false}};
+/// The keys of a ship file with these numbers and choices, without those of [confidence].
+std::vector<KnownKey> known_keys(std::span<const FileNumber> numbers, std::span<const FileChoice> choices) {
+  std::vector<KnownKey> keys{
+      {"", "name", Holds::text}, {"", "model", Holds::text}, {"", "confidence", Holds::table, false}, {"", "effect", Holds::effects, false}};
+  const auto require_table = [&](std::string_view table, bool required) {
+    const auto same = [&](const KnownKey& k) { return k.holds == Holds::table && k.key == table; };
+    const auto known = std::ranges::find_if(keys, same);
+    if (known == keys.end()) keys.push_back({"", std::string(table), Holds::table, required});
+    else known->required = known->required || required;
+  };
   for (const auto& n : numbers) {
-    if (keys.back().table != n.table) keys.push_back({"", std::string(n.table), Holds::table});
+    require_table(n.table, n.required);
     const auto [key, index] = place_of(n.key);
     if (index.value_or(0) > 0) ++keys.back().numbers;
     else keys.push_back({std::string(n.table), std::string(key), Holds::number, n.required, n.role == Role::coefficient});
+  }
+  for (const auto& c : choices) {
+    require_table(c.table, false);
+    keys.push_back({std::string(c.table), std::string(c.key), Holds::choice, false});
   }
   return keys;
 }
@@ -98,14 +109,16 @@ class ShipText {
 /// Fills the numbers of one model.
 class NumberReader {
  public:
-  NumberReader(const ShipText& file, std::span<const FileNumber> numbers) : file_(file), numbers_(numbers), keys_(known_keys(numbers)) {}
+  NumberReader(const ShipText& file, std::span<const FileNumber> numbers, std::span<const FileChoice> choices)
+      : file_(file), numbers_(numbers), choices_(choices), keys_(known_keys(numbers, choices)) {}
 
   ShipFileHead read() const {
     require_keys(file_.root(), "");
     ShipFileHead head{.name = file_.text("name"), .confidence = {}};
     for (const auto& k : keys_)
-      if (k.holds == Holds::table && k.required) require_keys(file_.table(k.key), k.key);
+      if (k.holds == Holds::table && k.key != "confidence" && file_.root().contains(k.key)) require_keys(file_.table(k.key), k.key);
     for (const auto& n : numbers_) read_number(n);
+    for (const auto& c : choices_) read_choice(c);
     read_confidence(head.confidence);
     return head;
   }
@@ -136,7 +149,23 @@ class NumberReader {
 
   void read_number(const FileNumber& n) const {
     const auto place = place_of(n.key);
-    if (const auto* node = file_.table(n.table).get(place.key)) *n.value = number(*node, place, n.table, n.range) * n.si;
+    const auto* node = node_of(n.table, place.key);
+    *n.value = node ? number(*node, place, n.table, n.range) * n.si : n.fallback;
+  }
+
+  const toml::node* node_of(std::string_view table, std::string_view key) const {
+    return file_.root().contains(table) ? file_.table(table).get(key) : nullptr;
+  }
+
+  void read_choice(const FileChoice& c) const {
+    const auto* node = node_of(c.table, c.key);
+    if (!node) return;
+    const auto word = node->value_exact<std::string>();
+    const auto found = std::ranges::find(c.names, word.value_or(""));
+    const auto names = c.names.first(static_cast<std::size_t>(std::ranges::find(c.names, "") - c.names.begin()));
+    if (!word || word->empty() || found == c.names.end())
+      file_.fail(*node, fmt::format("{} in [{}] must be one of \"{}\"", c.key, c.table, fmt::join(names, "\", \"")));
+    c.value->index = static_cast<int>(found - c.names.begin());
   }
 
   double number(const toml::node& node, const KeyPlace& place, std::string_view table, const Range& range) const {
@@ -175,8 +204,23 @@ class NumberReader {
 
   const ShipText& file_;
   std::span<const FileNumber> numbers_;
+  std::span<const FileChoice> choices_;
   std::vector<KnownKey> keys_;
 };
+
+FileEffect effect_of(const ShipText& text, const toml::table& table) {
+  const auto place = table.source().begin;
+  FileEffect effect{.kind = {}, .numbers = {}, .line = place.line, .column = place.column};
+  for (auto&& [key, node] : table) {
+    const auto word = node.value_exact<std::string>();
+    const auto number = node.is_number() ? node.value<double>() : std::nullopt;
+    if (key == "kind" && word) effect.kind = *word;
+    else if (number && std::isfinite(*number)) effect.numbers.emplace_back(key.str(), *number);
+    else text.fail(node, fmt::format("{} in [[effect]] must be a {}", key.str(), key == "kind" ? "text in quotes" : "number"));
+  }
+  if (effect.kind.empty()) text.fail(table, "kind is missing in [[effect]]");
+  return effect;
+}
 
 }  // namespace
 
@@ -199,7 +243,6 @@ void PartsReader::require_model(std::string_view wanted) const {
   if (has("model") && std::ranges::count(ship_models, named) == 0)
     fail("", "model", fmt::format("model \"{}\" is not known to this version (known: {})", named, fmt::join(ship_models, ", ")));
   if (has("model") && named != wanted) fail("", "model", fmt::format("a ship of model \"{}\" is needed here, got \"{}\"", wanted, named));
-  if (has("effect")) fail("", "effect", "[[effect]] is not understood by this version");
 }
 
 bool PartsReader::has(std::string_view key) const { return document_->root.contains(key); }
@@ -209,9 +252,23 @@ bool PartsReader::has(std::string_view table, std::string_view key) const {
   return found && found->contains(key);
 }
 
-ShipFileHead PartsReader::read(std::span<const FileNumber> numbers) const {
+ShipFileHead PartsReader::read(std::span<const FileNumber> numbers, std::span<const FileChoice> choices) const {
   const auto text = document_->text();
-  return NumberReader(text, numbers).read();
+  return NumberReader(text, numbers, choices).read();
+}
+
+std::vector<FileEffect> PartsReader::effects() const {
+  const auto text = document_->text();
+  std::vector<FileEffect> effects;
+  if (!has("effect")) return effects;
+  const auto* list = document_->root.get("effect")->as_array();
+  if (!list || !list->is_homogeneous<toml::table>()) fail("", "effect", "effects are written as [[effect]] tables");
+  for (const auto& node : *list) effects.push_back(effect_of(text, *node.as_table()));
+  return effects;
+}
+
+void PartsReader::fail(const FileEffect& effect, std::string_view what) const {
+  throw FileError({document_->file, effect.line, effect.column}, what);
 }
 
 void PartsReader::fail(std::string_view table, std::string_view key, std::string_view what) const {

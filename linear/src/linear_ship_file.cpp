@@ -74,6 +74,8 @@ template <class File>
 LinearShip read_as(const PartsReader& reader) {
   File file{};
   auto head = reader.read(file_numbers(file));
+  if (file.gear.lag > 0.0) reader.fail("rudder", "lag_s", "a linear ship's rudder keeps its rate until it arrives; lag_s is not understood here");
+  if (file.gear.dead_band > 0.0) reader.fail("rudder", "dead_band_deg", "dead_band_deg is not understood in a linear ship");
   return {std::move(head.name), file.particulars, file.gear, file.form(), std::move(head.confidence)};
 }
 
@@ -101,6 +103,7 @@ LinearShip read_indices(const PartsReader& reader) {
 LinearShip parse_linear_ship(std::string_view text, const std::filesystem::path& name) {
   const PartsReader reader(text, name);
   reader.require_model("linear");
+  if (reader.has("effect")) reader.fail("", "effect", "[[effect]] is not understood in a linear ship");
   const auto form = form_in(reader);
   if (form == "hull") return read_as<PartsFile>(reader);
   if (form == "linear") return read_as<TableFile<SwayYawCoefficients<double>>>(reader);

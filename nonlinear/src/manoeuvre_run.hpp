@@ -9,7 +9,6 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/rounding.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "swayaw/nonlinear/mmg_forces.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 #include "voyage.hpp"
 
@@ -17,8 +16,8 @@
 namespace swayaw {
 
 /// Straight ahead at the origin.
-inline Moment approach(double speed, double rev) {
-  return {0.0, {0.0, 0.0, 0.0, {speed, 0.0, 0.0}}, {0.0, rev}};
+inline Moment approach(double speed, const Controls<double>& propulsion) {
+  return {0.0, {0.0, 0.0, 0.0, {speed, 0.0, 0.0}}, propulsion};
 }
 
 /// 0, step, 2 step, … up to the end.
@@ -29,10 +28,22 @@ inline std::vector<double> sample_times(double step, double end) {
   return times;
 }
 
-/// Speed and shaft speed of the approach, when to stop at the latest, and when to take samples.
+/// Shaft speed or thrust of the options, else self-propulsion.
+template <class Model>
+Controls<double> propulsion_of(const Model& ship, double speed, const ManoeuvreOptions& options) {
+  if (options.thrust) {
+    const double half = 0.5 * *options.thrust;
+    return {.delta = 0.0, .thrust = {half, half}, .by_thrust = true};
+  }
+  if (!options.rev) return self_propulsion(ship, speed);
+  if (!takes_shaft_speed(ship)) throw Refusal("this ship file does not tell the thrust at a shaft speed; give a thrust");
+  return {.delta = 0.0, .rev = require_positive(*options.rev, "shaft speed [1/s]")};
+}
+
+/// Speed and propulsion of the approach, when to stop at the latest, and when to take samples.
 struct Plan {
   double speed;
-  double rev;
+  Controls<double> propulsion;
   double end;
   std::vector<double> times;
 };
@@ -44,7 +55,7 @@ Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest) {
   const double time_unit = ship.particulars.L / speed;
   const double end = require_positive(options.duration.value_or(longest * time_unit), "duration [s]");
   const double step = require_positive(options.step.value_or(round_down(0.02 * time_unit)), "step [s]");
-  return {speed, self_propulsion_rev(ship, speed), end, options.sampled ? sample_times(step, end) : std::vector<double>{}};
+  return {speed, propulsion_of(ship, speed, options), end, options.sampled ? sample_times(step, end) : std::vector<double>{}};
 }
 
 /// Way made until a time, ∫ U dt by the trapezoidal rule over the samples [m]; nothing without samples.
@@ -77,10 +88,10 @@ Recording recording_of(const std::vector<Moment>& moments, const Model& ship) {
   fill(Channel::v, [](const Moment& m) { return m.state.motion.v; });
   fill(Channel::r, [](const Moment& m) { return m.state.motion.r; });
   fill(Channel::delta, [](const Moment& m) { return m.controls.delta; });
-  fill(Channel::rev, [](const Moment& m) { return m.controls.rev; });
+  const bool by_thrust = !moments.empty() && moments.front().controls.by_thrust;
+  if (!by_thrust && takes_shaft_speed(ship)) fill(Channel::rev, [](const Moment& m) { return m.controls.rev; });
   fill(Channel::thrust, [&](const Moment& m) { return thrust(ship, m.state.motion, m.controls); });
   return run;
 }
-
 
 }  // namespace swayaw

@@ -79,15 +79,14 @@ Interpolant rudder_of(const Ship& ship, const Recording& run) {
   if (run.has(Channel::delta)) return Interpolant(run, Channel::delta);
   if (!run.has(Channel::delta_order)) throw Refusal(fmt::format("{}: no rudder angle", run.name));
   const Interpolant order(run, Channel::delta_order);
-  const double rate = steering_gear(ship).rate;
   Recording followed;
   followed.name = run.name;
   followed.time.assign(order.times().begin(), order.times().end());
   auto angle = followed.fill(Channel::delta);
   angle[0] = order.values()[0];
   for (std::size_t i = 1; i < angle.size(); ++i) {
-    const double reach = rate * (followed.time[i] - followed.time[i - 1]);
-    angle[i] = angle[i - 1] + std::clamp(order.values()[i] - angle[i - 1], -reach, reach);
+    const auto motion = RudderMotion::ordered(steering_gear(ship), followed.time[i - 1], angle[i - 1], order.values()[i]);
+    angle[i] = motion.at(followed.time[i]);
   }
   return Interpolant(followed, Channel::delta);
 }
@@ -96,30 +95,47 @@ Interpolant rudder_of(const Ship& ship, const Recording& run) {
 
 RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const ReplayOptions& options)
     : rudder_(rudder_of(ship, run)) {
-  if (options.shaft == Shaft::recorded && run.has(Channel::rev)) shaft_.emplace(run, Channel::rev);
-  else constant_shaft_ = self_propulsion_rev(ship, speed(recorded_state(ship, run, run.time.front()).motion));
-  const auto shaft_times = shaft_ ? shaft_->times() : std::span<const double>{};
-  std::ranges::set_union(rudder_.times(), shaft_times, std::back_inserter(knots_));
+  const bool recorded = options.shaft == Shaft::recorded;
+  if (recorded && run.has(Channel::rev) && takes_shaft_speed(ship)) rev_.emplace(run, Channel::rev);
+  else if (recorded && run.has(Channel::thrust)) thrust_.emplace(run, Channel::thrust);
+  else constant_ = self_propulsion(ship, speed(recorded_state(ship, run, run.time.front()).motion));
+  const auto& propulsion = rev_ ? rev_ : thrust_;
+  const auto propulsion_times = propulsion ? propulsion->times() : std::span<const double>{};
+  std::ranges::set_union(rudder_.times(), propulsion_times, std::back_inserter(knots_));
+}
+
+Controls<double> RecordedControls::at(double time) const {
+  const double delta = rudder_(time);
+  if (rev_) return {.delta = delta, .rev = (*rev_)(time)};
+  if (!thrust_) return with_rudder(constant_, delta);
+  const double half = 0.5 * (*thrust_)(time);
+  return {.delta = delta, .thrust = {half, half}, .by_thrust = true};
 }
 
 // ---------------------------------------------------------------- replay
 
 namespace {
 
+/// Change of the controls per second.
+Controls<double> slope(const Controls<double>& from, const Controls<double>& to, double duration) {
+  return {(to.delta - from.delta) / duration, (to.rev - from.rev) / duration,
+          {(to.thrust.port - from.thrust.port) / duration, (to.thrust.starboard - from.thrust.starboard) / duration}, to.by_thrust};
+}
+
 /// Sails from knot to knot of the recorded controls.
 template <class Model>
-std::vector<Moment> sail_along(const Model& model, const RecordedControls& controls, const ShipState<double>& start,
+std::vector<Moment> sail_along(const Ship& ship, const Model& model, const RecordedControls& controls, const ShipState<double>& start,
                                std::span<const double> times, double tolerance) {
   const double begin = times.front(), end = times.back();
-  Voyage<Model> voyage(model, {begin, start, {controls.rudder(begin), controls.shaft(begin)}}, tolerance);
+  Voyage<Model> voyage(model, ship.surroundings, {begin, start, controls.at(begin)}, tolerance);
   voyage.sample_at(times);
   auto knot = std::ranges::upper_bound(controls.knots(), begin);
   while (voyage.time() < end) {
     const double next = knot == controls.knots().end() ? end : std::min(end, *knot++);
     if (next <= voyage.time()) continue;
-    const double duration = next - voyage.time();
-    voyage.steer((controls.rudder(next) - voyage.controls().delta) / duration);
-    voyage.turn_shaft((controls.shaft(next) - voyage.controls().rev) / duration);
+    const auto rate = slope(voyage.controls(), controls.at(next), next - voyage.time());
+    voyage.steer(rate.delta);
+    voyage.drive(rate);
     voyage.sail(next);
   }
   return voyage.samples();
@@ -130,7 +146,7 @@ std::vector<Moment> sail_along(const Model& model, const RecordedControls& contr
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
                       std::span<const double> times, const ReplayOptions& options) {
   return std::visit(
-      [&](const auto& model) { return recording_of(sail_along(model, controls, start, times, options.tolerance), model); },
+      [&](const auto& model) { return recording_of(sail_along(ship, model, controls, start, times, options.tolerance), model); },
       ship.model);
 }
 

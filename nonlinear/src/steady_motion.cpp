@@ -9,7 +9,6 @@
 
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/mmg_forces.hpp"
 
 namespace swayaw {
 namespace {
@@ -27,14 +26,15 @@ template <class Model>
 Balance balance_at(const Model& ship, const Controls<double>& controls, const Vector& motion) {
   using D = Dual<3>;
   const PlanarMotion<D> m{D(motion[0], 0), D(motion[1], 1), D(motion[2], 2)};
-  const auto a = acceleration(ship, m, forces(ship, m, {D(controls.delta), D(controls.rev)}).total());
+  const auto c = cast<D>(controls);
+  const auto a = acceleration(ship, m, forces(ship, m, c, branch_at(ship, m, c)).total());
   Balance balance{{a.u.a, a.v.a, a.r.a}, {}};
   balance.jacobian << a.u.v.transpose(), a.v.v.transpose(), a.r.v.transpose();
   return balance;
 }
 
-std::optional<SteadyMotion> newton(const MmgShip<double>& model, const Controls<double>& controls,
-                                   const PlanarMotion<double>& guess) {
+template <class Model>
+std::optional<SteadyMotion> newton(const Model& model, const Controls<double>& controls, const PlanarMotion<double>& guess) {
   const auto ship = cast<Dual<3>>(model);
   const double L = model.particulars.L;
   const double U = speed(guess);
@@ -70,8 +70,18 @@ double self_propulsion_rev(const MmgShip<double>& ship, double speed) {
   return (-half + std::sqrt(discriminant)) / (p.k_0 * p.D);
 }
 
-double self_propulsion_rev(const Ship& ship, double speed) {
-  return std::visit([&](const auto& model) { return self_propulsion_rev(model, speed); }, ship.model);
+Controls<double> self_propulsion(const MmgShip<double>& ship, double speed) {
+  return {.delta = 0.0, .rev = self_propulsion_rev(ship, speed)};
+}
+
+Controls<double> self_propulsion(const Ship& ship, double speed) {
+  return std::visit([&](const auto& model) { return self_propulsion(model, speed); }, ship.model);
+}
+
+bool takes_shaft_speed(const MmgShip<double>&) { return true; }
+
+bool takes_shaft_speed(const Ship& ship) {
+  return std::visit([](const auto& model) { return takes_shaft_speed(model); }, ship.model);
 }
 
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,

@@ -35,11 +35,11 @@ void measure_steady_turn(const Ship& ship, TurningCircle& circle, const Moment& 
 
 template <class Model>
 TurningCircle sail_circle(const Ship& ship, const Model& model, const TurnOrder& order, const ManoeuvreOptions& options) {
-  const auto [speed, rev, end, times] = plan(model, options, 100.0);
-  Voyage<Model> voyage(model, approach(speed, rev), options.tolerance);
+  const auto [speed, propulsion, end, times] = plan(model, options, 100.0);
+  Voyage<Model> voyage(model, ship.surroundings, approach(speed, propulsion), options.tolerance);
   voyage.sample_at(times);
   voyage.order(rudder_sign(order.side) * order.rudder);
-  TurningCircle circle{.approach_speed = speed, .shaft_speed = rev, .run = {}};
+  TurningCircle circle{.approach_speed = speed, .propulsion = propulsion, .run = {}};
   const double turn = yaw_sign(order.side);
   measure_first_half(voyage, circle, turn, end);
   if (options.duration) voyage.sail(end);

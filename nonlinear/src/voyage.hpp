@@ -18,26 +18,25 @@
 
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/controls.hpp"
-#include "swayaw/nonlinear/mmg_forces.hpp"
+#include "swayaw/core/steering_gear.hpp"
+#include "swayaw/nonlinear/branch.hpp"
+#include "swayaw/nonlinear/models.hpp"
+#include "swayaw/nonlinear/surroundings.hpp"
 
 /// Integration of a ship from event to event (docs/simulation.md). Not installed.
 namespace swayaw {
 
-/// x, y, psi, u, v, r
-using StateVector = std::array<double, 6>;
+/// Propulsion that changes linearly in time.
+struct PropulsionLine {
+  double start = 0.0;         ///< [s]
+  Controls<double> value;     ///< at start; its rudder angle is not used
+  Controls<double> slope{0};  ///< per second
 
-inline StateVector vector_of(const ShipState<double>& s) { return {s.x, s.y, s.psi, s.motion.u, s.motion.v, s.motion.r}; }
-
-inline ShipState<double> state_of(const StateVector& s) { return {s[0], s[1], s[2], {s[3], s[4], s[5]}}; }
-
-/// A quantity that changes linearly in time.
-struct Line {
-  double start = 0.0;  ///< [s]
-  double value = 0.0;  ///< at start
-  double slope = 0.0;  ///< per second
-
-  double at(double time) const { return value + slope * (time - start); }
+  Controls<double> at(double time, double delta) const {
+    const double t = time - start;
+    return {delta, value.rev + slope.rev * t,
+            {value.thrust.port + slope.thrust.port * t, value.thrust.starboard + slope.thrust.starboard * t}, value.by_thrust};
+  }
 };
 
 /// Error of a step in units of the tolerance: lengths over L, angles in radians, speeds over U, r over U/L.
@@ -50,14 +49,14 @@ class ScaledError {
   }
 
   template <class Algebra>
-  double error(Algebra&, const StateVector&, const StateVector&, const StateVector& step_error, double) const {
+  double error(Algebra&, const StateVector<double>&, const StateVector<double>&, const StateVector<double>& step_error, double) const {
     double worst = 0.0;
     for (std::size_t i = 0; i < step_error.size(); ++i) worst = std::max(worst, std::abs(step_error[i]) * weight_[i]);
     return worst;
   }
 
  private:
-  StateVector weight_{};
+  StateVector<double> weight_{};
 };
 
 /// Where the ship is at a time, and her controls.
@@ -69,23 +68,23 @@ struct Moment {
 
 /// Sails a ship through time with Dormand–Prince steps.
 ///
-/// Controls are linear in time between the calls of `steer` and `turn_shaft`. Within a step the ship stays on
-/// one branch of its force model; where a branch function passes zero the step is cut there.
+/// The rudder follows `steer` or `order`, the propulsion is linear in time between calls of `drive`. Within a step the
+/// ship stays on one branch of its force model; where a branch function passes zero, or the rudder rate jumps, the step ends.
 /// Any event time is the root of the dense output, and the state there comes from a step that ends there.
 template <class Model>
 class Voyage {
  public:
-  Voyage(const Model& ship, const Moment& start, double tolerance)
+  Voyage(const Model& ship, const Surroundings<double>& surroundings, const Moment& start, double tolerance)
       : ship_(ship),
+        surroundings_(surroundings),
         time_(start.time),
         state_(vector_of(start.state)),
-        rudder_{start.time, start.controls.delta, 0.0},
-        shaft_{start.time, start.controls.rev, 0.0},
+        rudder_(RudderMotion::moving(start.time, start.controls.delta, 0.0)),
+        propulsion_{start.time, start.controls},
         time_unit_(ship.particulars.L / std::max(speed(start.state.motion), 0.05 * ship.particulars.U_0)),
         step_(0.02 * time_unit_),
         stepper_(Controlled(ScaledError(tolerance, ship.particulars.L, ship.particulars.L / time_unit_))) {
-    const auto g = branch_functions(ship_, start.state.motion);
-    for (std::size_t i = 0; i < g.size(); ++i) positive_[i] = g[i] > 0.0;
+    branch_ = branch_at(ship_, start.state.motion, start.controls);
   }
 
   double time() const { return time_; }
@@ -93,23 +92,14 @@ class Voyage {
   Controls<double> controls() const { return controls_at(time_); }
 
   /// From now on the rudder moves at that rate [rad/s].
-  void steer(double rate) {
-    rudder_ = {time_, rudder_.at(time_), rate};
-    rudder_arrives_ = never;
-    running_ = false;
-  }
+  void steer(double rate) { follow(RudderMotion::moving(time_, rudder_.at(time_), rate)); }
 
-  /// From now on the rudder moves to that angle, as fast as the steering gear can.
-  void order(double angle) {
-    const double change = angle - rudder_.at(time_);
-    steer(std::copysign(ship_.steering_gear.rate, change));
-    rudder_arrives_ = time_ + std::abs(change) / ship_.steering_gear.rate;
-    ordered_ = angle;
-  }
+  /// From now on the rudder moves to that angle, as the steering gear can.
+  void order(double angle) { follow(RudderMotion::ordered(ship_.steering_gear, time_, rudder_.at(time_), angle)); }
 
-  /// From now on the shaft speed changes at that rate [1/s^2].
-  void turn_shaft(double rate) {
-    shaft_ = {time_, shaft_.at(time_), rate};
+  /// From now on the propulsion changes at that rate per second.
+  void drive(const Controls<double>& rate) {
+    propulsion_ = {time_, controls(), rate};
     running_ = false;
   }
 
@@ -121,20 +111,20 @@ class Voyage {
   /// @return whether the watch ended it
   template <class Watch>
   bool sail(double until, Watch&& watch) {
-    const auto g = [&](const StateVector& s) { return watch(state_of(s)); };
-    double before = g(state_);
+    const auto g = [&](const StateVector<double>& s, double) { return watch(state_of(s)); };
+    double before = g(state_, time_);
     while (time_ < until) {
-      if (time_ >= rudder_arrives_) hold_rudder();
-      const Stretch stretch = next_stretch(std::min(until, rudder_arrives_));
-      const double after = g(stretch.end);
+      const Stretch stretch = next_stretch(std::min(until, rudder_kink_));
+      const double after = g(stretch.end, stretch.to);
       const bool fired = passes_zero(before, after);
       const double event = fired ? root(stretch, g) : stretch.to;
       const BranchChange change = branch_change(stretch);
       const bool branch_first = change.time < event || (change.time == event && !fired);
       advance(stretch, branch_first ? change.time : event);
+      if (time_ >= rudder_kink_) pass_rudder_kink();
       if (branch_first) switch_branch(change);
       else if (fired) return true;
-      const double now = g(state_);
+      const double now = g(state_, time_);
       if (passes_zero(before, now)) return true;
       before = now;
     }
@@ -146,30 +136,31 @@ class Voyage {
   }
 
  private:
-  using Stepper = boost::numeric::odeint::runge_kutta_dopri5<StateVector>;
+  using Stepper = boost::numeric::odeint::runge_kutta_dopri5<StateVector<double>>;
   using Controlled = boost::numeric::odeint::controlled_runge_kutta<Stepper, ScaledError>;
   using DenseOutput = boost::numeric::odeint::dense_output_runge_kutta<Controlled>;
-  static constexpr std::size_t branch_count = 2;
 
   /// An accepted step, cut at the time limit.
   struct Stretch {
     double from;
     double to;
-    StateVector start;
-    StateVector end;
+    StateVector<double> start;
+    StateVector<double> end;
     bool whole;  ///< the step ends at `to`
   };
 
-  Controls<double> controls_at(double time) const { return {rudder_.at(time), shaft_.at(time)}; }
+  Controls<double> controls_at(double time) const { return propulsion_.at(time, rudder_.at(time)); }
 
   auto rates() const {
-    return [this](const StateVector& s, StateVector& rate, double time) {
-      const PlanarMotion<double> m{s[3], s[4], s[5]};
-      const auto force = forces(ship_, m, controls_at(time), {positive_[0], positive_[1]}).total();
-      const auto a = acceleration(ship_, m, force);
-      const double c = std::cos(s[2]), sn = std::sin(s[2]);
-      rate = {m.u * c - m.v * sn, m.u * sn + m.v * c, m.r, a.u, a.v, a.r};
+    return [this](const StateVector<double>& s, StateVector<double>& rate, double time) {
+      rate = rates_of(ship_, surroundings_, state_of(s), controls_at(time), branch_);
     };
+  }
+
+  void follow(const RudderMotion& motion) {
+    rudder_ = motion;
+    rudder_kink_ = rudder_.next_kink(time_);
+    running_ = false;
   }
 
   struct BranchChange {
@@ -181,9 +172,8 @@ class Voyage {
     return before != 0.0 && (after == 0.0 || std::signbit(before) != std::signbit(after));
   }
 
-  void hold_rudder() {
-    rudder_ = {time_, ordered_, 0.0};
-    rudder_arrives_ = never;
+  void pass_rudder_kink() {
+    rudder_kink_ = rudder_.next_kink(time_);
     running_ = false;
   }
 
@@ -210,22 +200,26 @@ class Voyage {
     throw Refusal(fmt::format("the simulated motion grows without bound at {:.6g} s", time));
   }
 
-  StateVector dense(double time) const {
-    StateVector s;
+  StateVector<double> dense(double time) const {
+    StateVector<double> s;
     stepper_.calc_state(time, s);
     return s;
+  }
+
+  auto branch_functions_at(const StateVector<double>& s, double time) const {
+    return branch_functions(ship_, state_of(s).motion, controls_at(time));
   }
 
   /// First time at which the ship leaves its branch; never, if it stays.
   BranchChange branch_change(const Stretch& stretch) const {
     BranchChange first{never, 0};
-    const auto g0 = branch_functions(ship_, state_of(stretch.start).motion);
-    const auto g1 = branch_functions(ship_, state_of(stretch.end).motion);
-    for (std::size_t i = 0; i < branch_count; ++i) {
-      if (g1[i] == 0.0 || (g1[i] > 0.0) == positive_[i]) continue;
-      const bool left_before = g0[i] == 0.0 || (g0[i] > 0.0) != positive_[i];
+    const auto g0 = branch_functions_at(stretch.start, stretch.from);
+    const auto g1 = branch_functions_at(stretch.end, stretch.to);
+    for (std::size_t i = 0; i < g0.size(); ++i) {
+      if (g1[i] == 0.0 || (g1[i] > 0.0) == branch_[i]) continue;
+      const bool left_before = g0[i] == 0.0 || (g0[i] > 0.0) != branch_[i];
       if (left_before && last_change_.time == stretch.from && last_change_.index == i) continue;
-      const auto g = [&](const StateVector& s) { return branch_functions(ship_, state_of(s).motion)[i]; };
+      const auto g = [&](const StateVector<double>& s, double time) { return branch_functions_at(s, time)[i]; };
       const double time = left_before ? stretch.from : root(stretch, g);
       if (time < first.time) first = {time, i};
     }
@@ -233,7 +227,7 @@ class Voyage {
   }
 
   void switch_branch(const BranchChange& change) {
-    positive_[change.index] = !positive_[change.index];
+    branch_[change.index] = !branch_[change.index];
     last_change_ = change;
     running_ = false;
   }
@@ -241,11 +235,11 @@ class Voyage {
   /// Root of g along the stretch, which must change sign on it.
   template <class G>
   double root(const Stretch& stretch, G&& g) const {
-    const double g0 = g(stretch.start), g1 = g(stretch.end);
+    const double g0 = g(stretch.start, stretch.from), g1 = g(stretch.end, stretch.to);
     if (g1 == 0.0) return stretch.to;
     std::uintmax_t iterations = 60;
     const auto tolerance = [this](double a, double b) { return b - a < 1e-13 * time_unit_ + 4e-16 * std::abs(b); };
-    const auto bracket = boost::math::tools::toms748_solve([&](double t) { return g(dense(t)); }, stretch.from, stretch.to, g0, g1,
+    const auto bracket = boost::math::tools::toms748_solve([&](double t) { return g(dense(t), t); }, stretch.from, stretch.to, g0, g1,
                                                            tolerance, iterations);
     return 0.5 * (bracket.first + bracket.second);
   }
@@ -275,18 +269,18 @@ class Voyage {
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   Model ship_;
+  Surroundings<double> surroundings_;
   double time_;
-  StateVector state_;
-  Line rudder_;
-  Line shaft_;
+  StateVector<double> state_;
+  RudderMotion rudder_;
+  PropulsionLine propulsion_;
   double time_unit_;  ///< L/U [s]
   double step_;       ///< step that the error control asks for [s]
   DenseOutput stepper_;
   bool running_ = false;
-  std::array<bool, branch_count> positive_{};  ///< the branch
+  Branch<double, Model::branch_count> branch_{};
   BranchChange last_change_{-never, 0};
-  double rudder_arrives_ = never;  ///< at the ordered angle [s]
-  double ordered_ = 0.0;           ///< [rad]
+  double rudder_kink_ = never;  ///< when the rudder rate jumps next [s]
   std::span<const double> wanted_;
   std::vector<Moment> samples_;
 };

@@ -16,12 +16,12 @@ bool reverse(Voyage<Model>& voyage, Zigzag& zigzag, const ZigzagOrder& order, do
 }
 
 template <class Model>
-Zigzag sail_zigzag(const Model& ship, const ZigzagOrder& order, const ManoeuvreOptions& options) {
-  const auto [speed, rev, end, times] = plan(ship, options, 200.0);
-  Voyage<Model> voyage(ship, approach(speed, rev), options.tolerance);
+Zigzag sail_zigzag(const Ship& ship, const Model& model, const ZigzagOrder& order, const ManoeuvreOptions& options) {
+  const auto [speed, propulsion, end, times] = plan(model, options, 200.0);
+  Voyage<Model> voyage(model, ship.surroundings, approach(speed, propulsion), options.tolerance);
   voyage.sample_at(times);
   voyage.order(rudder_sign(order.first) * order.rudder);
-  Zigzag result{.reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = speed, .shaft_speed = rev, .run = {}};
+  Zigzag result{.reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = speed, .propulsion = propulsion, .run = {}};
   constexpr std::size_t enough = 4;
   double turn = yaw_sign(order.first);
   while (reverse(voyage, result, order, turn, end)) {
@@ -31,7 +31,7 @@ Zigzag sail_zigzag(const Model& ship, const ZigzagOrder& order, const ManoeuvreO
   const auto& reversals = result.reversals;
   if (reversals.size() >= 3) result.period = reversals.back().time - reversals[reversals.size() - 3].time;
   if (!reversals.empty()) result.initial_turning = way_made(voyage.samples(), reversals.front().time);
-  if (options.sampled) result.run = recording_of(voyage.samples(), ship);
+  if (options.sampled) result.run = recording_of(voyage.samples(), model);
   return result;
 }
 
@@ -40,7 +40,7 @@ Zigzag sail_zigzag(const Model& ship, const ZigzagOrder& order, const ManoeuvreO
 Zigzag zigzag(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options) {
   require_rudder(order.rudder, steering_gear(ship));
   require_positive(order.heading, "heading angle [rad]");
-  auto result = std::visit([&](const auto& model) { return sail_zigzag(model, order, options); }, ship.model);
+  auto result = std::visit([&](const auto& model) { return sail_zigzag(ship, model, order, options); }, ship.model);
   result.run.name = ship.name;
   result.run.facts.execute = 0.0;
   result.run.facts.manoeuvre = fmt::format("zigzag {:.6g}/{:.6g} first {}", degrees(order.rudder), degrees(order.heading), name_of(order.first));

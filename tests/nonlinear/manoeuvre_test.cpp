@@ -26,7 +26,7 @@ std::vector<double> slow_zigzag(const MmgShip<double>& ship, const ZigzagOrder& 
   double target = rudder_sign(order.first) * order.rudder, turn = yaw_sign(order.first);
   const auto rate = [&](const State& s, double slope) {
     const PlanarMotion<double> m{s[3], s[4], s[5]};
-    const auto a = acceleration(ship, m, forces(ship, m, {s[6], rev}).total());
+    const auto a = acceleration(ship, m, forces(ship, m, Controls<double>{s[6], rev}).total());
     return State{m.u * std::cos(s[2]) - m.v * std::sin(s[2]), m.u * std::sin(s[2]) + m.v * std::cos(s[2]), m.r, a.u, a.v, a.r, slope};
   };
   const auto step = [&](const State& s, double length, double slope) {
@@ -187,7 +187,7 @@ TEST_CASE("a steady turn is in balance", "[nonlinear][limit]") {
     const auto circle = turning_circle(ship, {.rudder = model.steering_gear.max_angle});
     if (!circle.steady) continue;
     ++found;
-    const Controls<double> controls{rudder_sign(Side::starboard) * model.steering_gear.max_angle, circle.shaft_speed};
+    const Controls<double> controls{rudder_sign(Side::starboard) * model.steering_gear.max_angle, circle.propulsion.rev};
     const auto a = acceleration(model, *circle.steady, forces(model, *circle.steady, controls).total());
     const double unit = model.particulars.U_0 * model.particulars.U_0 / model.particulars.L;
     CHECK_THAT(a.u, WithinAbs(0.0, 1e-12 * unit));

@@ -112,9 +112,9 @@ TEST_CASE("forces are continuous where the branch changes", "[nonlinear][limit]"
     for (const double x : {ship.propeller.x_P, ship.rudder.l_R}) {
       const double beta = x * r;  // beta − x' r' = 0
       const PlanarMotion<double> motion{U * std::cos(beta), -U * std::sin(beta), r * U / ship.particulars.L};
-      const auto [propeller, rudder] = branch_at(ship, motion);
-      const bool at_propeller = x == ship.propeller.x_P;
-      const MmgBranch<double> other{.propeller_positive = at_propeller ? !propeller : propeller, .rudder_positive = at_propeller ? rudder : !rudder};
+      auto other = branch_at(ship, motion, c);
+      bool& changed = other[x == ship.propeller.x_P ? MmgBranch::propeller : MmgBranch::rudder];
+      changed = !changed;
       const auto here = forces(ship, motion, c).total(), there = forces(ship, motion, c, other).total();
       REQUIRE_THAT(here.Y, WithinAbs(there.Y, 1e-13 * force_scale(ship, U)));
       REQUIRE_THAT(here.X, WithinAbs(there.X, 1e-13 * force_scale(ship, U)));
@@ -128,7 +128,7 @@ TEST_CASE("at the self-propulsion point nothing accelerates", "[nonlinear][limit
     const auto ship = random.ship();
     const double U = random.uniform(0.3, 2.0) * ship.particulars.U_0;
     const PlanarMotion<double> ahead{U, 0.0, 0.0};
-    const auto a = acceleration(ship, ahead, forces(ship, ahead, {0.0, self_propulsion_rev(ship, U)}).total());
+    const auto a = acceleration(ship, ahead, forces(ship, ahead, self_propulsion(ship, U)).total());
     REQUIRE_THAT(a.u, WithinAbs(0.0, 1e-13 * U * U / ship.particulars.L));
     REQUIRE(a.v == 0.0);
     REQUIRE(a.r == 0.0);
@@ -153,7 +153,7 @@ TEST_CASE("dual numbers carry the value and the derivatives of the MMG model", "
     const auto dual = acceleration_of(cast<D>(ship), {D(m.u, 0), D(m.v, 1), D(m.r, 2)}, {D(c.delta, 3), D(c.rev, 4)});
     REQUIRE_THAT(dual.v.a, WithinAbs(acceleration_of(ship, m, c).v, 1e-14 * unit));
     // central differences, extrapolated once, on the branch of the point
-    const auto branch = branch_at(ship, m);
+    const auto branch = branch_at(ship, m, c);
     const auto along = [&](int k, double h) {
       const auto a = acceleration(ship, {m.u + (k == 0 ? h : 0.0), m.v + (k == 1 ? h : 0.0), m.r + (k == 2 ? h : 0.0)},
                                   forces(ship, {m.u + (k == 0 ? h : 0.0), m.v + (k == 1 ? h : 0.0), m.r + (k == 2 ? h : 0.0)},

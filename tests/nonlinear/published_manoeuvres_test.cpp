@@ -51,7 +51,7 @@ void check_zigzag(const std::string& name, const ZigzagOrder& angles) {
   const Ship ship = ship_of(reference);
   const double end = reference.at("states").back().at("time_s");
   const auto result = zigzag(ship, angles, {.speed = reference.at("approach_speed_m_s"), .duration = end, .step = end / 200.0});
-  CHECK_THAT(result.shaft_speed, WithinRel(reference.at("self_propulsion_rev_s").get<double>(), 1e-12));
+  CHECK_THAT(result.propulsion.rev, WithinRel(reference.at("self_propulsion_rev_s").get<double>(), 1e-12));
   check_states(result.run, reference);
   const auto& overshoots = reference.at("overshoots");
   REQUIRE(result.reversals.size() >= overshoots.size());

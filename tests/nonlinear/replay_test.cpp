@@ -88,10 +88,18 @@ TEST_CASE("an ordered angle passes through the steering gear", "[nonlinear][limi
   CHECK_THAT(controls.rudder(60.0), WithinAbs(order, 1e-12));
 }
 
-TEST_CASE("without a recorded shaft speed the model propels herself", "[nonlinear][limit]") {
+TEST_CASE("recorded thrust stands in for a shaft speed that was not recorded", "[nonlinear][second-route]") {
   const Ship ship = test::kvlcc2_l7();
   const auto run = zigzag_run(ship, 0.05);
   const auto replayed = replay(ship, without(run, {Channel::rev}));
+  CHECK(!replayed.has(Channel::rev));
+  CHECK(largest_difference(replayed, replay(ship, run), Channel::psi) < radians(0.01));
+}
+
+TEST_CASE("without a recorded shaft speed or thrust the model propels herself", "[nonlinear][limit]") {
+  const Ship ship = test::kvlcc2_l7();
+  const auto run = zigzag_run(ship, 0.05);
+  const auto replayed = replay(ship, without(run, {Channel::rev, Channel::thrust}));
   CHECK_THAT(replayed[Channel::rev].front(), WithinRel(run[Channel::rev].front(), 1e-6));
 }
 

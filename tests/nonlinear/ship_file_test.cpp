@@ -114,9 +114,10 @@ TEST_CASE("every number of the KVLCC2 model is where it belongs, in SI", "[nonli
       0.022, -0.04, 0.002, 0.011, 0.771,                                                   // hull X
       -0.315, 0.083, -1.607, 0.379, -0.391, 0.008,                                         // hull Y
       -0.137, -0.049, -0.03, -0.294, 0.055, -0.013,                                        // hull N
-      0.216, -0.48, 0.22, 0.4, 0.2931, -0.2753, -0.1385, 2, 1.6, 1.1,                      // propeller
+      0.216, -0.48, 0.22, 0.4, 0.2931, -0.2753, -0.1385, 2, 1.6, 1.1, 0, 0, 0,             // propeller
       0.0539, 0.345, -0.5, 0.387, 0.312, -0.464, -0.71, 0.395, 0.64, 1.09, 0.5, 2.747,     // rudder
-      radians(15.8), radians(35),                                                          // steering gear
+      radians(15.8), radians(35), 0, 0,                                                    // steering gear
+      0,                                                                                   // engine
   };
   CHECK(ship.name == "KVLCC2 model 1:45.7 (L7)");
   CHECK(numbers_of(std::get<MmgShip<double>>(ship.model)) == expected);
@@ -261,13 +262,23 @@ TEST_CASE("trust in what is not a coefficient, or that is not a number, is refus
 
 TEST_CASE("a model of another kind is refused in words, before its keys are", "[nonlinear][refusal]") {
   const auto line = line_of(model_lines(), "model") + 1;
-  CHECK(refusal_of(text_with("model", "\"pi\"")) == place(line, 9) + "model \"pi\" is not known to this version (known: linear, mmg)");
+  CHECK(refusal_of(text_with("model", "\"mgm\"")) ==
+        place(line, 9) + "model \"mgm\" is not known to this version (known: linear, mmg, pi, pu, abkowitz)");
   CHECK(refusal_of("model = \"linear\"\n[nomoto]\nT1 = 1\n") == place(1, 9) + "a ship of model \"mmg\" is needed here, got \"linear\"");
 }
 
-TEST_CASE("an effect is refused in words", "[nonlinear][refusal]") {
+TEST_CASE("an effect surrounds the ship or is refused in words", "[nonlinear][refusal]") {
   const auto line = model_lines().size() + 2;
-  CHECK(refusal_of(text_with_tail("\n[[effect]]\nkind = \"steady_wind\"\n")) == place(line, 1) + "[[effect]] is not understood by this version");
+  const auto refusal = [](std::string_view lines) { return refusal_of(text_with_tail("\n[[effect]]\n" + std::string(lines))); };
+  CHECK(refusal("kind = \"kelp\"\n") == place(line, 1) + "effect kelp is not understood by this version");
+  CHECK(refusal("current_to_rad = 1\n") == place(line, 1) + "kind is missing in [[effect]]");
+  CHECK(refusal("kind = \"steady_current\"\ncurrent_to_rad = 1\n") == place(line, 1) + "steady_current needs current_speed_m_s");
+  CHECK(refusal("kind = \"steady_current\"\nspeed = 1\n") == place(line, 1) + "speed is not a number of steady_current");
+  CHECK(refusal("kind = \"steady_current\"\ncurrent_to_rad = \"north\"\n") ==
+        place(line + 2, 18) + "current_to_rad in [[effect]] must be a number");
+  const Ship ship = parse_ship(text_with_tail("\n[[effect]]\nkind = \"steady_current\"\ncurrent_speed_m_s = 0.5\ncurrent_to_rad = 1.5\n"), "s");
+  CHECK(ship.surroundings.current.speed == 0.5);
+  CHECK(ship.surroundings.current.to == 1.5);
 }
 
 // ---------------------------------------------------------------- no ship file at all

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 /// A part is a small struct of numbers. Its list of parameters is written once, beside the struct;
 /// ship files, confidence, fits and reports read that list.
@@ -38,8 +41,29 @@ struct Parameter {
   Range range;              ///< accepted values, in that unit
   Role role = Role::fact;
   double si = 1.0;          ///< SI value of one unit
-  bool required = true;     ///< an optional number that is not given stays 0
+  bool required = true;     ///< whether a ship file must give it
+  double fallback = 0.0;    ///< value of an optional number that is not given, in SI
 };
+
+/// Which of several forms of the physics a part takes. It is the same for all lanes of a pack.
+struct Selection {
+  int index = 0;
+};
+
+/// A selection of a part and the words for it in ship files; the first is taken unless the file says otherwise.
+template <class Part>
+struct Choice {
+  std::string_view key;
+  Selection Part::*member;
+  std::array<std::string_view, 3> names;  ///< unused ones are empty
+};
+
+/// The choices of a part; none unless it lists them.
+template <class Part>
+constexpr auto choices_of() {
+  if constexpr (requires { Part::choices(); }) return Part::choices();
+  else return std::array<Choice<Part>, 0>{};
+}
 
 /// A part of a ship and the table of the ship file that holds its numbers.
 template <class Ship, class Part>
@@ -47,5 +71,31 @@ struct Section {
   std::string_view table;
   Part Ship::*part;
 };
+
+/// The same part with another scalar.
+template <class To, template <class> class Part, class From>
+Part<To> cast_part(const Part<From>& part) {
+  Part<To> result{};
+  constexpr auto source = Part<From>::parameters();
+  constexpr auto target = Part<To>::parameters();
+  for (std::size_t i = 0; i < source.size(); ++i) result.*target[i].member = To(part.*source[i].member);
+  constexpr auto chosen = choices_of<Part<From>>();
+  constexpr auto choice = choices_of<Part<To>>();
+  for (std::size_t i = 0; i < chosen.size(); ++i) result.*choice[i].member = part.*chosen[i].member;
+  return result;
+}
+
+/// The same ship with another scalar, number by number.
+template <class To, template <class> class Ship, class From>
+Ship<To> cast(const Ship<From>& ship) {
+  Ship<To> result{};
+  const auto copy_all = [&]<std::size_t... I>(std::index_sequence<I...>) {
+    constexpr auto source = Ship<From>::sections();
+    constexpr auto target = Ship<To>::sections();
+    ((result.*std::get<I>(target).part = cast_part<To>(ship.*std::get<I>(source).part)), ...);
+  };
+  copy_all(std::make_index_sequence<std::tuple_size_v<decltype(Ship<From>::sections())>>{});
+  return result;
+}
 
 }  // namespace swayaw

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "swayaw/core/confidence.hpp"
@@ -17,7 +18,7 @@
 namespace swayaw {
 
 /// Models of the ship files that this version understands.
-inline constexpr std::array<std::string_view, 2> ship_models{"linear", "mmg"};
+inline constexpr std::array<std::string_view, 5> ship_models{"linear", "mmg", "pi", "pu", "abkowitz"};
 
 /// A number of a ship file and where it goes.
 struct FileNumber {
@@ -27,7 +28,24 @@ struct FileNumber {
   Role role;
   double si;             ///< SI value of one unit
   bool required;
+  double fallback;       ///< where an optional number is not given, in SI
   double* value;         ///< to be set, in SI
+};
+
+/// A word of a ship file that selects a form of the physics.
+struct FileChoice {
+  std::string_view table;
+  std::string_view key;
+  std::span<const std::string_view> names;
+  Selection* value;      ///< to be set
+};
+
+/// An [[effect]] of a ship file.
+struct FileEffect {
+  std::string kind;
+  std::vector<std::pair<std::string, double>> numbers;
+  std::size_t line;
+  std::size_t column;
 };
 
 /// All numbers of a model, in the order of its lists.
@@ -36,10 +54,22 @@ std::vector<FileNumber> file_numbers(Model& model) {
   std::vector<FileNumber> numbers;
   const auto add_part = [&](const auto& section) {
     auto& part = model.*section.part;
-    for (const auto& p : part.parameters()) numbers.push_back({section.table, p.key, p.range, p.role, p.si, p.required, &(part.*p.member)});
+    for (const auto& p : part.parameters()) numbers.push_back({section.table, p.key, p.range, p.role, p.si, p.required, p.fallback, &(part.*p.member)});
   };
   std::apply([&](const auto&... section) { (add_part(section), ...); }, Model::sections());
   return numbers;
+}
+
+/// All choices of a model.
+template <class Model>
+std::vector<FileChoice> file_choices(Model& model) {
+  std::vector<FileChoice> choices;
+  const auto add_part = [&]<class Part>(const Section<Model, Part>& section) {
+    static constexpr auto list = choices_of<Part>();
+    for (const auto& c : list) choices.push_back({section.table, c.key, c.names, &(model.*section.part.*c.member)});
+  };
+  std::apply([&](const auto&... section) { (add_part(section), ...); }, Model::sections());
+  return choices;
 }
 
 /// What every ship file says besides its numbers.
@@ -60,7 +90,7 @@ class PartsReader {
   /// @throws FileError  if it is not a text
   std::string model() const;
 
-  /// Refuses other models, and physics that later versions may understand. A file without a model passes.
+  /// Refuses other models. A file without a model passes.
   /// @throws FileError
   void require_model(std::string_view model) const;
 
@@ -70,9 +100,16 @@ class PartsReader {
   /// Whether the table has that key.
   bool has(std::string_view table, std::string_view key) const;
 
-  /// Sets the numbers.
+  /// Sets the numbers and choices. A table of which no number is required may be missing.
   /// @throws FileError  naming the key that is missing, not known or out of range
-  ShipFileHead read(std::span<const FileNumber> numbers) const;
+  ShipFileHead read(std::span<const FileNumber> numbers, std::span<const FileChoice> choices = {}) const;
+
+  /// The [[effect]] tables in their order, each a kind and numbers.
+  /// @throws FileError  if one has no kind, or holds anything else
+  std::vector<FileEffect> effects() const;
+
+  /// @throws FileError  at the place of the effect
+  [[noreturn]] void fail(const FileEffect& effect, std::string_view what) const;
 
   /// @throws FileError  with the place of the value; of the table where the key is not there, of the file where neither is
   [[noreturn]] void fail(std::string_view table, std::string_view key, std::string_view what) const;

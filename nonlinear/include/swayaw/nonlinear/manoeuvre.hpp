@@ -9,11 +9,13 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Standard manoeuvres. Each begins at t = 0, where the first rudder order is given, at the origin on heading 0
-/// straight ahead, with the shaft speed of self-propulsion at the approach speed, which is held.
+/// straight ahead through the water, with the propulsion held that carries the ship at the approach speed, unless another is given.
 namespace swayaw {
 
 struct ManoeuvreOptions {
   std::optional<double> speed;     ///< approach speed [m/s]; the service speed unless given
+  std::optional<double> rev;       ///< shaft speed [1/s]; that of self-propulsion at the approach speed unless given
+  std::optional<double> thrust;    ///< thrust of all propellers [N], in place of a shaft speed
   std::optional<double> duration;  ///< [s]; else until the indices are known
   std::optional<double> step;      ///< between samples of the time series [s]; a round number near 0.02 L/U unless given
   double tolerance = 1e-9;         ///< error of an integration step: lengths over L, speeds over U, angles in rad
@@ -42,7 +44,7 @@ struct Zigzag {
   std::optional<double> period;           ///< of the last full cycle, reversal to the next but one [s]
   std::optional<double> initial_turning;  ///< way made when the heading first reaches H [m]
   double approach_speed;                  ///< [m/s]
-  double shaft_speed;                     ///< [1/s]
+  Controls<double> propulsion;            ///< held during the manoeuvre
   Recording run;
 };
 
@@ -72,7 +74,7 @@ struct TurningCircle {
   std::optional<double> final_diameter;     ///< 2U/|r| of the steady turn [m]
   std::optional<PlanarMotion<double>> steady;  ///< the steady turn, if the ship settles in one
   double approach_speed;                    ///< [m/s]
-  double shaft_speed;                       ///< [1/s]
+  Controls<double> propulsion;              ///< held during the manoeuvre
   Recording run;
 };
 

@@ -3,33 +3,69 @@
 #include <array>
 
 #include "swayaw/core/motion.hpp"
-#include "swayaw/nonlinear/controls.hpp"
+#include "swayaw/nonlinear/branch.hpp"
 #include "swayaw/nonlinear/mmg_ship.hpp"
 
 /// Forces of the MMG standard model, written once for double, dual and pack.
 /// Valid for way ahead, u > 0. Source: [Yasukawa2015]
 namespace swayaw {
 
-/// Which branch holds: sign of beta_P at the propeller and of beta_R at the rudder.
+/// Drift angles as propeller and rudder see them.
 template <class S>
-struct MmgBranch {
-  Mask<S> propeller_positive;
-  Mask<S> rudder_positive;
+struct MmgDrift {
+  S propeller;  ///< beta_P = beta − x_P' r'
+  S rudder;     ///< beta_R = beta − l_R' r'
 };
 
-/// beta_P = beta − x_P' r' and beta_R = beta − l_R' r'; the branch changes where one passes zero.
 template <class S>
-std::array<S, 2> branch_functions(const MmgShip<S>& ship, const PlanarMotion<S>& motion) {
+MmgDrift<S> local_drift(const MmgShip<S>& ship, const PlanarMotion<S>& motion) {
   const S beta = drift_angle(motion);
   const S r_prime = motion.r * ship.particulars.L / speed(motion);
   return {beta - ship.propeller.x_P * r_prime, beta - ship.rudder.l_R * r_prime};
 }
 
-/// The branch that belongs to a motion.
+/// Names of the branches.
+struct MmgBranch {
+  static constexpr std::size_t propeller = 0, rudder = 1, torque = 2;
+};
+
+/// Axial speed at the propeller with the wake change of a turning ship [m/s].
+///
+///     u_P = u (1 − w_P0) (1 + (1 − exp(−C_1 |beta_P|)) (C_2 − 1)),   C_2 by the sign of beta_P
+///
+/// Source: [Yasukawa2015] eqs (13)–(16)
 template <class S>
-MmgBranch<S> branch_at(const MmgShip<S>& ship, const PlanarMotion<S>& motion) {
-  const auto [beta_P, beta_R] = branch_functions(ship, motion);
-  return {.propeller_positive = beta_P > S(0.0), .rudder_positive = beta_R > S(0.0)};
+S propeller_inflow(const MmgPropeller<S>& p, const S& u, const S& beta_P, const Mask<S>& from_starboard) {
+  const S C_2 = select(from_starboard, p.C_2_positive, p.C_2_negative);
+  const S size = select(from_starboard, beta_P, S(-beta_P));  // |beta_P|
+  return u * (1.0 - p.w_P0) * (1.0 + (1.0 - exp(-p.C_1 * size)) * (C_2 - 1.0));
+}
+
+/// Propeller torque Q = ρ n² D⁵ K_Q(J) = ρ D³ (q_0 n²D² + q_1 nD u_P + q_2 u_P²) [N m].
+template <class S>
+S torque(const MmgShip<S>& ship, const S& rev, const S& u_P) {
+  const auto& p = ship.propeller;
+  const S nD = rev * p.D;
+  return ship.water.rho * p.D * p.D * p.D * (nD * (p.q_0 * nD + p.q_1 * u_P) + p.q_2 * u_P * u_P);
+}
+
+/// Shaft speed at which the propeller takes all the torque that the engine gives, Q = Q_max [1/s].
+template <class S>
+S rev_at_full_torque(const MmgShip<S>& ship, const S& u_P) {
+  const auto& p = ship.propeller;
+  const S half = 0.5 * p.q_1 * u_P;
+  const S constant = p.q_2 * u_P * u_P - ship.engine.Q_max / (ship.water.rho * p.D * p.D * p.D);
+  // q_0 (nD)² + q_1 u_P nD + constant = 0, the larger root
+  return (-half + sqrt(positive_part(half * half - p.q_0 * constant))) / (p.q_0 * p.D);
+}
+
+/// beta_P selects C_2, beta_R selects gamma_R, and the torque of the ordered shaft speed what the engine can do.
+template <class S>
+std::array<S, 3> branch_functions(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls) {
+  const auto [beta_P, beta_R] = local_drift(ship, motion);
+  if (!ship.engine.torque_limited() || controls.by_thrust) return {beta_P, beta_R, S(1.0)};
+  const S u_P = propeller_inflow(ship.propeller, motion.u, beta_P, beta_P > S(0.0));
+  return {beta_P, beta_R, 1.0 - torque(ship, controls.rev, u_P) / ship.engine.Q_max};
 }
 
 /// Forces split by part, about midship.
@@ -40,6 +76,8 @@ struct MmgForces {
   PlanarForce<S> rudder;
 
   PlanarForce<S> total() const { return hull + propeller + rudder; }
+
+  std::array<ForcePart<S>, 3> parts() const { return {{{"hull", hull}, {"propeller", propeller}, {"rudder", rudder}}}; }
 };
 
 /// Resistance and hydrodynamic derivatives on v' = v/U and r' = rL/U.
@@ -72,19 +110,19 @@ struct PropellerFlow {
   S thrust;  ///< T [N]
 };
 
-/// Propeller thrust with the wake change of a turning ship.
+/// Thrust at the ordered shaft speed, or at what the engine can turn of it; or the measured thrust.
 ///
-///     (1 − w_P)/(1 − w_P0) = 1 + (1 − exp(−C_1 |beta_P|)) (C_2 − 1)
 ///     T = ρ n² D⁴ K_T(J) = ρ D² (k_0 n² D² + k_1 n D u_P + k_2 u_P²),   J = u_P/(nD)
 ///
-/// Source: [Yasukawa2015] eqs (10)–(16)
+/// Source: [Yasukawa2015] eqs (10)–(12)
 template <class S>
-PropellerFlow<S> propeller_flow(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const S& rev, const S& beta_P,
-                                const MmgBranch<S>& branch) {
+PropellerFlow<S> propeller_flow(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls, const S& beta_P,
+                                const Branch<S, 3>& branch) {
   const auto& p = ship.propeller;
-  const S C_2 = select(branch.propeller_positive, p.C_2_positive, p.C_2_negative);
-  const S size = select(branch.propeller_positive, beta_P, S(-beta_P));  // |beta_P|
-  const S u_P = motion.u * (1.0 - p.w_P0) * (1.0 + (1.0 - exp(-p.C_1 * size)) * (C_2 - 1.0));
+  const S u_P = propeller_inflow(p, motion.u, beta_P, branch[MmgBranch::propeller]);
+  if (controls.by_thrust) return {.u_P = u_P, .thrust = controls.thrust.port + controls.thrust.starboard};
+  S rev = controls.rev;
+  if (ship.engine.torque_limited()) rev = select(branch[MmgBranch::torque], rev, rev_at_full_torque(ship, u_P));
   const S nD = rev * p.D;
   return {.u_P = u_P, .thrust = ship.water.rho * p.D * p.D * (nD * (p.k_0 * nD + p.k_1 * u_P) + p.k_2 * u_P * u_P)};
 }
@@ -109,7 +147,7 @@ PlanarForce<S> propeller_force(const MmgPropeller<S>& propeller, const S& thrust
 /// Source: [Yasukawa2015] eqs (17)–(24)
 template <class S>
 PlanarForce<S> rudder_force(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const S& delta_to_port, const S& beta_R,
-                            const PropellerFlow<S>& flow, const MmgBranch<S>& branch) {
+                            const PropellerFlow<S>& flow, const Mask<S>& from_starboard) {
   const auto& k = ship.rudder;
   const S& D = ship.propeller.D;
   const S u_P = flow.u_P;
@@ -118,7 +156,7 @@ PlanarForce<S> rudder_force(const MmgShip<S>& ship, const PlanarMotion<S>& motio
   const S u_behind = u_P + k.kappa * (u_race - u_P);
   const S eta = D / k.H_R;
   const S u_R = k.epsilon * sqrt(eta * u_behind * u_behind + (1.0 - eta) * u_P * u_P);
-  const S v_R = speed(motion) * select(branch.rudder_positive, k.gamma_R_positive, k.gamma_R_negative) * beta_R;
+  const S v_R = speed(motion) * select(from_starboard, k.gamma_R_positive, k.gamma_R_negative) * beta_R;
   const S sin_delta = -sin(delta_to_port);
   const S cos_delta = cos(delta_to_port);
   const S U_R = sqrt(u_R * u_R + v_R * v_R);
@@ -129,28 +167,20 @@ PlanarForce<S> rudder_force(const MmgShip<S>& ship, const PlanarMotion<S>& motio
 
 /// All forces, on a given branch.
 template <class S>
-MmgForces<S> forces(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls,
-                    const MmgBranch<S>& branch) {
-  const auto [beta_P, beta_R] = branch_functions(ship, motion);
-  const auto flow = propeller_flow(ship, motion, controls.rev, beta_P, branch);
+MmgForces<S> forces(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls, const Branch<S, 3>& branch) {
+  const auto [beta_P, beta_R] = local_drift(ship, motion);
+  const auto flow = propeller_flow(ship, motion, controls, beta_P, branch);
   return {
       .hull = hull_force(ship, motion),
       .propeller = propeller_force(ship.propeller, flow.thrust),
-      .rudder = rudder_force(ship, motion, controls.delta, beta_R, flow, branch),
+      .rudder = rudder_force(ship, motion, controls.delta, beta_R, flow, branch[MmgBranch::rudder]),
   };
-}
-
-/// All forces.
-template <class S>
-MmgForces<S> forces(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls) {
-  return forces(ship, motion, controls, branch_at(ship, motion));
 }
 
 /// Propeller thrust T [N].
 template <class S>
 S thrust(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls) {
-  const auto [beta_P, beta_R] = branch_functions(ship, motion);
-  return propeller_flow(ship, motion, controls.rev, beta_P, branch_at(ship, motion)).thrust;
+  return propeller_flow(ship, motion, controls, local_drift(ship, motion).propeller, branch_at(ship, motion, controls)).thrust;
 }
 
 /// Acceleration that a force gives to ship and entrained water.
@@ -158,6 +188,8 @@ S thrust(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S
 ///     (m + m_x) du/dt − (m + m_y) v r − m x_G r² = X
 ///     (m + m_y) dv/dt + (m + m_x) u r + m x_G dr/dt = Y
 ///     (I_zG + m x_G² + J_z) dr/dt + m x_G (dv/dt + u r) = N
+///
+/// With `surge_coupling = "m"` the term (m + m_y) v r of the first equation is m v r, for derivatives X_vr' that hold m_y.
 ///
 /// Source: [Yasukawa2015] eq (4)
 template <class S>
@@ -170,11 +202,12 @@ PlanarAcceleration<S> acceleration(const MmgShip<S>& ship, const PlanarMotion<S>
   const S mass_y = m + added * ship.added_mass.m_y;
   const S coupling = m * x_G;
   const S inertia = m * (k_zz * k_zz + x_G * x_G) + added * L * L * ship.added_mass.J_z;
+  const S mass_vr = ship.added_mass.surge_coupling.index == 0 ? mass_y : m;
   const S Y = force.Y - mass_x * u * r;
   const S N = force.N - coupling * u * r;
   const S over_det = 1.0 / (mass_y * inertia - coupling * coupling);
   return {
-      .u = (force.X + mass_y * v * r + coupling * r * r) / mass_x,
+      .u = (force.X + mass_vr * v * r + coupling * r * r) / mass_x,
       .v = (inertia * Y - coupling * N) * over_det,
       .r = (mass_y * N - coupling * Y) * over_det,
   };

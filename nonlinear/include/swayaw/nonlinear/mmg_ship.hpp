@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <tuple>
 
 #include "swayaw/core/parameter.hpp"
@@ -57,6 +58,7 @@ struct MmgAddedMass {
   S m_x;  ///< surge, m_x'
   S m_y;  ///< sway, m_y'
   S J_z;  ///< yaw, J_z'
+  Selection surge_coupling;  ///< what v r accelerates in surge: m + m_y as in the standard, or m alone
 
   static constexpr auto parameters() {
     using P = Parameter<MmgAddedMass, S>;
@@ -65,6 +67,10 @@ struct MmgAddedMass {
         P{"m_y", &MmgAddedMass::m_y, "-", non_negative, Role::coefficient},
         P{"J_z", &MmgAddedMass::J_z, "-", non_negative, Role::coefficient},
     };
+  }
+
+  static constexpr auto choices() {
+    return std::array{Choice<MmgAddedMass>{"surge_coupling", &MmgAddedMass::surge_coupling, {"m+m_y", "m"}}};
   }
 };
 
@@ -111,6 +117,7 @@ struct MmgPropeller {
   S C_1;            ///< wake change, rate
   S C_2_positive;   ///< wake change, limit for beta_P > 0
   S C_2_negative;   ///< wake change, limit for beta_P < 0
+  S q_0, q_1, q_2;  ///< K_Q = q_0 + q_1 J + q_2 J^2; 0 if not known
 
   static constexpr auto parameters() {
     using P = Parameter<MmgPropeller, S>;
@@ -126,7 +133,28 @@ struct MmgPropeller {
         P{"wake_C1", &MmgPropeller::C_1, "-", non_negative, coefficient},
         P{"wake_C2_positive", &MmgPropeller::C_2_positive, "-", non_negative, coefficient},
         P{"wake_C2_negative", &MmgPropeller::C_2_negative, "-", non_negative, coefficient},
+        P{.key = "kq[0]", .member = &MmgPropeller::q_0, .unit = "-", .range = positive, .role = coefficient, .required = false},
+        P{.key = "kq[1]", .member = &MmgPropeller::q_1, .unit = "-", .range = any_number, .role = coefficient, .required = false},
+        P{.key = "kq[2]", .member = &MmgPropeller::q_2, .unit = "-", .range = any_number, .role = coefficient, .required = false},
     };
+  }
+};
+
+/// The engine turns the shaft as ordered, or as far as its torque goes.
+template <class S = double>
+struct Engine {
+  Selection kind;  ///< shaft speed held, or torque limited
+  S Q_max;         ///< largest torque [N m]
+
+  bool torque_limited() const { return kind.index == 1; }
+
+  static constexpr auto parameters() {
+    return std::array{Parameter<Engine, S>{
+        .key = "torque_limit_kN_m", .member = &Engine::Q_max, .unit = "kN m", .range = positive, .si = 1e3, .required = false}};
+  }
+
+  static constexpr auto choices() {
+    return std::array{Choice<Engine>{"kind", &Engine::kind, {"shaft_speed_held", "torque_limited"}}};
   }
 };
 
@@ -177,6 +205,9 @@ struct MmgShip {
   MmgPropeller<S> propeller;
   MmgRudder<S> rudder;
   SteeringGear<S> steering_gear;
+  Engine<S> engine;
+
+  static constexpr std::size_t branch_count = 3;
 
   /// Tables of the ship file and the parts they fill.
   static constexpr auto sections() {
@@ -188,25 +219,9 @@ struct MmgShip {
         Section<MmgShip, MmgPropeller<S>>{"propeller", &MmgShip::propeller},
         Section<MmgShip, MmgRudder<S>>{"rudder", &MmgShip::rudder},
         Section<MmgShip, SteeringGear<S>>{"rudder", &MmgShip::steering_gear},
+        Section<MmgShip, Engine<S>>{"engine", &MmgShip::engine},
     };
   }
 };
-
-/// The same ship with another scalar, number by number.
-template <class To, template <class> class Ship, class From>
-Ship<To> cast(const Ship<From>& ship) {
-  Ship<To> result{};
-  const auto copy = [&](const auto& from, const auto& to) {
-    const auto source = (ship.*from.part).parameters();
-    const auto target = (result.*to.part).parameters();
-    for (std::size_t i = 0; i < source.size(); ++i)
-      (result.*to.part).*target[i].member = To((ship.*from.part).*source[i].member);
-  };
-  const auto copy_all = [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (copy(std::get<I>(Ship<From>::sections()), std::get<I>(Ship<To>::sections())), ...);
-  };
-  copy_all(std::make_index_sequence<std::tuple_size_v<decltype(Ship<From>::sections())>>{});
-  return result;
-}
 
 }  // namespace swayaw

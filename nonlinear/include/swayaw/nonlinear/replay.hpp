@@ -10,10 +10,10 @@
 /// Simulation with the rudder and shaft speed of a recording, beside that recording.
 namespace swayaw {
 
-/// Where a replay takes its shaft speed from.
+/// Where a replay takes its shaft speed or thrust from.
 enum class Shaft {
-  recorded,         ///< the recording; self-propulsion where it has none
-  self_propulsion,  ///< the model's own shaft speed for the recorded starting speed
+  recorded,         ///< the recording; self-propulsion where it has neither
+  self_propulsion,  ///< what carries the model at the recorded starting speed
 };
 
 struct ReplayOptions {
@@ -30,23 +30,26 @@ struct ReplayOptions {
 /// @throws Refusal  if no channel tells the speed of the ship
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time);
 
-/// Rudder and shaft speed of a recording as functions of time, joined by straight lines.
-/// An ordered rudder angle passes through the steering gear of the ship first.
+/// Rudder and propulsion of a recording as functions of time, joined by straight lines.
+/// An ordered rudder angle passes through the steering gear of the ship first. Thrust is taken where the recording or the
+/// ship does not tell the shaft speed.
 class RecordedControls {
  public:
   /// @throws Refusal  if the run has no rudder angle
   RecordedControls(const Ship& ship, const Recording& run, const ReplayOptions& options = {});
 
-  double rudder(double time) const { return rudder_(time); }
-  double shaft(double time) const { return shaft_ ? (*shaft_)(time) : constant_shaft_; }
+  Controls<double> at(double time) const;
 
-  /// Times at which the slope of rudder or shaft speed changes, in order.
+  double rudder(double time) const { return rudder_(time); }
+
+  /// Times at which the slope of a control changes, in order.
   std::span<const double> knots() const { return knots_; }
 
  private:
   Interpolant rudder_;
-  std::optional<Interpolant> shaft_;
-  double constant_shaft_ = 0.0;
+  std::optional<Interpolant> rev_;
+  std::optional<Interpolant> thrust_;
+  Controls<double> constant_{};  ///< where nothing is recorded
   std::vector<double> knots_;
 };
 

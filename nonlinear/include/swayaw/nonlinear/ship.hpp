@@ -4,15 +4,17 @@
 #include <variant>
 
 #include "swayaw/core/confidence.hpp"
-#include "swayaw/nonlinear/mmg_ship.hpp"
+#include "swayaw/nonlinear/models.hpp"
+#include "swayaw/nonlinear/surroundings.hpp"
 
 namespace swayaw {
 
-/// A ship: one of the models, its name, and the trust in its numbers.
+/// A ship: one of the models, its name, the trust in its numbers, and what surrounds her.
 struct Ship {
   std::string name;
-  std::variant<MmgShip<double>> model;
+  ShipModel model;
   Confidence confidence;
+  Surroundings<double> surroundings;
 };
 
 /// Length between perpendiculars [m].

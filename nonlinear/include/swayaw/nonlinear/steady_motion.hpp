@@ -15,7 +15,16 @@ namespace swayaw {
 /// @throws std::domain_error  if the speed is not positive
 /// @throws Refusal            if no shaft speed balances the resistance
 double self_propulsion_rev(const MmgShip<double>& ship, double speed);
-double self_propulsion_rev(const Ship& ship, double speed);
+
+/// Rudder amidships and what carries the ship straight ahead at that speed: a shaft speed, or for a model that knows only
+/// thrust, a thrust.
+/// @throws as self_propulsion_rev does
+Controls<double> self_propulsion(const MmgShip<double>& ship, double speed);
+Controls<double> self_propulsion(const Ship& ship, double speed);
+
+/// Whether the model computes its thrust from the shaft speed.
+bool takes_shaft_speed(const MmgShip<double>& ship);
+bool takes_shaft_speed(const Ship& ship);
 
 /// A steady motion: nothing changes but the place and the heading.
 struct SteadyMotion {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <variant>
+
+#include "swayaw/nonlinear/mmg_forces.hpp"
+
+namespace swayaw {
+
+/// Every model of the nonlinear floor; what is done with a ship is done with `std::visit`.
+using ShipModel = std::variant<MmgShip<double>>;
+
+}  // namespace swayaw
