@@ -14,6 +14,7 @@
 ///     forces(ship, motion, controls, branch)     smooth on a branch; split by part
 ///     acceleration(ship, motion, force)          affine in the force
 ///     thrust(ship, motion, controls)             of all propellers
+///     rigid_body(ship)                           mass without entrained water
 ///
 /// Why the branch is an argument: docs/decisions/001
 namespace swayaw {
@@ -30,6 +31,13 @@ Branch<S, Ship<S>::branch_count> branch_at(const Ship<S>& ship, const PlanarMoti
   for (std::size_t i = 0; i < g.size(); ++i) branch[i] = g[i] > S(0.0);
   return branch;
 }
+
+/// Mass of the ship herself, without entrained water.
+struct RigidBody {
+  double m;    ///< [kg]
+  double x_G;  ///< centre of gravity forward of midship [m]
+  double I_z;  ///< moment of inertia about midship [kg m^2]
+};
 
 /// Forces split by part, on the branch of the motion.
 template <template <class> class Ship, class S>

@@ -183,6 +183,13 @@ S thrust(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S
   return propeller_flow(ship, motion, controls, local_drift(ship, motion).propeller, branch_at(ship, motion, controls)).thrust;
 }
 
+/// m = ρ∇, I_z = m (k_zz² + x_G²).
+inline RigidBody rigid_body(const MmgShip<double>& ship) {
+  const auto& p = ship.particulars;
+  const double m = ship.water.rho * p.nabla;
+  return {.m = m, .x_G = p.x_G, .I_z = m * (p.k_zz * p.k_zz + p.x_G * p.x_G)};
+}
+
 /// Acceleration that a force gives to ship and entrained water.
 ///
 ///     (m + m_x) du/dt − (m + m_y) v r − m x_G r² = X

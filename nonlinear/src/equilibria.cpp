@@ -1,0 +1,187 @@
+#include "swayaw/nonlinear/equilibria.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "swayaw/core/dual.hpp"
+#include "swayaw/core/refusal.hpp"
+
+namespace swayaw {
+namespace {
+
+using Point = Eigen::Vector4d;  ///< u/U, v/U, rL/U, delta
+using D = Dual<4>;
+
+/// Accelerations over U²/L and their derivatives by a point.
+struct Balance {
+  Eigen::Vector3d residual;
+  Eigen::Matrix<double, 3, 4> jacobian;
+};
+
+template <class Model>
+class TurnEquations {
+ public:
+  TurnEquations(const Model& model, const Controls<double>& propulsion, double U)
+      : ship_(cast<D>(model)), propulsion_(cast<D>(propulsion)), U_(U), L_(model.particulars.L) {}
+
+  Balance at(const Point& p) const {
+    const PlanarMotion<D> m{U_ * D(p[0], 0), U_ * D(p[1], 1), U_ / L_ * D(p[2], 2)};
+    const auto c = with_rudder(propulsion_, D(p[3], 3));
+    const auto a = acceleration(ship_, m, forces(ship_, m, c).total());
+    const D scaled[] = {a.u * (L_ / (U_ * U_)), a.v * (L_ / (U_ * U_)), a.r * (L_ * L_ / (U_ * U_))};
+    Balance b;
+    for (int i = 0; i < 3; ++i) {
+      b.residual[i] = scaled[i].a;
+      b.jacobian.row(i) = scaled[i].v.transpose();
+    }
+    return b;
+  }
+
+  SteadyTurn turn_at(const Point& p) const {
+    const Eigen::Matrix3d J = at(p).jacobian.leftCols(3);
+    return {p[3], {U_ * p[0], U_ * p[1], U_ / L_ * p[2]}, (J.eigenvalues().real().array() < 0.0).all()};
+  }
+
+ private:
+  decltype(cast<D>(std::declval<Model>())) ship_;
+  Controls<D> propulsion_;
+  double U_, L_;
+};
+
+/// Unit vector along the curve, on the side of `before`.
+Point tangent(const Balance& b, const Point& before) {
+  const Point t = b.jacobian.fullPivLu().kernel().col(0).normalized();
+  return t.dot(before) < 0.0 ? Point(-t) : t;
+}
+
+/// Newton's method on the plane through `p` across `t`. @return whether it came to a point of the curve
+template <class Equations>
+bool correct(const Equations& equations, Point& p, const Point& t) {
+  const Point plane = p;
+  for (int iteration = 0; iteration < 12; ++iteration) {
+    const Balance b = equations.at(p);
+    Eigen::Matrix4d J;
+    J << b.jacobian, t.transpose();
+    Eigen::Vector4d residual;
+    residual << b.residual, t.dot(p - plane);
+    const Point change = J.partialPivLu().solve(-residual);
+    p += change;
+    const double size = change.cwiseAbs().maxCoeff();
+    if (!(size < 1.0)) return false;
+    if (size < 1e-12) return true;
+  }
+  return equations.at(p).residual.cwiseAbs().maxCoeff() < 1e-11;  // where the force has a kink the last steps may alternate
+}
+
+constexpr double slowest = 0.05;  // u/U at which a curve is left
+
+/// The curve from `start` on, in the direction of `along`, without its first point.
+template <class Equations>
+std::vector<Point> follow(const Equations& equations, const Point& start, const Point& along, double largest, double longest) {
+  constexpr std::size_t most = 20000;
+  std::vector<Point> curve;
+  Point p = start, t = tangent(equations.at(start), along);
+  double step = longest;
+  while (curve.size() < most && std::abs(p[3]) <= largest && p[0] > slowest) {
+    Point next = p + step * t;
+    if (!correct(equations, next, t)) {
+      step *= 0.5;
+      if (step < 1e-7) break;
+      continue;
+    }
+    t = tangent(equations.at(next), next - p);
+    p = next;
+    curve.push_back(p);
+    step = std::min(longest, 1.5 * step);
+  }
+  return curve;
+}
+
+template <class Model>
+std::vector<Point> curve_points(const TurnEquations<Model>& equations, double largest, double step) {
+  Point straight(1.0, 0.0, 0.0, 0.0);
+  const Point across = Point::Unit(3);  // at amidships rudder
+  if (!correct(equations, straight, across)) return {};
+  const Point along = tangent(equations.at(straight), across);
+  auto curve = follow(equations, straight, Point(-along), largest, step);
+  std::ranges::reverse(curve);
+  curve.push_back(straight);
+  const auto rest = follow(equations, straight, along, largest, step);
+  curve.insert(curve.end(), rest.begin(), rest.end());
+  return curve;
+}
+
+/// Speed of the straight course.
+double straight_speed(const Ship& ship, const Controls<double>& propulsion) {
+  const auto steady = steady_motion(ship, with_rudder(propulsion, 0.0), {service_speed(ship), 0.0, 0.0});
+  if (!steady) throw Refusal("the ship has no steady motion ahead near the straight course with this propulsion");
+  return speed(steady->motion);
+}
+
+template <class Model>
+std::vector<SteadyTurn> curve_of(const Model& model, const Controls<double>& propulsion, double U, double largest, double step) {
+  const TurnEquations<Model> equations(model, propulsion, U);
+  std::vector<SteadyTurn> curve;
+  for (const auto& p : curve_points(equations, largest, step)) curve.push_back(equations.turn_at(p));
+  if (curve.size() > 1 && curve.front().delta > curve.back().delta) std::ranges::reverse(curve);
+  return curve;
+}
+
+void add_if_new(std::vector<SteadyMotion>& found, const std::optional<SteadyMotion>& steady, double U, double L) {
+  if (!steady || steady->motion.u < slowest * U) return;
+  const auto same = [&](const SteadyMotion& other) {
+    const auto &a = steady->motion, &b = other.motion;
+    return std::abs(a.u - b.u) + std::abs(a.v - b.v) + std::abs(a.r - b.r) * L < 1e-6 * U;
+  };
+  if (std::ranges::none_of(found, same)) found.push_back(*steady);
+}
+
+/// A fold of the curve between two points: where delta turns back.
+std::vector<std::size_t> folds(const std::vector<SteadyTurn>& curve) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 1; i + 1 < curve.size(); ++i)
+    if ((curve[i].delta - curve[i - 1].delta) * (curve[i + 1].delta - curve[i].delta) < 0.0) result.push_back(i);
+  return result;
+}
+
+}  // namespace
+
+std::vector<SteadyTurn> steady_turn_curve(const Ship& ship, const Controls<double>& propulsion, double largest, double step) {
+  const double U = straight_speed(ship, propulsion);
+  return std::visit([&](const auto& model) { return curve_of(model, propulsion, U, largest, step); }, ship.model);
+}
+
+std::vector<SteadyMotion> steady_turns(const Ship& ship, const Controls<double>& controls) {
+  const double L = length(ship), delta = controls.delta;
+  std::vector<SteadyMotion> found;
+  const double U = straight_speed(ship, controls);
+  const auto curve = steady_turn_curve(ship, controls, std::abs(delta) + 0.05);
+  for (std::size_t i = 1; i < curve.size(); ++i)
+    if ((curve[i - 1].delta - delta) * (curve[i].delta - delta) <= 0.0) add_if_new(found, steady_motion(ship, controls, curve[i].motion), U, L);
+  for (const double u : {0.9, 0.6, 0.3})
+    for (const double v : {-0.4, -0.15, 0.15, 0.4})
+      for (const double r : {-0.9, -0.3, 0.3, 0.9}) add_if_new(found, steady_motion(ship, controls, {u * U, v * U, r * U / L}), U, L);
+  std::ranges::sort(found, {}, [](const SteadyMotion& s) { return s.motion.r; });
+  return found;
+}
+
+std::optional<InstabilityLoop> instability_loop(const std::vector<SteadyTurn>& curve) {
+  const auto turning = folds(curve);
+  if (turning.size() < 2) return std::nullopt;
+  const auto &first = curve[turning.front()], &last = curve[turning.back()];
+  const double neutral = 0.5 * (first.delta + last.delta);
+  double lowest = 0.0, highest = 0.0;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const auto &a = curve[i - 1], &b = curve[i];
+    if ((a.delta - neutral) * (b.delta - neutral) > 0.0 || !b.stable) continue;
+    const double r = a.motion.r + (b.motion.r - a.motion.r) * (neutral - a.delta) / (b.delta - a.delta);
+    lowest = std::min(lowest, r);
+    highest = std::max(highest, r);
+  }
+  return InstabilityLoop{.width = std::abs(first.delta - last.delta), .height = highest - lowest};
+}
+
+}  // namespace swayaw

@@ -1,0 +1,154 @@
+#include "swayaw/nonlinear/linearization.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "swayaw/core/dual.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
+
+namespace swayaw {
+namespace {
+
+using D = Dual<4>;
+
+AccelerationDerivatives derivatives_of(const PlanarAcceleration<D>& a) {
+  AccelerationDerivatives result;
+  const D* rows[] = {&a.u, &a.v, &a.r};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 4; ++k) result.d[i][k] = rows[i]->v[static_cast<int>(k)];
+  return result;
+}
+
+/// The motion, turned a little to that side, so that kinks show which branch the turn is on.
+PlanarMotion<double> turned(const PlanarMotion<double>& m, Side side, double L) {
+  const double U = speed(m), turn = 1e-9 * yaw_sign(side);
+  return {m.u, m.v - turn * U, m.r + turn * U / L};
+}
+
+/// The force of a part alone, with its derivatives; motion without.
+template <class Model>
+std::vector<PartDerivatives> parts_on(const Model& model, const OperatingPoint& point, Side side) {
+  const auto ship = cast<D>(model);
+  const auto& [m, c] = point;
+  const PlanarMotion<D> motion{D(m.u, 0), D(m.v, 1), D(m.r, 2)}, held{D(m.u), D(m.v), D(m.r)};
+  const auto controls = with_rudder(cast<D>(c), D(c.delta, 3));
+  const auto branch = branch_at(model, turned(m, side, model.particulars.L), c);
+  const auto split = forces(ship, motion, controls, branch);
+  std::vector<PartDerivatives> result;
+  for (const auto& part : split.parts()) result.push_back({std::string(part.name), derivatives_of(acceleration(ship, held, part.force))});
+  const auto total = split.total();
+  const PlanarForce<D> constant{D(total.X.a), D(total.Y.a), D(total.N.a)};
+  result.push_back({"centrifugal", derivatives_of(acceleration(ship, motion, constant))});
+  return result;
+}
+
+AccelerationDerivatives mean(const AccelerationDerivatives& a, const AccelerationDerivatives& b) {
+  AccelerationDerivatives result;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 4; ++k) result.d[i][k] = 0.5 * (a.d[i][k] + b.d[i][k]);
+  return result;
+}
+
+template <class Model>
+std::vector<PartDerivatives> parts_on_side(const Model& model, const OperatingPoint& point, std::optional<Side> side) {
+  if (side) return parts_on(model, point, *side);
+  auto parts = parts_on(model, point, Side::port);
+  const auto starboard = parts_on(model, point, Side::starboard);
+  for (std::size_t i = 0; i < parts.size(); ++i) parts[i].derivatives = mean(parts[i].derivatives, starboard[i].derivatives);
+  return parts;
+}
+
+std::array<std::complex<double>, 3> poles_of(const AccelerationDerivatives& a) {
+  Eigen::Matrix3d J;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) J(i, k) = a.d[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
+  const auto values = J.eigenvalues();
+  return {values[0], values[1], values[2]};
+}
+
+/// Virtual masses of sway and yaw: the inverse of what unit force and moment accelerate, less the ship's own.
+template <class Model>
+SnameDerivatives<double> masses_of(const Model& model) {
+  const PlanarMotion<double> rest{0.0, 0.0, 0.0};
+  const auto by_force = acceleration(model, rest, {0.0, 1.0, 0.0}), by_moment = acceleration(model, rest, {0.0, 0.0, 1.0});
+  const double det = by_force.v * by_moment.r - by_force.r * by_moment.v;
+  const double L = model.particulars.L, unit = 0.5 * model.water.rho * L * L * L;
+  const auto own = rigid_body(model);
+  SnameDerivatives<double> d{};
+  d.m = own.m / unit;
+  d.x_G = own.x_G / L;
+  d.I_z = own.I_z / (unit * L * L);
+  d.Y_vdot = d.m - by_moment.r / det / unit;
+  d.Y_rdot = d.m * d.x_G + by_moment.v / det / (unit * L);
+  d.N_vdot = d.m * d.x_G + by_force.r / det / (unit * L);
+  d.N_rdot = d.I_z - by_force.v / det / (unit * L * L);
+  return d;
+}
+
+template <class Model>
+void require_steady(const Model& model, const OperatingPoint& point) {
+  const auto& [m, c] = point;
+  if (!(m.u > 0.0)) throw Refusal(fmt::format("a ship is linearized under way ahead, not at u = {:.6g} m/s", m.u));
+  const double L = model.particulars.L, U = speed(m), unit = U * U / L;
+  const auto a = acceleration(model, m, forces(model, m, c).total());
+  const double size = std::max({std::abs(a.u), std::abs(a.v), std::abs(a.r) * L}) / unit;
+  if (!(size <= 1e-6))
+    throw Refusal(fmt::format("u = {:.6g} m/s, v = {:.6g} m/s, r = {:.6g} rad/s, delta = {:.6g} rad is no steady motion: the ship accelerates by {:.3g} U2/L",
+                              m.u, m.v, m.r, c.delta, size));
+}
+
+template <class Model>
+Linearization linearize_model(const Model& model, const OperatingPoint& point, std::optional<Side> side) {
+  require_steady(model, point);
+  Linearization result{.point = point, .scale = {.L = model.particulars.L, .U = speed(point.motion)}, .whole = {},
+                       .parts = parts_on_side(model, point, side), .masses = masses_of(model), .poles = {}};
+  for (const auto& part : result.parts) result.whole += part.derivatives;
+  result.poles = poles_of(result.whole);
+  return result;
+}
+
+OperatingPoint settled(const Ship& ship, const Controls<double>& controls, double speed) {
+  const auto steady = steady_motion(ship, controls, {speed, 0.0, 0.0});
+  if (!steady) throw Refusal("the ship has no steady motion ahead near the straight course with this propulsion");
+  return {steady->motion, controls};
+}
+
+}  // namespace
+
+AccelerationDerivatives& AccelerationDerivatives::operator+=(const AccelerationDerivatives& other) {
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 4; ++k) d[i][k] += other.d[i][k];
+  return *this;
+}
+
+Linearization linearize(const Ship& ship, const OperatingPoint& point, std::optional<Side> side) {
+  return std::visit([&](const auto& model) { return linearize_model(model, point, side); }, ship.model);
+}
+
+bool has_kink(const Ship& ship, const OperatingPoint& point) {
+  const auto differs = [&](const auto& model) {
+    const double L = model.particulars.L;
+    return branch_at(model, turned(point.motion, Side::port, L), point.controls) !=
+           branch_at(model, turned(point.motion, Side::starboard, L), point.controls);
+  };
+  return std::visit(differs, ship.model);
+}
+
+SwayYawCoefficients<double> sway_yaw(const AccelerationDerivatives& a, const PrimeScale& scale) {
+  const DimensionalSwayYaw<double> d{a.d[1][1], a.d[1][2], a.d[1][3], a.d[2][1], a.d[2][2], a.d[2][3]};
+  return to_prime(d, scale);
+}
+
+SnameDerivatives<double> sname(const Linearization& linear) { return sname_derivatives(sway_yaw(linear.whole, linear.scale), linear.masses); }
+
+OperatingPoint straight_course(const Ship& ship, double speed) { return settled(ship, self_propulsion(ship, speed), speed); }
+
+OperatingPoint straight_course(const Ship& ship, const Controls<double>& propulsion) {
+  return settled(ship, propulsion, service_speed(ship));
+}
+
+}  // namespace swayaw
