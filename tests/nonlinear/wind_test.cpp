@@ -209,6 +209,17 @@ TEST_CASE("in still air the load and all its derivatives are zero", "[nonlinear]
   }
 }
 
+TEST_CASE("a ship without areas feels no wind", "[nonlinear][limit]") {
+  using D = Dual<5>;
+  const auto force = load(Windage<D>{}, {D(12.0, 0), D(1.0, 1), D(3.0, 2), D(0.2, 3), D(0.4, 4)});
+  for (const auto& component : force) {
+    CHECK(component.a == 0.0);
+    CHECK(component.v.isZero(0.0));
+  }
+  const Windage<double> nothing{.rho = 0.0, .C_Dt = 0.0, .C_Dl_bow = 0.0, .C_Dl_stern = 0.0, .delta = 0.0};
+  for (const double component : load(nothing, {12.0, 1.0, 3.0, 0.2, 0.4})) CHECK(component == 0.0);
+}
+
 TEST_CASE("the slope of the load vanishes with the speed of the air", "[nonlinear][limit]") {
   using D = Dual<2>;
   RandomWinds random(40);

@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/windage.hpp"
+#include "swayaw/nonlinear/windage_sources.hpp"
 
 #include <algorithm>
 #include <catch.hpp>
@@ -149,7 +149,8 @@ TEST_CASE("tables that make no curve are refused", "[nonlinear][refusal]") {
 }
 
 TEST_CASE("windage areas alone make the windage of a loaded tanker", "[nonlinear][limit]") {
-  const auto& kvlcc2 = test::mmg(test::kvlcc2()).particulars;
+  const auto ship = test::kvlcc2();
+  const auto& kvlcc2 = test::mmg(ship).particulars;
   const auto windage = windage_from({.frontal = kvlcc2.A_front, .lateral = kvlcc2.A_lateral, .length = kvlcc2.L});
   REQUIRE(windage);
   const auto& tanker = blendermann_ship("tanker_loaded");

@@ -1,104 +1,116 @@
 #pragma once
 
 #include <array>
-#include <optional>
-#include <string_view>
-#include <vector>
+#include <variant>
 
-#include "swayaw/nonlinear/wind.hpp"
+#include "swayaw/core/parameter.hpp"
+#include "swayaw/nonlinear/periodic_curve.hpp"
 
-/// Where the numbers of a windage come from: ship types, profiles of merchant ships, tables of a wind tunnel.
+/// What the wind takes hold of: areas and coefficients over the angle of attack alpha.
+///
+/// alpha is where the air comes from, seen from the moving ship: 0 ahead, pi/2 on the starboard beam, pi astern.
+/// C_X < 0 in wind from ahead, C_Y < 0 in wind from starboard. docs/wind.md tells formulas, signs and sources.
 namespace swayaw {
 
-/// Drag and cross force of a type of ship.
-struct BlendermannShip {
-  std::string_view type;
-  double C_Dt;        ///< transverse drag
-  double C_Dl_bow;    ///< longitudinal drag in wind from ahead
-  double C_Dl_stern;  ///< the same in wind from astern
-  double delta;       ///< cross-force parameter
+/// C_X, C_Y, C_N at one angle, or their curves over all angles, in body axes about midship:
+///
+///     X = ½ρV_A² A_F C_X,   Y = ½ρV_A² A_L C_Y,   N = ½ρV_A² A_L L_OA C_N
+template <class T = double>
+struct WindCoefficients {
+  T X, Y, N;
 };
 
-/// Source: [Blendermann1994], as tabled in [MSS] blendermann94.m; a printed range is taken at its middle.
-inline constexpr std::array blendermann_ships{
-    BlendermannShip{"car_carrier", 0.95, 0.55, 0.60, 0.80},
-    BlendermannShip{"cargo_vessel_loaded", 0.85, 0.65, 0.55, 0.40},
-    BlendermannShip{"cargo_vessel_containers_on_deck", 0.85, 0.55, 0.50, 0.40},
-    BlendermannShip{"container_ship_loaded", 0.90, 0.55, 0.55, 0.40},
-    BlendermannShip{"destroyer", 0.85, 0.60, 0.65, 0.65},
-    BlendermannShip{"diving_support_vessel", 0.90, 0.60, 0.80, 0.55},
-    BlendermannShip{"drilling_vessel", 1.00, 0.5 * (0.70 + 1.00), 0.5 * (0.75 + 1.10), 0.10},
-    BlendermannShip{"ferry", 0.90, 0.45, 0.50, 0.80},
-    BlendermannShip{"fishing_vessel", 0.95, 0.70, 0.70, 0.40},
-    BlendermannShip{"gas_tanker", 0.70, 0.60, 0.65, 0.50},
-    BlendermannShip{"offshore_supply_vessel", 0.90, 0.55, 0.80, 0.55},
-    BlendermannShip{"passenger_liner", 0.90, 0.40, 0.40, 0.80},
-    BlendermannShip{"research_vessel", 0.85, 0.55, 0.65, 0.60},
-    BlendermannShip{"speed_boat", 0.90, 0.55, 0.60, 0.60},
-    BlendermannShip{"tanker_loaded", 0.70, 0.90, 0.55, 0.40},
-    BlendermannShip{"tanker_in_ballast", 0.70, 0.75, 0.55, 0.40},
-    BlendermannShip{"tender", 0.85, 0.55, 0.55, 0.65},
+template <class S = double>
+using WindSeries = WindCoefficients<FourierSeries<S>>;
+using WindSpline = WindCoefficients<PeriodicSpline>;
+
+/// What the wind takes hold of; with areas 0 she feels no wind. Drag coefficients that are not given are those of a loaded tanker.
+template <class S = double>
+struct Windage {
+  S rho = S(1.225);        ///< density of the air [kg/m^3], [ISO2533] at sea level and 15 °C
+  S A_F = S(0.0);          ///< frontal projected area above water [m^2]
+  S A_L = S(0.0);          ///< lateral projected area above water [m^2]
+  S L_OA = S(0.0);         ///< length over all [m]
+  S x_A = S(0.0);          ///< centroid of the lateral area forward of midship [m]
+  S C_Dt = S(0.70);        ///< transverse drag, on the lateral area
+  S C_Dl_bow = S(0.90);    ///< longitudinal drag in wind from ahead, on the frontal area
+  S C_Dl_stern = S(0.55);  ///< the same in wind from astern
+  S delta = S(0.40);       ///< cross-force parameter
+  /// Given coefficients; where there are some they act, and the four numbers above are not read.
+  std::variant<std::monostate, WindSeries<S>, WindSpline> given{};
+
+  static constexpr auto parameters() {
+    using P = Parameter<Windage, S>;
+    constexpr auto coefficient = Role::coefficient;
+    return std::array{
+        P{"air_density_kg_m3", &Windage::rho, "kg/m3", positive},
+        P{"frontal_area_m2", &Windage::A_F, "m2", positive},
+        P{"lateral_area_m2", &Windage::A_L, "m2", positive},
+        P{"length_over_all_m", &Windage::L_OA, "m", positive},
+        P{.key = "lateral_centroid_m", .member = &Windage::x_A, .unit = "m", .range = any_number, .role = coefficient, .required = false},
+        P{"transverse_drag", &Windage::C_Dt, "-", positive, coefficient},
+        P{"bow_drag", &Windage::C_Dl_bow, "-", non_negative, coefficient},
+        P{"stern_drag", &Windage::C_Dl_stern, "-", non_negative, coefficient},
+        P{"cross_force", &Windage::delta, "-", fraction, coefficient},
+    };
+  }
 };
 
-/// @throws std::domain_error  naming the known types, if the type is not one of them
-const BlendermannShip& blendermann_ship(std::string_view type);
+/// a/b, and 0 for a ship without areas or length, whose load is 0.
+template <class S>
+S ratio(const S& a, const S& b) {
+  const auto known = b > S(0.0);
+  return select(known, S(a / select(known, b, S(1.0))), S(0.0));
+}
 
-/// What a ship file of the MMG model knows of the ship above water.
-struct WindageAreas {
-  double frontal;  ///< A_F [m^2]
-  double lateral;  ///< A_L [m^2]
-  double length;   ///< length over all [m], or between perpendiculars for want of it
-};
-
-/// Windage from areas alone: standard air, lateral area centred at midship, drag of the type of ship.
+/// Coefficients from areas and drag.
 ///
-/// @return nothing when an area is 0, that is not known
-/// @throws std::domain_error  if an area is negative, the length is not positive or the type is not known
-std::optional<Windage<double>> windage_from(const WindageAreas& areas, std::string_view type = "tanker_loaded");
-
-/// Coefficients at one angle of attack, in the axes of docs/notation.md.
-struct WindRow {
-  double angle;  ///< alpha, where the air comes from, clockwise from the bow [rad]
-  double C_X;    ///< negative in wind from ahead
-  double C_Y;    ///< negative in wind from starboard
-  double C_N;    ///< about midship, positive for bow to starboard
-};
-
-using WindTable = std::vector<WindRow>;
-
-/// Port and starboard exchanged: alpha, C_Y and C_N change sign. So a table is read that counts angles to port
-/// and C_Y positive in wind from port.
-WindTable mirrored(WindTable table);
-
-/// The table of a symmetric ship from that of one side, 0 … 180 deg: C_X is even, C_Y and C_N are odd.
-WindTable both_sides(const WindTable& one_side);
-
-/// Periodic cubic splines through a table of the whole circle. Rows may come in any order and in any turn; 0 and
-/// 360 deg may both be there.
+///     D = 1 − ½ delta (1 − C_Dl A_F/(A_L C_Dt)) sin²(2 alpha),   C_Dl of bow or stern, where the wind comes from
+///     C_X = −C_Dl cos(alpha)/D,   C_Y = −C_Dt sin(alpha)/D,   C_N = (x_A/L_OA − 0.18 (|alpha| − pi/2)) C_Y
 ///
-/// @throws std::domain_error  if two rows of one angle differ, as they do when `both_sides` got a C_Y or C_N that is not 0
-///                            ahead or astern, or if fewer than three angles remain
-WindSpline wind_spline(WindTable table);
+/// C_X has a kink on the beam unless bow and stern drag agree.
+/// Source: [Blendermann1994], in the form of [MSS] blendermann94.m, where the angle counts to port
+template <class S>
+WindCoefficients<S> blendermann_coefficients(const Windage<S>& w, const S& alpha) {
+  const S c = cos(alpha), s = sin(alpha);
+  const S off_bow = select(alpha < S(0.0), S(-alpha), alpha);  // |alpha|
+  const S C_Dl = select(c < S(0.0), w.C_Dl_stern, w.C_Dl_bow);
+  const S sine = 2.0 * s * c;  // sin(2 alpha)
+  const S D = 1.0 - 0.5 * w.delta * (1.0 - ratio(S(C_Dl * w.A_F), S(w.A_L * w.C_Dt))) * sine * sine;
+  const S C_Y = -w.C_Dt * s / D;
+  return {.X = -C_Dl * c / D, .Y = C_Y, .N = (ratio(w.x_A, w.L_OA) - 0.18 * (off_bow - 0.5 * pi)) * C_Y};
+}
 
-/// Profile of a merchant ship, beside the areas of her windage.
-struct IsherwoodProfile {
-  double B;          ///< beam [m]
-  double A_SS;       ///< lateral area of the superstructure [m^2]
-  double perimeter;  ///< of the lateral projection without waterline, masts and ventilators [m]
-  double masts;      ///< groups of masts or king posts seen from the side, those close before the bridge not counted
-};
+/// Values of three curves.
+template <class Curve, class S>
+WindCoefficients<S> coefficients_at(const WindCoefficients<Curve>& curves, const S& alpha) {
+  return {value_at(curves.X, alpha), value_at(curves.Y, alpha), value_at(curves.N, alpha)};
+}
 
-/// Coefficients every 10 deg on both sides, from regression over model tests of merchant ships.
-///
-///     −C_X = A_0 + A_1 2A_L/L² + A_2 2A_F/B² + A_3 L/B + A_4 S/L + A_5 C/L + A_6 M
-///     −C_Y = B_0 + B_1 2A_L/L² + B_2 2A_F/B² + B_3 L/B + B_4 S/L + B_5 C/L + B_6 A_SS/A_L
-///     −C_N = C_0 + C_1 2A_L/L² + C_2 2A_F/B² + C_3 L/B + C_4 S/L + C_5 C/L
-///
-/// for wind from starboard, with L = L_OA and the centroid C = L/2 − x_A from the bow.
-/// Valid for merchant ships of the sixties; a regression is no guide far from them.
-/// Source: [Isherwood1973] as tabled in [MSS] isherwood72.m, where the angle counts to port
-///
-/// @throws std::domain_error  if area, length or beam is not positive
-WindTable isherwood_table(const Windage<double>& windage, const IsherwoodProfile& profile);
+/// C_X, C_Y, C_N of the ship; alpha in [−pi, pi].
+template <class S>
+WindCoefficients<S> coefficients_at(const Windage<S>& windage, const S& alpha) {
+  if (const auto* series = std::get_if<WindSeries<S>>(&windage.given)) return coefficients_at(*series, alpha);
+  if (const auto* spline = std::get_if<WindSpline>(&windage.given)) return coefficients_at(*spline, alpha);
+  return blendermann_coefficients(windage, alpha);
+}
+
+template <class To, class From>
+FourierSeries<To> cast_series(const FourierSeries<From>& f) {
+  return {To(f.a_0), {f.a.begin(), f.a.end()}, {f.b.begin(), f.b.end()}};
+}
+
+/// The same windage with another scalar, given coefficients included.
+template <class To, class From>
+Windage<To> cast_part(const Windage<From>& windage) {
+  Windage<To> result{};
+  constexpr auto source = Windage<From>::parameters();
+  constexpr auto target = Windage<To>::parameters();
+  for (std::size_t i = 0; i < source.size(); ++i) result.*target[i].member = To(windage.*source[i].member);
+  if (const auto* series = std::get_if<WindSeries<From>>(&windage.given))
+    result.given = WindSeries<To>{cast_series<To>(series->X), cast_series<To>(series->Y), cast_series<To>(series->N)};
+  if (const auto* spline = std::get_if<WindSpline>(&windage.given)) result.given = *spline;
+  return result;
+}
 
 }  // namespace swayaw

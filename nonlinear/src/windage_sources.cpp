@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/windage.hpp"
+#include "swayaw/nonlinear/windage_sources.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
