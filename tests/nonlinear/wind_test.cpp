@@ -2,6 +2,7 @@
 
 #include <catch.hpp>
 #include <set>
+#include <tuple>
 
 #include "random_windage.hpp"
 #include "swayaw/core/dual.hpp"
@@ -269,6 +270,29 @@ TEST_CASE("every number of a windage has its key and keeps its range", "[nonline
     }
   }
   CHECK(keys.size() == 9);
+}
+
+TEST_CASE("numbers that a windage is not given are those of a ship file that does not give them", "[nonlinear][second-route]") {
+  const Windage<double> windage;
+  for (const auto& parameter : Windage<double>::parameters()) CHECK(windage.*parameter.member == parameter.fallback);
+}
+
+/// A ship that has a windage among her parts.
+template <class S = double>
+struct Boat {
+  Windage<S> windage;
+
+  static constexpr auto sections() { return std::tuple{Section<Boat, Windage<S>>{"windage", &Boat::windage}}; }
+};
+
+TEST_CASE("a ship with another scalar keeps the given coefficients of her windage", "[nonlinear][round-trip]") {
+  RandomWinds random(42);
+  for (const auto& windage : random.of_all_forms()) {
+    const auto boat = cast<Dual<1>>(Boat<double>{windage});
+    const ApparentWind<double> air{-7.0, 4.0};
+    CHECK(boat.windage.given.index() == windage.given.index());
+    CHECK_THAT(wind_force(boat.windage, ApparentWind<Dual<1>>{Dual<1>(air.u), Dual<1>(air.v)}).N.a, WithinRel(wind_force(windage, air).N, 1e-12));
+  }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 #include <variant>
 
 #include "swayaw/core/parameter.hpp"
@@ -41,17 +42,19 @@ struct Windage {
 
   static constexpr auto parameters() {
     using P = Parameter<Windage, S>;
-    constexpr auto coefficient = Role::coefficient;
+    constexpr auto drag = [](std::string_view key, S Windage::*member, Range range, double fallback) {
+      return P{.key = key, .member = member, .unit = "-", .range = range, .role = Role::coefficient, .required = false, .fallback = fallback};
+    };
     return std::array{
-        P{"air_density_kg_m3", &Windage::rho, "kg/m3", positive},
+        P{.key = "air_density_kg_m3", .member = &Windage::rho, .unit = "kg/m3", .range = positive, .required = false, .fallback = 1.225},
         P{"frontal_area_m2", &Windage::A_F, "m2", positive},
         P{"lateral_area_m2", &Windage::A_L, "m2", positive},
         P{"length_over_all_m", &Windage::L_OA, "m", positive},
-        P{.key = "lateral_centroid_m", .member = &Windage::x_A, .unit = "m", .range = any_number, .role = coefficient, .required = false},
-        P{"transverse_drag", &Windage::C_Dt, "-", positive, coefficient},
-        P{"bow_drag", &Windage::C_Dl_bow, "-", non_negative, coefficient},
-        P{"stern_drag", &Windage::C_Dl_stern, "-", non_negative, coefficient},
-        P{"cross_force", &Windage::delta, "-", fraction, coefficient},
+        P{.key = "lateral_centroid_m", .member = &Windage::x_A, .unit = "m", .range = any_number, .role = Role::coefficient, .required = false},
+        drag("transverse_drag", &Windage::C_Dt, positive, 0.70),
+        drag("bow_drag", &Windage::C_Dl_bow, non_negative, 0.90),
+        drag("stern_drag", &Windage::C_Dl_stern, non_negative, 0.55),
+        drag("cross_force", &Windage::delta, fraction, 0.40),
     };
   }
 };
