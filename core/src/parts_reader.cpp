@@ -31,7 +31,7 @@ std::string requirement(const Range& range) {
   return fmt::format("must lie between {} and {}", range.low, range.high);
 }
 
-enum class Holds { text, table, effects, number, choice };
+enum class Holds { text, table, effects, number, choice, list };
 
 /// A key that a table may have.
 struct KnownKey {
@@ -45,8 +45,8 @@ struct KnownKey {
   std::string name() const { return holds == Holds::table ? fmt::format("[{}]", key) : key; }
 };
 
-/// The keys of a ship file with these numbers and choices, without those of [confidence].
-std::vector<KnownKey> known_keys(std::span<const FileNumber> numbers, std::span<const FileChoice> choices) {
+/// All keys of a ship file, without those of [confidence].
+std::vector<KnownKey> known_keys(const FileKeys& file) {
   std::vector<KnownKey> keys{
       {"", "name", Holds::text}, {"", "model", Holds::text}, {"", "confidence", Holds::table, false}, {"", "effect", Holds::effects, false}};
   const auto require_table = [&](std::string_view table, bool required) {
@@ -55,16 +55,18 @@ std::vector<KnownKey> known_keys(std::span<const FileNumber> numbers, std::span<
     if (known == keys.end()) keys.push_back({"", std::string(table), Holds::table, required});
     else known->required = known->required || required;
   };
-  for (const auto& n : numbers) {
+  for (const auto& n : file.numbers) {
     require_table(n.table, n.required);
     const auto [key, index] = place_of(n.key);
     if (index.value_or(0) > 0) ++keys.back().numbers;
     else keys.push_back({std::string(n.table), std::string(key), Holds::number, n.required, n.role == Role::coefficient});
   }
-  for (const auto& c : choices) {
-    require_table(c.table, false);
-    keys.push_back({std::string(c.table), std::string(c.key), Holds::choice, false});
-  }
+  const auto add_optional = [&](std::string_view table, std::string_view key, Holds holds) {
+    require_table(table, false);
+    keys.push_back({std::string(table), std::string(key), holds, false});
+  };
+  for (const auto& c : file.choices) add_optional(c.table, c.key, Holds::choice);
+  for (const auto& l : file.lists) add_optional(l.table, l.key, Holds::list);
   return keys;
 }
 
@@ -106,19 +108,19 @@ class ShipText {
   const std::filesystem::path& file_;
 };
 
-/// Fills the numbers of one model.
-class NumberReader {
+/// Fills what was asked for.
+class KeysReader {
  public:
-  NumberReader(const ShipText& file, std::span<const FileNumber> numbers, std::span<const FileChoice> choices)
-      : file_(file), numbers_(numbers), choices_(choices), keys_(known_keys(numbers, choices)) {}
+  KeysReader(const ShipText& file, const FileKeys& wanted) : file_(file), wanted_(wanted), keys_(known_keys(wanted)) {}
 
   ShipFileHead read() const {
     require_keys(file_.root(), "");
     ShipFileHead head{.name = file_.text("name"), .confidence = {}};
     for (const auto& k : keys_)
       if (k.holds == Holds::table && k.key != "confidence" && file_.root().contains(k.key)) require_keys(file_.table(k.key), k.key);
-    for (const auto& n : numbers_) read_number(n);
-    for (const auto& c : choices_) read_choice(c);
+    for (const auto& n : wanted_.numbers) read_number(n);
+    for (const auto& c : wanted_.choices) read_choice(c);
+    for (const auto& l : wanted_.lists) read_list(l);
     read_confidence(head.confidence);
     return head;
   }
@@ -168,6 +170,14 @@ class NumberReader {
     c.value->index = static_cast<int>(found - c.names.begin());
   }
 
+  void read_list(const FileList& l) const {
+    const auto* node = node_of(l.table, l.key);
+    if (!node) return;
+    const auto* list = node->as_array();
+    if (!list) file_.fail(*node, fmt::format("{} in [{}] must be a list of numbers", l.key, l.table));
+    for (const auto& element : *list) l.value->push_back(number(element, {l.key, std::nullopt}, l.table, any_number) * l.si);
+  }
+
   double number(const toml::node& node, const KeyPlace& place, std::string_view table, const Range& range) const {
     const auto& element = place.index ? list_element(node, place, table) : node;
     const auto value = element.value<double>();
@@ -203,8 +213,7 @@ class NumberReader {
   }
 
   const ShipText& file_;
-  std::span<const FileNumber> numbers_;
-  std::span<const FileChoice> choices_;
+  const FileKeys& wanted_;
   std::vector<KnownKey> keys_;
 };
 
@@ -252,9 +261,9 @@ bool PartsReader::has(std::string_view table, std::string_view key) const {
   return found && found->contains(key);
 }
 
-ShipFileHead PartsReader::read(std::span<const FileNumber> numbers, std::span<const FileChoice> choices) const {
+ShipFileHead PartsReader::read(const FileKeys& keys) const {
   const auto text = document_->text();
-  return NumberReader(text, numbers, choices).read();
+  return KeysReader(text, keys).read();
 }
 
 std::vector<FileEffect> PartsReader::effects() const {

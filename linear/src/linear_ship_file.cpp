@@ -73,7 +73,7 @@ struct TableFile {
 template <class File>
 LinearShip read_as(const PartsReader& reader) {
   File file{};
-  auto head = reader.read(file_numbers(file));
+  auto head = reader.read({file_numbers(file), {}, {}});
   if (file.gear.lag > 0.0) reader.fail("rudder", "lag_s", "a linear ship's rudder keeps its rate until it arrives; lag_s is not understood here");
   if (file.gear.dead_band > 0.0) reader.fail("rudder", "dead_band_deg", "dead_band_deg is not understood in a linear ship");
   return {std::move(head.name), file.particulars, file.gear, file.form(), std::move(head.confidence)};

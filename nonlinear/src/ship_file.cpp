@@ -6,15 +6,12 @@
 #include <array>
 
 #include "swayaw/core/atomic_file.hpp"
+#include "swayaw/core/angle.hpp"
 #include "swayaw/core/parts_reader.hpp"
+#include "swayaw/nonlinear/windage_sources.hpp"
 
 namespace swayaw {
 namespace {
-
-template <class Model>
-ShipFileHead read_into(Model& model, const PartsReader& file) {
-  return file.read(file_numbers(model), file_choices(model));
-}
 
 // ---------------------------------------------------------------- what a model asks beyond its lists
 
@@ -23,6 +20,8 @@ void require_consistent(const MmgShip<double>& ship, const PartsReader& file) {
   if (ship.engine.Q_max == 0.0) file.fail("engine", "kind", "a torque limited engine needs torque_limit_kN_m");
   if (ship.propeller.q_0 == 0.0) file.fail("engine", "kind", "a torque limited engine needs the torque curve kq in [propeller]");
 }
+
+void require_consistent(const AbkowitzShip<double>&, const PartsReader&) {}
 
 // ---------------------------------------------------------------- effects
 
@@ -43,28 +42,104 @@ void read_effect(const FileEffect& effect, std::span<const EffectNumber> numbers
   }
 }
 
-Surroundings<double> surroundings_of(const PartsReader& file) {
-  Surroundings<double> around;
+void read_effects(Surroundings<double>& around, const PartsReader& file) {
   for (const auto& effect : file.effects()) {
-    if (effect.kind == "steady_current")
+    if (effect.kind == "steady_wind") {
+      if (around.windage.A_L == 0.0) file.fail(effect, "wind needs frontal and lateral area of the ship, in [windage] or [particulars]");
+      read_effect(effect, std::array{EffectNumber{"wind_speed_m_s", &around.wind.speed}, EffectNumber{"wind_from_rad", &around.wind.from}}, file);
+      around.windy = around.wind.speed > 0.0;
+    } else if (effect.kind == "steady_current")
       read_effect(effect, std::array{EffectNumber{"current_speed_m_s", &around.current.speed}, EffectNumber{"current_to_rad", &around.current.to}}, file);
     else file.fail(effect, fmt::format("effect {} is not understood by this version", effect.kind));
   }
-  return around;
 }
+
+// ---------------------------------------------------------------- windage
+
+/// The table [windage] as it stands in the file.
+struct WindageTable {
+  Windage<double> windage;
+  Selection type{.index = -1};
+  std::vector<double> angle, C_X, C_Y, C_N;
+};
+
+constexpr auto windage_types = [] {
+  std::array<std::string_view, blendermann_ships.size()> names;
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = blendermann_ships[i].type;
+  return names;
+}();
+
+void add_keys(FileKeys& keys, WindageTable& table) {
+  add_numbers(keys.numbers, "windage", table.windage);
+  keys.choices.push_back({"windage", "type", windage_types, &table.type});
+  keys.lists.push_back({"windage", "angle_deg", radians(1.0), &table.angle});
+  keys.lists.push_back({"windage", "C_X", 1.0, &table.C_X});
+  keys.lists.push_back({"windage", "C_Y", 1.0, &table.C_Y});
+  keys.lists.push_back({"windage", "C_N", 1.0, &table.C_N});
+}
+
+/// Drag of the type of ship, where the table does not give its own.
+void take_type(WindageTable& table, const PartsReader& file) {
+  const auto& ship = blendermann_ships[static_cast<std::size_t>(table.type.index)];
+  auto& w = table.windage;
+  if (!file.has("windage", "transverse_drag")) w.C_Dt = ship.C_Dt;
+  if (!file.has("windage", "bow_drag")) w.C_Dl_bow = ship.C_Dl_bow;
+  if (!file.has("windage", "stern_drag")) w.C_Dl_stern = ship.C_Dl_stern;
+  if (!file.has("windage", "cross_force")) w.delta = ship.delta;
+}
+
+WindSpline spline_of(const WindageTable& table, const PartsReader& file) {
+  const auto rows = table.angle.size();
+  for (const auto& [key, list] : {std::pair{"C_X", &table.C_X}, {"C_Y", &table.C_Y}, {"C_N", &table.C_N}})
+    if (list->size() != rows) file.fail("windage", key, fmt::format("{} in [windage] has {} numbers, angle_deg {}", key, list->size(), rows));
+  WindTable coefficients;
+  for (std::size_t i = 0; i < rows; ++i) coefficients.push_back({table.angle[i], table.C_X[i], table.C_Y[i], table.C_N[i]});
+  const bool one_side = std::ranges::max(table.angle) <= pi * (1.0 + 1e-9) && std::ranges::min(table.angle) >= 0.0;
+  try {
+    return wind_spline(one_side ? both_sides(coefficients) : coefficients);
+  } catch (const std::domain_error& trouble) {
+    file.fail("windage", "angle_deg", trouble.what());
+  }
+}
+
+Windage<double> windage_of(WindageTable table, const PartsReader& file) {
+  if (table.type.index >= 0) take_type(table, file);
+  if (!table.angle.empty()) table.windage.given = spline_of(table, file);
+  return table.windage;
+}
+
+/// From the areas that [particulars] may have; a ship without them feels no wind.
+template <class Model>
+Windage<double> windage_of(const Model& model) {
+  if constexpr (requires { model.particulars.A_front; }) {
+    const auto& p = model.particulars;
+    return windage_from({.frontal = p.A_front, .lateral = p.A_lateral, .length = p.L}).value_or(Windage<double>{});
+  } else {
+    return {};
+  }
+}
+
+// ---------------------------------------------------------------- the whole
 
 template <class Model>
 Ship read_as(const PartsReader& file) {
   Model model{};
-  auto head = read_into(model, file);
+  WindageTable table;
+  auto keys = file_keys(model);
+  const bool own_windage = file.has("windage");
+  if (own_windage) add_keys(keys, table);
+  auto head = file.read(keys);
   require_consistent(model, file);
-  return {.name = std::move(head.name), .model = model, .confidence = std::move(head.confidence), .surroundings = surroundings_of(file)};
+  Surroundings<double> around{.windage = own_windage ? windage_of(table, file) : windage_of(model), .wind = {}, .current = {}};
+  read_effects(around, file);
+  return {.name = std::move(head.name), .model = model, .confidence = std::move(head.confidence), .surroundings = around};
 }
 
 }  // namespace
 
 Ship parse_ship(std::string_view text, const std::filesystem::path& name) {
   const PartsReader file(text, name);
+  if (file.model() == "abkowitz") return read_as<AbkowitzShip<double>>(file);
   file.require_model("mmg");
   return read_as<MmgShip<double>>(file);
 }

@@ -74,11 +74,21 @@ Controls<double> self_propulsion(const MmgShip<double>& ship, double speed) {
   return {.delta = 0.0, .rev = self_propulsion_rev(ship, speed)};
 }
 
+/// The polynomial holds the propulsion of its own speed and knows no other.
+Controls<double> self_propulsion(const AbkowitzShip<double>& ship, double speed) {
+  require_positive(speed, "speed [m/s]");
+  const double U_0 = ship.particulars.U_0;
+  if (std::abs(speed - U_0) <= 1e-6 * U_0) return {.delta = 0.0};
+  throw Refusal(fmt::format("an abkowitz ship is propelled at the speed of its polynomial, {:.6g} m/s, and at no other", U_0));
+}
+
 Controls<double> self_propulsion(const Ship& ship, double speed) {
   return std::visit([&](const auto& model) { return self_propulsion(model, speed); }, ship.model);
 }
 
 bool takes_shaft_speed(const MmgShip<double>&) { return true; }
+
+bool takes_shaft_speed(const AbkowitzShip<double>&) { return false; }
 
 bool takes_shaft_speed(const Ship& ship) {
   return std::visit([](const auto& model) { return takes_shaft_speed(model); }, ship.model);

@@ -22,7 +22,7 @@ AbkowitzShip<double> parse_abkowitz(const std::string& text) {
   const PartsReader file(text, "ship.toml");
   file.require_model("abkowitz");
   AbkowitzShip<double> ship{};
-  file.read(file_numbers(ship), file_choices(ship));
+  file.read(file_keys(ship));
   return ship;
 }
 

@@ -40,6 +40,21 @@ struct FileChoice {
   Selection* value;      ///< to be set
 };
 
+/// A list of numbers of a ship file, as long as the file likes; empty where it is not given.
+struct FileList {
+  std::string_view table;
+  std::string_view key;
+  double si;                   ///< SI value of one unit
+  std::vector<double>* value;  ///< to be set, in SI
+};
+
+/// What a ship file may hold besides its head.
+struct FileKeys {
+  std::vector<FileNumber> numbers;
+  std::vector<FileChoice> choices;
+  std::vector<FileList> lists;
+};
+
 /// An [[effect]] of a ship file.
 struct FileEffect {
   std::string kind;
@@ -48,15 +63,17 @@ struct FileEffect {
   std::size_t column;
 };
 
+/// The numbers of a part that stands in that table.
+template <class Part>
+void add_numbers(std::vector<FileNumber>& numbers, std::string_view table, Part& part) {
+  for (const auto& p : part.parameters()) numbers.push_back({table, p.key, p.range, p.role, p.si, p.required, p.fallback, &(part.*p.member)});
+}
+
 /// All numbers of a model, in the order of its lists.
 template <class Model>
 std::vector<FileNumber> file_numbers(Model& model) {
   std::vector<FileNumber> numbers;
-  const auto add_part = [&](const auto& section) {
-    auto& part = model.*section.part;
-    for (const auto& p : part.parameters()) numbers.push_back({section.table, p.key, p.range, p.role, p.si, p.required, p.fallback, &(part.*p.member)});
-  };
-  std::apply([&](const auto&... section) { (add_part(section), ...); }, Model::sections());
+  std::apply([&](const auto&... section) { (add_numbers(numbers, section.table, model.*section.part), ...); }, Model::sections());
   return numbers;
 }
 
@@ -70,6 +87,12 @@ std::vector<FileChoice> file_choices(Model& model) {
   };
   std::apply([&](const auto&... section) { (add_part(section), ...); }, Model::sections());
   return choices;
+}
+
+/// Numbers and choices of a model.
+template <class Model>
+FileKeys file_keys(Model& model) {
+  return {file_numbers(model), file_choices(model), {}};
 }
 
 /// What every ship file says besides its numbers.
@@ -100,9 +123,9 @@ class PartsReader {
   /// Whether the table has that key.
   bool has(std::string_view table, std::string_view key) const;
 
-  /// Sets the numbers and choices. A table of which no number is required may be missing.
+  /// Sets numbers, choices and lists. A table of which no number is required may be missing.
   /// @throws FileError  naming the key that is missing, not known or out of range
-  ShipFileHead read(std::span<const FileNumber> numbers, std::span<const FileChoice> choices = {}) const;
+  ShipFileHead read(const FileKeys& keys) const;
 
   /// The [[effect]] tables in their order, each a kind and numbers.
   /// @throws FileError  if one has no kind, or holds anything else

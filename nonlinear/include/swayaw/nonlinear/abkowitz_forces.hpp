@@ -112,6 +112,12 @@ S thrust(const AbkowitzShip<S>&, const PlanarMotion<S>&, const Controls<S>&) {
   return S(std::numeric_limits<double>::quiet_NaN());
 }
 
+/// m = m' ½ρL³, I_z = I_z' ½ρL⁵.
+inline RigidBody rigid_body(const AbkowitzShip<double>& ship) {
+  const double L = ship.particulars.L, mass = 0.5 * ship.water.rho * L * L * L;
+  return {.m = mass * ship.inertia.m, .x_G = ship.inertia.x_G * L, .I_z = mass * L * L * ship.inertia.I_z};
+}
+
 /// Acceleration that a force gives to ship and entrained water.
 ///
 ///     (m − X_udot) du/dt − m v r − m x_G r² = X

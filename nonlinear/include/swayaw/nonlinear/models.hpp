@@ -2,11 +2,12 @@
 
 #include <variant>
 
+#include "swayaw/nonlinear/abkowitz_forces.hpp"
 #include "swayaw/nonlinear/mmg_forces.hpp"
 
 namespace swayaw {
 
 /// Every model of the nonlinear floor; what is done with a ship is done with `std::visit`.
-using ShipModel = std::variant<MmgShip<double>>;
+using ShipModel = std::variant<MmgShip<double>, AbkowitzShip<double>>;
 
 }  // namespace swayaw

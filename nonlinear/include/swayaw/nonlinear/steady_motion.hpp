@@ -20,10 +20,12 @@ double self_propulsion_rev(const MmgShip<double>& ship, double speed);
 /// thrust, a thrust.
 /// @throws as self_propulsion_rev does
 Controls<double> self_propulsion(const MmgShip<double>& ship, double speed);
+Controls<double> self_propulsion(const AbkowitzShip<double>& ship, double speed);
 Controls<double> self_propulsion(const Ship& ship, double speed);
 
 /// Whether the model computes its thrust from the shaft speed.
 bool takes_shaft_speed(const MmgShip<double>& ship);
+bool takes_shaft_speed(const AbkowitzShip<double>& ship);
 bool takes_shaft_speed(const Ship& ship);
 
 /// A steady motion: nothing changes but the place and the heading.
