@@ -109,6 +109,7 @@ class LinearFilter {
   template <class Seen>
   void update(Index i, double factor, const S& measured, const S& variance, Seen&& seen) {
     const LinearInnovation<S> now{measured - factor * x_[i], factor * factor * P_(i, i) + variance};
+    // The plain form does: P ≤ 1 to start with, and measurement variances of 1e-12 are far above its rounding errors of 1e-16.
     K_ = P_.col(i) * (factor / now.variance);
     x_ += K_ * now.error;
     P_ -= Matrix(Vector(K_ * now.variance) * K_.transpose());

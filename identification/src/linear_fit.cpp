@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "linear_ascent.hpp"
 #include "linear_estimates.hpp"
@@ -22,11 +23,13 @@ bool measured(const LinearProblem& problem, double LinearSample::*channel) {
   return std::ranges::any_of(problem.runs, [&](const LinearRun& run) { return std::ranges::any_of(run, known); });
 }
 
-double log_noise(const LinearProblem& problem, double LinearSample::*channel, double floor) {
-  return measured(problem, channel) ? std::log(noise_of(problem.runs, channel) + floor) : 0.0;
+/// ln of the noise of a channel, known or guessed from second differences; 0 for a channel that was not measured.
+double log_noise(const LinearProblem& problem, double LinearSample::*channel, std::optional<double> known, double floor) {
+  if (!measured(problem, channel)) return 0.0;
+  return std::log(known ? require_positive(*known, "known noise") : noise_of(problem.runs, channel) + floor);
 }
 
-/// Regressed constants, noise from second differences, and disturbances large enough for the filter to follow the measurements.
+/// Regressed constants, noise known or guessed, and disturbances large enough for the filter to follow the measurements.
 Parameters start(const LinearProblem& problem, const LinearFitOptions& options, double width) {
   Parameters p = Parameters::Zero();
   if (problem.with_drift) {
@@ -36,15 +39,11 @@ Parameters start(const LinearProblem& problem, const LinearFitOptions& options, 
     const auto h = regressed_yaw(problem.runs, width);
     p.head<4>() << h.e0, h.e1, h.nw0, h.nw1;
   }
-  p[noise_psi] = log_noise(problem, &LinearSample::psi, 1e-5);
-  p[noise_r] = log_noise(problem, &LinearSample::r, 1e-5 * problem.mean_rate);
-  p[noise_beta] = log_noise(problem, &LinearSample::beta, 1e-5);
+  const auto known = [&](double ChannelNoise::*channel) { return options.noise ? std::optional((*options.noise).*channel) : std::nullopt; };
+  p[noise_psi] = log_noise(problem, &LinearSample::psi, known(&ChannelNoise::psi), 1e-5);
+  p[noise_r] = log_noise(problem, &LinearSample::r, known(&ChannelNoise::r), 1e-5 * problem.mean_rate);
+  p[noise_beta] = log_noise(problem, &LinearSample::beta, known(&ChannelNoise::beta), 1e-5);
   p[disturbance_beta] = p[disturbance_omega] = std::log(0.01);
-  if (options.noise) {
-    p[noise_psi] = std::log(options.noise->psi);
-    p[noise_r] = std::log(options.noise->r);
-    p[noise_beta] = std::log(options.noise->beta);
-  }
   return p;
 }
 
@@ -66,10 +65,18 @@ std::vector<int> free_places(const LinearProblem& problem, const LinearFitOption
   return free;
 }
 
+std::size_t measurements(const LinearSample& x) { return !std::isnan(x.psi) + !std::isnan(x.r) + !std::isnan(x.beta); }
+
 std::size_t measurements(const LinearProblem& problem) {
   std::size_t count = 0;
   for (const auto& run : problem.runs)
-    for (const auto& x : run) count += !std::isnan(x.psi) + !std::isnan(x.r) + !std::isnan(x.beta);
+    for (const auto& x : run) count += measurements(x);
+  return count;
+}
+
+std::size_t samples_used(const LinearProblem& problem) {
+  std::size_t count = 0;
+  for (const auto& run : problem.runs) count += static_cast<std::size_t>(std::ranges::count_if(run, [](const LinearSample& x) { return measurements(x) > 0; }));
   return count;
 }
 
@@ -170,7 +177,7 @@ Covariance covariance(const LinearProblem& problem, const LikelihoodSlope& at) {
 // ---------------------------------------------------------------- starts and residuals
 
 /// State at the first sample given all measurements: the filter carries its correlation with the present state along.
-LinearState<Estimate> smoothed_start(const LinearModel<double>& model, const LinearRun& run, bool with_drift) {
+LinearState<Estimate> smoothed_start(const LinearModel<double>& model, const LinearRun& run) {
   using Filter = LinearFilter<double>;
   Filter filter(model, first_heading(run));
   Eigen::Matrix3d P = Eigen::Matrix3d::Identity(), C = P;  // of the start; of start and present
@@ -183,7 +190,7 @@ LinearState<Estimate> smoothed_start(const LinearModel<double>& model, const Lin
   };
   filter_run(filter, run, seen, [&] { C = (C * filter.transition().transpose()).eval(); });
   const auto at = [&](int i) { return Estimate{x[i], std::sqrt(std::max(P(i, i), 0.0))}; };
-  return {with_drift ? at(Filter::beta) : Estimate{}, at(Filter::omega), at(Filter::psi)};
+  return {at(Filter::beta), at(Filter::omega), at(Filter::psi)};
 }
 
 /// Sum of squares over the samples of a channel.
@@ -238,8 +245,7 @@ LinearResiduals whole_run_residuals(const LinearProblem& problem, const Paramete
 LinearAmplitude amplitude(const LinearProblem& problem) {
   LinearAmplitude largest{0.0, problem.with_drift ? 0.0 : missing, 0.0};
   for (const auto& run : problem.runs) {
-    for (std::size_t k = 0; k < run.size(); ++k) {
-      const auto& x = run[k];
+    for (const auto& x : run) {
       largest.rudder = std::max(largest.rudder, std::abs(x.delta));
       if (!std::isnan(x.beta)) largest.drift = std::max(largest.drift, std::abs(x.beta));
       if (!std::isnan(x.r)) largest.omega = std::max(largest.omega, std::abs(x.r / x.rate));
@@ -274,14 +280,14 @@ LinearFit report(LinearProblem problem, const LinearFitOptions& options, const L
   fit.noise = {noise_if(&LinearSample::psi, model.var_psi), noise_if(&LinearSample::r, model.var_r), noise_if(&LinearSample::beta, model.var_beta)};
   fit.disturbance = {problem.with_drift ? std::sqrt(model.q_beta) : missing, std::sqrt(model.q_omega)};
   std::vector<LinearState<Estimate>> starts;
-  for (const auto& run : problem.runs) starts.push_back(smoothed_start(model, run, true));
+  for (const auto& run : problem.runs) starts.push_back(smoothed_start(model, run));
   fit.one_step = one_step_residuals(problem, end.p);
   fit.whole_run = whole_run_residuals(problem, end.p, starts);
   if (!problem.with_drift)
-    for (auto& start_of_run : starts) start_of_run.beta = {};
+    for (auto& start_of_run : starts) start_of_run.beta = {};  // x of `yaw_only_ship`, no drift
   fit.starts = std::move(starts);
   fit.amplitude = amplitude(problem);
-  fit.samples = at.by_sample.size();
+  fit.samples = samples_used(problem);
   return fit;
 }
 

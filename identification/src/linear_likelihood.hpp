@@ -63,23 +63,25 @@ LinearModel<S> model_of(const LinearProblem& problem, const Eigen::Matrix<S, pla
 /// First heading that was measured; 0 if none was.
 double first_heading(const LinearRun& run);
 
-template <class S, class Seen, class Sailed>
-void filter_all(const LinearProblem& problem, const Eigen::Matrix<S, places, 1>& p, Seen&& seen, Sailed&& sailed) {
+/// Filters all runs. `sample()` before the measurements of each sample.
+template <class S, class Seen, class Sample>
+void filter_all(const LinearProblem& problem, const Eigen::Matrix<S, places, 1>& p, Seen&& seen, Sample&& sample) {
   const auto model = model_of(problem, p);
   for (const auto& run : problem.runs) {
     LinearFilter<S> filter(model, first_heading(run));
-    filter_run(filter, run, seen, sailed);
+    sample();
+    filter_run(filter, run, seen, sample);
   }
 }
 
 /// ln of the likelihood, −½ Σ (e²/S + ln S).
 double log_likelihood(const LinearProblem& problem, const Parameters& p);
 
-/// Gradient of the log likelihood, sample by sample, and its expected curvature.
+/// Gradient of the log likelihood and its expected curvature.
 struct LikelihoodSlope {
   Parameters gradient = Parameters::Zero();
   Information information = Information::Zero();
-  std::vector<Parameters> by_sample{Parameters::Zero()};
+  std::vector<Parameters> by_sample;  ///< gradient, sample by sample, of one run after the other
 };
 
 LikelihoodSlope slope(const LinearProblem& problem, const Parameters& p);

@@ -5,6 +5,8 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "swayaw/core/refusal.hpp"
 

@@ -43,23 +43,9 @@ std::array<double, 6> coverage(const SwayYawCoefficients<double>& ship, test::Re
   return inside;
 }
 
-/// Ships around the tanker, stable and not, whose zigzag stays a zigzag.
-std::vector<std::pair<SwayYawCoefficients<double>, Recording>> random_zigzags(int count) {
-  RandomLinearShips random(61);
-  std::vector<std::pair<SwayYawCoefficients<double>, Recording>> result;
-  while (static_cast<int>(result.size()) < count) {
-    const SwayYawCoefficients<double> ship{random.uniform(-0.9, -0.4), random.uniform(0.3, 0.6), random.uniform(-0.25, -0.1),
-                                           random.uniform(2.0, 5.0),   random.uniform(-3.5, -2.0), random.uniform(-2.0, -1.0)};
-    const auto run = recorded(ship, {.start = {0.01, -0.03, 0.02}, .rudder_offset = 0.005});
-    const auto psi = run[Channel::psi];
-    if (std::ranges::max(psi) < 1.5 && std::ranges::min(psi) > -1.5) result.emplace_back(ship, run);
-  }
-  return result;
-}
-
 TEST_CASE("without noise the six constants of any ship come back", "[identification][round-trip]") {
   int unstable = 0;
-  for (const auto& [ship, run] : random_zigzags(40)) {
+  for (const auto& [ship, run] : test::random_zigzags(40)) {
     const auto fit = fit_linear(run, {.L = ship_length});
     unstable += !is_stable(ship);
     require_same(fit.coefficients, ship, 1e-6);
@@ -88,6 +74,7 @@ TEST_CASE("several recordings give one ship, each with its own start", "[identif
   const auto fit = fit_linear(runs, {.L = ship_length});
   require_same(fit.coefficients, ship, 1e-6);
   REQUIRE(fit.starts.size() == 2);
+  CHECK(fit.samples == fit_linear(runs[0], {.L = ship_length}).samples + fit_linear(runs[1], {.L = ship_length}).samples);
   CHECK_THAT(fit.starts[1].psi.value, WithinAbs(3.0, 1e-6));
   CHECK_THAT(fit.starts[1].omega.value, WithinAbs(0.1, 1e-6));
 }
@@ -212,6 +199,12 @@ TEST_CASE("a large zigzag of an unstable nonlinear ship looks stable", "[identif
   CHECK(small.amplitude.omega < middle.amplitude.omega);
 }
 
+TEST_CASE("only samples that are used are counted", "[identification][limit]") {
+  const auto run = recorded(RandomLinearShips::tanker(), {.noise = 0.003});  // a sample every 0.07 lengths
+  CHECK(fit_linear(run, {.L = ship_length, .spacing = 0.0}).samples == run.samples());
+  CHECK(fit_linear(run, {.L = ship_length, .spacing = 0.14}).samples == (run.samples() + 1) / 2);
+}
+
 TEST_CASE("known noise is used as given", "[identification][limit]") {
   const auto run = recorded(RandomLinearShips::tanker(), {.noise = 0.003});
   const ChannelNoise noise{.psi = 0.003, .r = 0.0009 * test::ship_speed / ship_length, .beta = 0.003};
@@ -226,6 +219,7 @@ TEST_CASE("known noise is used as given", "[identification][limit]") {
 TEST_CASE("what cannot be fitted is refused in words", "[identification][refusal]") {
   auto run = recorded(RandomLinearShips::tanker(), {});
   CHECK_THROWS_WITH(fit_linear(run, {.L = 0.0}), ContainsSubstring("ship length L [m] must be positive"));
+  CHECK_THROWS_WITH(fit_linear(run, {.L = 100.0, .noise = ChannelNoise{.psi = -0.001, .r = 0.001, .beta = 0.001}}), ContainsSubstring("known noise must be positive"));
   CHECK_THROWS_WITH(fit_linear(run, {.L = 100.0, .from = 1e6}), ContainsSubstring("no samples in the interval"));
   CHECK_THROWS_WITH(fit_linear(run, {.L = 100.0, .use_heading = false, .use_yaw_rate = false}), ContainsSubstring("neither heading nor yaw rate"));
   CHECK_THROWS_WITH(fit_linear(run, {.L = 100.0, .to = 3.0}), ContainsSubstring("fewer than 20 measurements"));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "../linear/random_linear_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/recording.hpp"
 #include "swayaw/linear/response.hpp"
@@ -81,6 +82,25 @@ inline Recording recorded(const SwayYawCoefficients<double>& ship, const Recorde
     if (wish.drift) v[i] = -speed(i) * std::sin(beta);
   }
   return run;
+}
+
+struct ShipAndZigzag {
+  SwayYawCoefficients<double> ship;
+  Recording run;
+};
+
+/// Seeded ships around the tanker, stable and not, whose zigzag stays a zigzag.
+inline std::vector<ShipAndZigzag> random_zigzags(std::size_t count) {
+  RandomLinearShips random(61);
+  std::vector<ShipAndZigzag> result;
+  while (result.size() < count) {
+    const SwayYawCoefficients<double> ship{random.uniform(-0.9, -0.4), random.uniform(0.3, 0.6), random.uniform(-0.25, -0.1),
+                                           random.uniform(2.0, 5.0),   random.uniform(-3.5, -2.0), random.uniform(-2.0, -1.0)};
+    const auto run = recorded(ship, {.start = {0.01, -0.03, 0.02}, .rudder_offset = 0.005});
+    const auto psi = run[Channel::psi];
+    if (std::ranges::max(psi) < 1.5 && std::ranges::min(psi) > -1.5) result.push_back({ship, run});
+  }
+  return result;
 }
 
 /// A tanker that does not keep her course: T1 = −10.6, T2 = 0.31.

@@ -61,7 +61,7 @@ TEST_CASE("the exact response is that of odeint at 1e-13", "[linear][second-rout
   namespace odeint = boost::numeric::odeint;
   using State = std::array<double, 3>;
   RandomLinearShips random(36);
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < 10'000; ++k) {
     const auto m = random.ship();
     const LinearState<double> start{random.uniform(-0.2, 0.2), random.uniform(-0.5, 0.5), 0.0};
     const RudderLine<double> rudder{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)};
@@ -152,7 +152,7 @@ TEST_CASE("dual numbers give the derivative of the response by its coefficients"
 
 TEST_CASE("a mirrored rudder gives the mirrored response", "[linear][symmetry]") {
   RandomLinearShips random(35);
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < 10'000; ++k) {
     const Response ship(random.ship());
     const LinearState<double> start{random.uniform(-0.2, 0.2), random.uniform(-0.5, 0.5), random.uniform(-0.2, 0.2)};
     const RudderLine<double> rudder{random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)};

@@ -109,7 +109,7 @@ TEST_CASE("no earlier switch or peak was missed", "[linear][second-route]") {
 
 TEST_CASE("a mirrored zigzag is the mirrored zigzag", "[linear][symmetry]") {
   RandomLinearShips random(42);
-  for (int k = 0; k < 500; ++k) {
+  for (int k = 0; k < 10'000; ++k) {
     const auto m = random.ship();
     LinearZigzagOrder order{.rudder = radians(10), .heading = radians(10), .rate = 1.0, .reversals = 4, .longest = 100.0};
     const auto starboard = linear_zigzag(m, order);
@@ -122,7 +122,7 @@ TEST_CASE("a mirrored zigzag is the mirrored zigzag", "[linear][symmetry]") {
 
 TEST_CASE("time scales: a ship n times as quick makes the zigzag in 1/n of the lengths", "[linear][limit]") {
   RandomLinearShips random(43);
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < 10'000; ++k) {
     const auto m = random.ship();
     const double n = random.uniform(0.3, 3.0);
     // s -> s/n: omega scales with n, beta stays

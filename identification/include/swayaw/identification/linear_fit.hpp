@@ -108,9 +108,9 @@ struct LinearFit {
   std::string worst_combination;   ///< and which worst
 
   bool stable;                     ///< e0 > 0 and e1 > 0 at the estimate
-  double probability_stable;       ///< that both are so, errors taken as normal
+  double probability_stable;       ///< that both are so, at least; errors taken as normal
   LinearAmplitude amplitude;
-  std::size_t samples;             ///< used
+  std::size_t samples;             ///< with a measurement that is used
 };
 
 /// Both second-order equations, sway and yaw together, fitted to a recording of any ship, stable or not.
@@ -124,7 +124,7 @@ struct LinearFit {
 /// allow for residuals that are correlated over a part of a ship length; noise that is correlated for longer wants a `spacing` as long.
 ///
 /// @throws Refusal            if the run does not tell rudder or speed, or neither heading nor yaw rate, or has fewer than 20 measurements
-/// @throws std::domain_error  if L or U is not positive
+/// @throws std::domain_error  if L, U or a known noise of a channel that is used is not positive
 LinearFit fit_linear(const Recording& run, const LinearFitOptions& options);
 
 /// The same equations and offsets for several recordings, each with a start of its own.

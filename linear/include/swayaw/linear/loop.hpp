@@ -19,8 +19,8 @@ struct LoopMeasures {
   S inclination;           ///< of the long axis from the beta axis towards omega' [rad]
   S beta_max;              ///< largest |beta| [rad]
   S omega_max;             ///< largest |omega'|
-  S omega_at_beta_zero;    ///< |omega'| where beta passes zero
-  S beta_at_omega_zero;    ///< |beta| where omega' passes zero [rad]
+  S omega_at_beta_zero;    ///< |omega'| where beta passes zero, the largest of several
+  S beta_at_omega_zero;    ///< |beta| where omega' passes zero, the largest of several [rad]
   S distance_from_line;    ///< root mean square in time, from the first-order line omega' = (Kw/Kb) beta
 };
 
