@@ -116,7 +116,11 @@ TEST_CASE("a mirrored zigzag is the mirrored zigzag", "[linear][symmetry]") {
     order.first = Side::port;
     const auto port = linear_zigzag(m, order);
     REQUIRE(port.reversals.size() == starboard.reversals.size());
-    for (std::size_t i = 0; i < port.reversals.size(); ++i) REQUIRE_THAT(port.reversals[i].execute, WithinRel(starboard.reversals[i].execute, 1e-12));
+    for (std::size_t i = 0; i < port.reversals.size(); ++i) {
+      REQUIRE_THAT(port.reversals[i].execute, WithinRel(starboard.reversals[i].execute, 1e-12));
+      REQUIRE_THAT(port.reversals[i].peak, WithinRel(starboard.reversals[i].peak, 1e-12));
+      REQUIRE_THAT(port.reversals[i].overshoot, WithinAbs(starboard.reversals[i].overshoot, 1e-12 * (1.0 + starboard.reversals[i].overshoot)));
+    }
   }
 }
 
@@ -133,7 +137,10 @@ TEST_CASE("time scales: a ship n times as quick makes the zigzag in 1/n of the l
     quick_order.longest /= n;
     const auto a = linear_zigzag(m, order), b = linear_zigzag(quick, quick_order);
     REQUIRE(a.reversals.size() == b.reversals.size());
-    for (std::size_t i = 0; i < a.reversals.size(); ++i) REQUIRE_THAT(b.reversals[i].execute * n, WithinRel(a.reversals[i].execute, 1e-9));
+    for (std::size_t i = 0; i < a.reversals.size(); ++i) {
+      REQUIRE_THAT(b.reversals[i].execute * n, WithinRel(a.reversals[i].execute, 1e-9));
+      REQUIRE_THAT(b.reversals[i].overshoot, WithinAbs(a.reversals[i].overshoot, 1e-9 * (1.0 + a.reversals[i].overshoot)));
+    }
   }
 }
 
