@@ -57,11 +57,12 @@ TEST_CASE("indices and coefficients are each other's inverse, within what the co
     const auto m = random.ship();
     unstable += !is_stable(m);
     complex += has_complex_poles(m);
-    const double allowed = 1e-9 * std::max(1.0, condition_number(m) / 1e3);
+    // rounding errors times what the conversion loses; the matrices lose a digit more
+    const double loss = eps * condition_number(m), printed = std::min(1e-9, 10.0 * loss), by_matrices = std::min(1e-9, 100.0 * loss);
     const auto i = steering_indices(m);
-    REQUIRE(largest_relative_difference(list(coefficients_from(i)), list(m)) < allowed);
-    REQUIRE(largest_relative_difference(list(coefficients_by_controllability(i)), list(m)) < allowed);
-    REQUIRE(largest_relative_difference(list(steering_indices(coefficients_from(i))), list(i)) < allowed);
+    REQUIRE(largest_relative_difference(list(coefficients_from(i)), list(m)) < printed);
+    REQUIRE(largest_relative_difference(list(coefficients_by_controllability(i)), list(m)) < by_matrices);
+    REQUIRE(largest_relative_difference(list(steering_indices(coefficients_from(i))), list(i)) < printed);
   }
   CHECK(unstable > 1000);
   CHECK(complex > 1000);

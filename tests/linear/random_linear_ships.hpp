@@ -17,7 +17,7 @@ class RandomLinearShips {
   /// The chemical tanker of Artyszuk 2016, table 3, as printed.
   static SwayYawCoefficients<double> tanker() { return {-0.622, 0.405, -0.171, 3.552, -2.827, -1.539}; }
 
-  /// Coefficients of ship-like size: stable and unstable, real and complex poles; about 3 in 10 are unstable.
+  /// Coefficients of ship-like size: stable and unstable, real and complex poles; about 1 in 6 is unstable, 1 in 4 has complex poles.
   SwayYawCoefficients<double> ship() {
     return {uniform(-2.0, -0.05), uniform(-0.6, 1.2), uniform(-0.5, -0.02), uniform(-4.0, 6.0), uniform(-5.0, -0.3), uniform(-3.0, -0.3)};
   }
