@@ -37,7 +37,7 @@ class ZigzagPack {
     g1_ = (c2 * l1_ + a2 * c1 - a1 * c2) / (l1_ - l2_);  // residue of the transfer function of yaw
     g2_ = c2 - g1_;
     size_ = xsimd::max(xsimd::abs(l1_), xsimd::abs(l2_));
-    horizon_ = P(30.0) / size_;
+    horizon_ = P(30.0) / xsimd::abs(select(l2_ < P(0.0), l1_, l2_));  // a fast mode that dies out does not shorten it
     over_rate_ = P(1.0 / job.rate);
   }
 

@@ -44,10 +44,10 @@ class LegFunctions {
     const auto& m = ship_.m;
     first_ = rates(m, start, rudder.value);
     v_ = ramp_ ? rates(m, {first_.beta, first_.omega, 0.0}, rudder.rate) : first_;
-    const double yaw1 = modes_.yaw_beta * v_.beta + modes_.yaw_omega * v_.omega;
-    const double drift1 = modes_.drift_beta * v_.beta + modes_.drift_omega * v_.omega;
-    yaw_ = {yaw1, v_.omega - yaw1, v_.omega, m.a2 * v_.beta - m.a1 * v_.omega};
-    drift_ = {drift1, v_.beta - drift1, v_.beta, m.b1 * v_.omega - m.b2 * v_.beta};
+    const auto [yaw1, yaw2] = split(modes_.yaw_beta * start.beta + modes_.yaw_omega * start.omega, first_.omega, modes_.yaw_gain, m.c2, rudder);
+    const auto [drift1, drift2] = split(modes_.drift_beta * start.beta + modes_.drift_omega * start.omega, first_.beta, modes_.drift_gain, m.c1, rudder);
+    yaw_ = {yaw1, yaw2, v_.omega, m.a2 * v_.beta - m.a1 * v_.omega};
+    drift_ = {drift1, drift2, v_.beta, m.b1 * v_.omega - m.b2 * v_.beta};
   }
 
   Knot at(double s) const {
@@ -82,9 +82,11 @@ class LegFunctions {
     }
   }
 
-  /// Length of time within which f_free has one zero at most, and exponentials stay in range.
+  /// Length of time within which f_free has one zero at most, and exponentials stay in range. A fast mode that dies out does not
+  /// shorten it: two real exponentials have one common zero at most, however far one looks.
   double horizon() const {
     const auto& p = ship_.p;
+    if (p.apart && p.fast < 0.0) return 30.0 / std::abs(p.slow);
     const double range = 30.0 / p.size;
     return p.q < 0.0 ? std::min(range, 0.99 * pi / std::sqrt(-p.q)) : range;
   }
@@ -99,6 +101,18 @@ class LegFunctions {
   struct FreeStart {
     double mode1, mode2, y0, turn;
   };
+
+  struct Parts {
+    double slow, fast;
+  };
+
+  /// Modes of a derivative of beta or omega at the start, y' = y1' + y2' and y_i' = l_i y_i + g_i delta, under a moving rudder one
+  /// derivative more. The slow part never as a difference of large rates, which would lose digits where T2 is very small.
+  Parts split(double slow, double rate, double gain, double whole_gain, const RudderLine<double>& rudder) const {
+    const double slow_rate = modes_.l1 * slow + gain * rudder.value, fast_rate = rate - slow_rate;
+    if (!ramp_) return {slow_rate, fast_rate};
+    return {modes_.l1 * slow_rate + gain * rudder.rate, modes_.l2 * fast_rate + (whole_gain - gain) * rudder.rate};
+  }
 
   /// What all functions of the leg are made of.
   struct Basis {
@@ -192,7 +206,7 @@ class LegFunctions {
       const double error = std::abs(by) * ship_.p.size + std::abs(bend);
       double next = k.s + by;
       const bool inside = next > low && next < high;
-      if (y == 0.0 || error < 1e-13) return inside ? next : k.s;
+      if (y == 0.0 || next == k.s || error < 1e-13) return inside ? next : k.s;
       if (inside && error < 1e-4) return next;
       if (!inside) next = 0.5 * (low + high);
       if (next == low || next == high) return next;

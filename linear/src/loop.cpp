@@ -65,18 +65,37 @@ struct LoopIntegrals {
   }
 };
 
+/// Adds the part of a leg in which no mode is quicker than `pole` [per ship length].
+///
+/// The rates obey x'' = A x' + c rho: from their values at the start, not as A x + c delta, whose large terms would cancel where T2
+/// is very small.
 template <class S>
-void add_leg(LoopIntegrals<S>& sum, const LinearResponse<S>& ship, const Leg<S>& leg, const S& slope) {
-  const int pieces = std::max(1, static_cast<int>(std::ceil(ship.p.size * value_of(leg.length) / 2.0)));
+void add_part(LoopIntegrals<S>& sum, const LinearResponse<S>& ship, const Leg<S>& leg, const S& slope, const S& from, const S& length, double pole) {
+  const auto first = rates(ship.m, leg.start, leg.rudder.value);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(pole * value_of(length) / 2.0)));
   for (int piece = 0; piece < pieces; ++piece) {
     for (const auto& [place, weight] : nodes) {
-      const S s = leg.length * ((piece + place) / pieces), ds = leg.length * (weight / pieces);
-      const auto x = state_after(ship, leg.start, leg.rudder, s);
-      const auto rate = rates(ship.m, x, S(leg.rudder.value + leg.rudder.rate * s));
+      const S s = from + length * ((piece + place) / pieces), ds = length * (weight / pieces);
+      const auto basis = response_basis(ship.p, s);
+      const auto x = state_after(ship, leg.start, leg.rudder, basis);
+      const auto rate = state_after(ship, {first.beta, first.omega, S(0.0)}, {leg.rudder.rate, S(0.0)}, basis);
       sum.add(x.beta, x.omega, rate.beta * ds, rate.omega * ds);
       const S off = x.omega - slope * x.beta;
       sum.off_line += off * off * ds;
     }
+  }
+}
+
+/// Adds a leg: until a fast mode has died out, exp(−40) of it left, and thereafter.
+template <class S>
+void add_leg(LoopIntegrals<S>& sum, const LinearResponse<S>& ship, const Leg<S>& leg, const S& slope) {
+  const auto& p = ship.p;
+  const double fading = 40.0 / p.size;
+  if (p.apart && value_of(p.fast) < 0.0 && fading < value_of(leg.length)) {
+    add_part(sum, ship, leg, slope, S(0.0), S(fading), p.size);
+    add_part(sum, ship, leg, slope, S(fading), S(leg.length - fading), std::abs(value_of(p.slow)));
+  } else {
+    add_part(sum, ship, leg, slope, S(0.0), leg.length, p.size);
   }
   sum.time += leg.length;
 }

@@ -48,6 +48,7 @@ struct Modes {
   double over_l1, over_l2;
   double yaw_beta, yaw_omega;      ///< row of P_1 for omega
   double drift_beta, drift_omega;  ///< row of P_1 for beta
+  double yaw_gain, drift_gain;     ///< P_1 c: what the rudder does to the first mode of omega and of beta
 
   Modes(const SwayYawCoefficients<double>& m, double slow, double fast)
       : l1(slow), l2(fast), over_l1(1.0 / slow), over_l2(1.0 / fast) {
@@ -56,6 +57,8 @@ struct Modes {
     yaw_omega = (m.b2 - fast) * over;
     drift_beta = (m.a1 - fast) * over;
     drift_omega = m.b1 * over;
+    yaw_gain = yaw_beta * m.c1 + yaw_omega * m.c2;
+    drift_gain = drift_beta * m.c1 + drift_omega * m.c2;
   }
 };
 

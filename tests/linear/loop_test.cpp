@@ -60,6 +60,19 @@ TEST_CASE("the limit cycle repeats itself, a little beyond the ninth reversal", 
   CHECK_THAT(r.back().overshoot, WithinRel(r[r.size() - 2].overshoot, 1e-11));
 }
 
+TEST_CASE("as T2 vanishes the limit cycle and its loop settle, as fast as T2", "[linear][limit]") {
+  const auto cycle_of = [](double T2) {
+    const auto ship = coefficients_from(Indices{10.491 * T2, 10.491 + T2, 0.154, 0.983, -3.464, -4.896});
+    const auto cycle = limit_cycle(ship, ten_ten());
+    CHECK(cycle.settled);
+    CHECK(cycle.zigzag.legs.size() < 130);
+    return drift_yaw_loop(ship, cycle.zigzag).value();
+  };
+  const auto a = cycle_of(1e-3), b = cycle_of(1e-5), c = cycle_of(1e-7);
+  CHECK_THAT((a.area - b.area) / (b.area - c.area), WithinRel(100.0, 0.02));
+  CHECK_THAT((a.length - b.length) / (b.length - c.length), WithinRel(100.0, 0.02));
+}
+
 TEST_CASE("area and moments are those of a fine polygon", "[linear][second-route]") {
   RandomLinearShips random(51);
   int compared = 0;
@@ -83,7 +96,7 @@ TEST_CASE("area and moments are those of a fine polygon", "[linear][second-route
       omega_max = std::max(omega_max, std::abs(x.omega));
     };
     for (std::size_t i = z.reversals[z.reversals.size() - 3].leg; i < z.reversals.back().leg; ++i)
-      for (int j = 0; j <= 400; ++j) add(state_after(ship, z.legs[i].start, z.legs[i].rudder, z.legs[i].length * j / 400.0));
+      for (int j = 0; j <= 4000; ++j) add(state_after(ship, z.legs[i].start, z.legs[i].rudder, z.legs[i].length * j / 4000.0));
     add(first);
     const double scale = beta_max * omega_max;
     CHECK_THAT(loop->area, WithinAbs(std::abs(area), 2e-5 * scale + 1e-4 * loop->area));

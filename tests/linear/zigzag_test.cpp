@@ -144,6 +144,89 @@ TEST_CASE("time scales: a ship n times as quick makes the zigzag in 1/n of the l
   }
 }
 
+/// The printed ship with another T2.
+SteeringIndices<double> with_T2(double T2, double T3w = 0.983) { return {10.491 * T2, 10.491 + T2, 0.154, T3w, -3.464, -4.896}; }
+
+/// Yaw of the printed ship with T2 = 0, T1 d(omega')/ds' + omega' = Kw (delta + T3w d(delta)/ds'): a part that follows the rudder
+/// at once, and a first-order ship with what is left of Kw.
+struct YawWithoutT2 {
+  static constexpr double at_once = -4.896 * 0.983 / 10.491;
+  LinearResponse<double> rest{first_order_ship(-4.896 * (1.0 - 0.983 / 10.491), 10.491)};
+
+  LinearState<double> after(const LinearState<double>& x, const RudderLine<double>& rudder, double s) const {
+    const auto y = state_after(rest, {0.0, x.omega - at_once * rudder.value, x.psi}, rudder, s);
+    return {0.0, y.omega + at_once * (rudder.value + rudder.rate * s), y.psi + at_once * (rudder.value + 0.5 * rudder.rate * s) * s};
+  }
+
+  /// The rudder goes from `angle` to `target` and rests there.
+  LinearState<double> after(const LinearState<double>& x, double angle, double target, double rate, double s) const {
+    const double ramp = std::abs(target - angle) / rate;
+    const RudderLine<double> moving{angle, std::copysign(rate, target - angle)};
+    return s < ramp ? after(x, moving, s) : after(after(x, moving, ramp), {target, 0.0}, s - ramp);
+  }
+};
+
+/// Where f turns positive between 0 and 100, by halving.
+template <class F>
+double turning_place(const F& f) {
+  double low = 0.0, high = 100.0;
+  for (int i = 0; i < 80; ++i) (f(0.5 * (low + high)) > 0.0 ? high : low) = 0.5 * (low + high);
+  return high;
+}
+
+/// Her 10/10 zigzag; at each reversal the rudder rests.
+std::vector<LinearReversal<double>> zigzag_without_T2(const LinearZigzagOrder& order) {
+  const YawWithoutT2 ship;
+  std::vector<LinearReversal<double>> result;
+  LinearState<double> x{0.0, 0.0, 0.0};
+  double now = 0.0, angle = 0.0, turn = yaw_sign(order.first);
+  for (;;) {
+    const auto at = [&](double s) { return ship.after(x, angle, -turn * order.rudder, order.rate, s); };
+    if (!result.empty()) {
+      const double peak = turning_place([&](double s) { return turn * at(s).omega; });
+      result.back().peak = now + peak;
+      result.back().overshoot = -turn * at(peak).psi - order.heading;
+      if (result.size() == order.reversals) return result;
+    }
+    const double execute = turning_place([&](double s) { return turn * at(s).psi - order.heading; });
+    x = at(execute);
+    now += execute;
+    angle = -turn * order.rudder;
+    turn = -turn;
+    result.push_back({now, 0.0, 0.0, 0});
+  }
+}
+
+TEST_CASE("as T2 vanishes the zigzag becomes that of the ship without it, in no more legs", "[linear][limit]") {
+  for (const double rate : {2.5, 0.5}) {
+    const auto usual = linear_zigzag(coefficients_from(with_T2(0.298)), ten_ten(rate));
+    const auto limit = zigzag_without_T2(ten_ten(rate));
+    for (const double T2 : {1e-5, 1e-7}) {
+      INFO("T2 = " << T2);
+      const auto found = linear_zigzag(coefficients_from(with_T2(T2)), ten_ten(rate));
+      REQUIRE(found.reversals.size() == limit.size());
+      CHECK(found.legs.size() == usual.legs.size());
+      // what T2 does, and rounding: coefficients that grow as 1/T2 hold the indices to eps/T2
+      const double allowed = 25.0 * T2 + 1e-15 / T2;
+      for (std::size_t i = 0; i < limit.size(); ++i) {
+        CHECK_THAT(found.reversals[i].execute, WithinAbs(limit[i].execute, allowed));
+        CHECK_THAT(found.reversals[i].peak, WithinAbs(limit[i].peak, allowed));
+        CHECK_THAT(found.reversals[i].overshoot, WithinAbs(limit[i].overshoot, allowed));
+      }
+    }
+  }
+}
+
+TEST_CASE("without T2 and T3w the zigzag is the first-order one", "[linear][limit]") {
+  const auto first = linear_zigzag(first_order_ship(-4.896, 10.491), ten_ten(2.5));
+  const auto found = linear_zigzag(coefficients_from(with_T2(1e-7, 0.0)), ten_ten(2.5));
+  CHECK(found.legs.size() == first.legs.size());
+  for (std::size_t i = 0; i < first.reversals.size(); ++i) {
+    CHECK_THAT(found.reversals[i].execute, WithinAbs(first.reversals[i].execute, 2.5e-6));
+    CHECK_THAT(found.reversals[i].overshoot, WithinAbs(first.reversals[i].overshoot, 2.5e-6));
+  }
+}
+
 TEST_CASE("a switch moves with the coefficients as duals say", "[linear][second-route]") {
   using D = Dual<6>;
   RandomLinearShips random(44);

@@ -37,11 +37,12 @@ struct LinearResponse {
 ///     omega(s) = h_{−1} omega0 + h_0 (a2 beta0 − a1 omega0) + delta0 (h_0 c2 + h_1 nw0) + rho (h_1 c2 + h_2 nw0)
 ///     beta(s)  = h_{−1} beta0 + h_0 (b1 omega0 − b2 beta0) + delta0 (h_0 c1 + h_1 nb0) + rho (h_1 c1 + h_2 nb0)
 ///     psi(s)   = psi0 + ∫ omega ds, one integral more of each h
+///
+/// @param b  the basis functions at the time s
 template <class S>
-LinearState<S> state_after(const LinearResponse<S>& ship, const LinearState<S>& start, const RudderLine<S>& rudder, const S& s) {
+LinearState<S> state_after(const LinearResponse<S>& ship, const LinearState<S>& start, const RudderLine<S>& rudder, const ResponseBasis<S>& b) {
   const auto& m = ship.m;
   const auto& n = ship.h;
-  const auto b = response_basis(ship.p, s);
   const S yaw = m.a2 * start.beta - m.a1 * start.omega;
   const S drift = m.b1 * start.omega - m.b2 * start.beta;
   return {
@@ -49,6 +50,12 @@ LinearState<S> state_after(const LinearResponse<S>& ship, const LinearState<S>& 
       .omega = b.h_1 * start.omega + b.h0 * yaw + rudder.value * (b.h0 * m.c2 + b.h1 * n.nw0) + rudder.rate * (b.h1 * m.c2 + b.h2 * n.nw0),
       .psi = start.psi + b.h0 * start.omega + b.h1 * yaw + rudder.value * (b.h1 * m.c2 + b.h2 * n.nw0) + rudder.rate * (b.h2 * m.c2 + b.h3 * n.nw0),
   };
+}
+
+/// The same for one time alone.
+template <class S>
+LinearState<S> state_after(const LinearResponse<S>& ship, const LinearState<S>& start, const RudderLine<S>& rudder, const S& s) {
+  return state_after(ship, start, rudder, response_basis(ship.p, s));
 }
 
 /// d(beta)/ds' and d(omega')/ds' at a state, and d(psi)/ds' = omega'.
