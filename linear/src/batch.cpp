@@ -79,6 +79,13 @@ batch::ZigzagJob job_of(const ShipColumns& s, const LinearZigzagOrder& order, Zi
 
 }  // namespace
 
+batch::SampleKernel batch::best_samples() {
+#ifdef SWAYAW_X86_KERNELS
+  if (processor_has(InstructionSet::avx2)) return avx2_samples();
+#endif
+  return baseline_samples();
+}
+
 bool available(InstructionSet set) { return processor_has(chosen(set)); }
 
 ZigzagTable zigzag_batch(const ShipColumns& ships, const LinearZigzagOrder& order, const BatchOptions& options) {

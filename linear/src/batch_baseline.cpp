@@ -1,4 +1,5 @@
 #include "batch_zigzag.hpp"
+#include "sample_blocks.hpp"
 
 namespace swayaw::batch {
 
@@ -9,5 +10,7 @@ ZigzagKernel baseline_zigzags() {
   return sail_packs<xsimd::default_arch>;
 #endif
 }
+
+SampleKernel baseline_samples() { return sample_blocks<struct Baseline>; }
 
 }  // namespace swayaw::batch

@@ -30,4 +30,29 @@ ZigzagKernel baseline_zigzags();  ///< null where xsimd knows no instruction set
 ZigzagKernel avx2_zigzags();      ///< AVX2 and fused multiply-add
 ZigzagKernel avx512_zigzags();    ///< AVX-512 F, CD, DQ and BW
 
+/// States that are sampled at once.
+inline constexpr std::size_t block = 16;
+
+/// What beta, omega, psi and the rudder angle at the first of a block are to (beta, omega, psi) of the block and of the next one's
+/// first, [3 · state + number]; `by_turn` is what the turn of the rudder from state to state adds.
+struct BlockMap {
+  double by_beta[3 * block + 3], by_omega[3 * block + 3], by_psi[3 * block + 3], by_angle[3 * block + 3], by_turn[3 * block + 3];
+};
+
+/// Blocks that follow each other on a leg.
+struct SampleJob {
+  double beta, omega, psi, angle;  ///< at the first state; at the end, at the first state thereafter
+  double turn;                     ///< of the rudder from state to state
+  std::size_t blocks;
+  double* states;                  ///< beta, omega, psi, beta, …
+};
+
+using SampleKernel = void (*)(const BlockMap&, SampleJob&);
+
+SampleKernel baseline_samples();
+SampleKernel avx2_samples();  ///< AVX2 and fused multiply-add
+
+/// The kernel for this processor.
+SampleKernel best_samples();
+
 }  // namespace swayaw::batch

@@ -23,6 +23,13 @@ struct ResponseBasis {
 
 namespace detail {
 
+/// 1/n. Series multiply by it, since division is slow.
+inline constexpr std::array<double, 20> one_over = [] {
+  std::array<double, 20> table{};
+  for (std::size_t n = 1; n < table.size(); ++n) table[n] = 1.0 / static_cast<double>(n);
+  return table;
+}();
+
 /// Σ p_j s^{j+1+k}/(j+1+k)! with p_0 = 1, p_1 = tr, p_{j+1} = tr p_j − det p_{j−1}: for small |l| s.
 template <class S>
 ResponseBasis<S> basis_by_series(const S& tr, const S& det, const S& s) {
@@ -34,7 +41,7 @@ ResponseBasis<S> basis_by_series(const S& tr, const S& det, const S& s) {
   for (int j = 2; j < terms; ++j) p[static_cast<std::size_t>(j)] = tr * p[static_cast<std::size_t>(j - 1)] - det * p[static_cast<std::size_t>(j - 2)];
   const auto sum = [&](int k) {  // Σ p_j s^j (k+1)!/(j+1+k)!
     S value = p[terms - 1];
-    for (int j = terms - 2; j >= 0; --j) value = p[static_cast<std::size_t>(j)] + value * s / static_cast<double>(j + 2 + k);
+    for (int j = terms - 2; j >= 0; --j) value = p[static_cast<std::size_t>(j)] + value * (s * one_over[static_cast<std::size_t>(j + 2 + k)]);
     return value;
   };
   const S s2 = s * s;
@@ -50,7 +57,7 @@ std::array<S, 3> phi_functions(const S& z, const S& e) {
   }
   const auto series = [&](int k) {  // k! φ_k = Σ z^j k!/(j+k)!
     S value(1.0);
-    for (int j = 13; j >= 1; --j) value = 1.0 + value * z / static_cast<double>(j + k);
+    for (int j = 13; j >= 1; --j) value = 1.0 + value * (z * one_over[static_cast<std::size_t>(j + k)]);
     return value;
   };
   return {series(1), 0.5 * series(2), (1.0 / 6.0) * series(3)};
