@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "swayaw/core/dual.hpp"
+#include "by_logarithm.hpp"
+#include "lifted.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw {
@@ -25,13 +26,6 @@ S& known_number(LinearParts<S>& ship, KnownPart known) {
     case KnownPart::c_Ry: break;
   }
   return ship.rudder.c_Ry;
-}
-
-template <class S>
-LinearParts<S> lifted(const LinearParts<double>& ship) {
-  const auto& [h, r] = ship;
-  return {.hull = {S(h.L_over_B), S(h.c_B), S(h.k_11), S(h.k_22), S(h.r_z), S(h.r_66), S(h.Y_b), S(h.Y_w), S(h.N_b), S(h.N_w)},
-          .rudder = {S(r.area_ratio), S(r.w), S(r.c_Th), S(r.lift_slope), S(r.a_H), S(r.c_Ry), S(r.x_Reff)}};
 }
 
 template <class S>
@@ -101,18 +95,11 @@ LinearParts<double> require_finite(const LinearParts<double>& ship, KnownPart kn
 
 /// Derivatives by the logarithms of a1 … c2 and the known number.
 KnownCondition condition_of(const SwayYawCoefficients<double>& m, const LinearParts<double>& formal, KnownPart known) {
-  using E = Dual<7>;
-  const auto variable = [](double value, int k) {
-    E x(value);
-    x.v[k] = value;
-    return x;
-  };
-  const SwayYawCoefficients<E> input{variable(m.a1, 0), variable(m.b1, 1), variable(m.c1, 2), variable(m.a2, 3), variable(m.b2, 4), variable(m.c2, 5)};
-  auto ship = lifted<E>(formal);
+  auto ship = lifted<Dual<7>>(formal);
   auto& number = known_number(ship, known);
-  number = variable(number.a, 6);
+  number = by_logarithm<7>(number.a, 6);
   KnownCondition condition{known, 0.0, 0.0};
-  for (const auto& result : closed_by_known(parts_from(input, ship, known))) {
+  for (const auto& result : closed_by_known(parts_from(by_logarithms<7>(m), ship, known))) {
     const auto elasticity = (result.v / result.a).eval();
     if (!elasticity.allFinite()) return {known, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     condition.by_known = std::max(condition.by_known, std::abs(elasticity[6]));

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "lifted.hpp"
 #include "swayaw/core/dual.hpp"
 
 namespace swayaw {
@@ -30,18 +31,6 @@ Eigen::Matrix<double, Rows, 6> jacobian_of(const std::array<D, Rows>& values) {
   Eigen::Matrix<double, Rows, 6> jacobian;
   for (int row = 0; row < Rows; ++row) jacobian.row(row) = values[static_cast<std::size_t>(row)].v.transpose();
   return jacobian;
-}
-
-LinearParts<D> with_duals(const LinearParts<double>& ship) {
-  LinearParts<D> result{};
-  const auto copy = [](const auto& from, auto& to) {
-    const auto source = from.parameters();
-    const auto target = to.parameters();
-    for (std::size_t i = 0; i < source.size(); ++i) to.*target[i].member = D(from.*source[i].member);
-  };
-  copy(ship.hull, result.hull);
-  copy(ship.rudder, result.rudder);
-  return result;
 }
 
 /// A matrix F with F Fᵀ = C, for a covariance that may be singular.
@@ -120,7 +109,7 @@ CoefficientCovariance coefficient_covariance(const SteeringIndices<double>& indi
 
 PartCovariance part_covariance(const SteeringIndices<double>& indices, const IndexCovariance& covariance, const LinearParts<double>& formal,
                                KnownPart known) {
-  const auto [hull, rudder] = parts_from(coefficients_from(varied(indices)), with_duals(formal), known);
+  const auto [hull, rudder] = parts_from(coefficients_from(varied(indices)), lifted<D>(formal), known);
   const auto J = jacobian_of<7>({rudder.a_H, rudder.c_Ry, rudder.x_Reff, hull.Y_b, hull.Y_w, hull.N_b, hull.N_w});
   return J * covariance * J.transpose();
 }

@@ -6,12 +6,15 @@
 #include <limits>
 
 #include "random_linear_ships.hpp"
+#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
 
 namespace swayaw {
 namespace {
 
+using test::printed_indices;
 using test::RandomLinearShips;
+using test::ten_ten;
 
 constexpr InstructionSet every_set[] = {InstructionSet::best, InstructionSet::numbers, InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
 
@@ -144,10 +147,6 @@ TEST_CASE("samples of a zigzag are the states of its legs", "[linear][second-rou
 
 // ---------------------------------------------------------------- maps
 
-SteeringIndices<double> printed() { return {10.491 * 0.298, 10.491 + 0.298, 0.154, 0.983, -3.464, -4.896}; }
-
-LinearZigzagOrder ten_ten() { return {.rudder = radians(10), .heading = radians(10), .rate = radians(2.5) * 13.39, .first = Side::port}; }
-
 void check_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& order, const std::vector<double>& T3b, const std::vector<double>& T3w) {
   const auto map = t3_map(indices, order, T3b, T3w);
   for (std::size_t w = 0; w < T3w.size(); ++w)
@@ -175,10 +174,10 @@ void check_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& 
 }
 
 TEST_CASE("a map of T3b and T3w is that of the single ships", "[linear][second-route]") {
-  check_map(printed(), ten_ten(), {-1.0, 0.0, 0.05, 0.154, 0.309, 0.7, 2.5}, {-0.3, 0.2, 0.492, 0.983, 1.966, 5.0});
+  check_map(printed_indices(), ten_ten(), {-1.0, 0.0, 0.05, 0.154, 0.309, 0.7, 2.5}, {-0.3, 0.2, 0.492, 0.983, 1.966, 5.0});
   auto order = ten_ten();
   order.rate = 0.1;
-  check_map(printed(), order, {0.1, 0.4, 3.0}, {0.3, 1.2});
+  check_map(printed_indices(), order, {0.1, 0.4, 3.0}, {0.3, 1.2});
 }
 
 TEST_CASE("maps of complex, close and unstable poles", "[linear][second-route]") {
@@ -188,7 +187,7 @@ TEST_CASE("maps of complex, close and unstable poles", "[linear][second-route]")
 }
 
 TEST_CASE("area grows with |T3w − T3b| from nothing, and T3b leaves the yaw alone", "[linear][limit]") {
-  const auto map = t3_map(printed(), ten_ten(), std::vector{0.983, 0.783, 0.583, 1.183}, std::vector{0.983});
+  const auto map = t3_map(printed_indices(), ten_ten(), std::vector{0.983, 0.783, 0.583, 1.183}, std::vector{0.983});
   CHECK(map.at(0, 0).area == 0.0);
   CHECK(map.at(0, 0).omega_at_beta_zero == 0.0);
   CHECK_THAT(map.at(2, 0).area, WithinRel(2.0 * map.at(1, 0).area, 1e-12));
@@ -198,14 +197,14 @@ TEST_CASE("area grows with |T3w − T3b| from nothing, and T3b leaves the yaw al
 
 TEST_CASE("the number of threads does not matter to a map; a map without gain is refused", "[linear][refusal]") {
   const std::vector T3b{0.1, 0.2, 0.3}, T3w{0.5, 0.6, 0.7, 0.8};
-  const auto one = t3_map(printed(), ten_ten(), T3b, T3w, 1), five = t3_map(printed(), ten_ten(), T3b, T3w, 5);
+  const auto one = t3_map(printed_indices(), ten_ten(), T3b, T3w, 1), five = t3_map(printed_indices(), ten_ten(), T3b, T3w, 5);
   for (std::size_t i = 0; i < one.points.size(); ++i) CHECK(one.points[i].beta_max == five.points[i].beta_max);
-  auto no_gain = printed();
+  auto no_gain = printed_indices();
   no_gain.Kb = 0.0;
   CHECK_THROWS_WITH(t3_map(no_gain, ten_ten(), T3b, T3w), "gain Kb must not be zero");
   auto order = ten_ten();
   order.heading = -0.1;
-  CHECK_THROWS_WITH(t3_map(printed(), order, T3b, T3w), ContainsSubstring("heading angle"));
+  CHECK_THROWS_WITH(t3_map(printed_indices(), order, T3b, T3w), ContainsSubstring("heading angle"));
 }
 
 }  // namespace

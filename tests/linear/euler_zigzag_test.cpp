@@ -2,11 +2,9 @@
 
 #include <catch.hpp>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "files.hpp"
 #include "random_linear_ships.hpp"
+#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
 
 namespace swayaw {
@@ -15,12 +13,13 @@ namespace {
 using test::RandomLinearShips;
 
 LinearZigzagOrder ten_ten(std::size_t reversals = 3, Side first = Side::starboard) {
-  return {.rudder = radians(10), .heading = radians(10), .rate = radians(2.5) * 13.39, .first = first, .reversals = reversals};
+  auto order = test::ten_ten(2.5, first);
+  order.reversals = reversals;
+  return order;
 }
 
 TEST_CASE("Euler's method at ds' = 0.05 gives the numbers of the reference", "[linear][published]") {
-  std::ifstream file(test::golden / "artyszuk_linear.json");
-  const auto wanted = nlohmann::json::parse(file).at("artyszuk").at("zigzag_euler_ds0.05_printed_abc");
+  const auto& wanted = test::reference().at("zigzag_euler_ds0.05_printed_abc");
   const auto found = euler_zigzag(RandomLinearShips::tanker(), ten_ten(4)).reversals;
   REQUIRE(found.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) CHECK_THAT(found[i].execute, WithinAbs(wanted.at("execute_s")[i].get<double>(), 1e-9));

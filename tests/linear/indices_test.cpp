@@ -3,11 +3,10 @@
 #include <Eigen/Core>
 #include <Eigen/SVD>
 #include <catch.hpp>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "files.hpp"
 #include "random_linear_ships.hpp"
+#include "tanker.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/linear/dimensional.hpp"
 #include "swayaw/linear/ship_parts.hpp"
@@ -17,16 +16,13 @@ namespace swayaw {
 namespace {
 
 using nlohmann::json;
+using test::printed_indices;
 using test::RandomLinearShips;
+using test::reference;
 using Coefficients = SwayYawCoefficients<double>;
 using Indices = SteeringIndices<double>;
 
 constexpr double eps = 2.3e-16;
-
-json reference() {
-  std::ifstream file(test::golden / "artyszuk_linear.json");
-  return json::parse(file).at("artyszuk");
-}
 
 Coefficients coefficients_of(const json& j) { return {j.at("a1"), j.at("b1"), j.at("c1"), j.at("a2"), j.at("b2"), j.at("c2")}; }
 
@@ -176,12 +172,8 @@ TEST_CASE("SNAME derivatives and coefficients are each other's inverse, for both
 // ---------------------------------------------------------------- numbers of the paper
 
 TEST_CASE("coefficients follow from the parts of table 1", "[linear][published]") {
-  const auto r = reference();
-  const auto& t = r.at("table1_input");
-  const LinearParts<double> ship{
-      .hull = {t.at("LB"), t.at("cB"), t.at("k11"), t.at("k22"), t.at("rz"), t.at("r66"), t.at("Yb"), t.at("Yw"), t.at("Nb"), t.at("Nw")},
-      .rudder = {t.at("AR"), t.at("w"), t.at("cTh"), t.at("cLa"), t.at("aH"), t.at("cRy"), t.at("xR")}};
-  const auto split = coefficients(ship);
+  const auto& r = reference();
+  const auto split = coefficients(test::printed_table_1());
   const auto& f = r.at("from_table1");
   CHECK_THAT(split.hull.a1, WithinRel(f.at("a1H").get<double>(), 1e-12));
   CHECK_THAT(split.rudder.a1, WithinRel(f.at("a1R").get<double>(), 1e-12));
@@ -204,20 +196,15 @@ TEST_CASE("coefficients follow from the parts of table 1", "[linear][published]"
   CHECK_THAT(i.Kw, WithinRel(record.at("Kw").get<double>(), 1e-9));
 }
 
-/// The printed time constants and gains of table 3, with variations of T3b and T3w.
-Indices printed_indices(double T3b = 0.154, double T3w = 0.983) {
-  return {.T1T2 = 10.491 * 0.298, .T1_plus_T2 = 10.491 + 0.298, .T3b = T3b, .T3w = T3w, .Kb = -3.464, .Kw = -4.896};
-}
-
 TEST_CASE("the inverse gives the coefficients of table 3 and of its variations", "[linear][published]") {
-  const auto r = reference();
+  const auto& r = reference();
   check_close(coefficients_from(printed_indices()), coefficients_of(r.at("printed_TK_to_abc")), 1e-11);
   check_close(coefficients_from(printed_indices(0.309)), coefficients_of(r.at("T3b_variation_abc").at("0.309")), 1e-11);
   check_close(coefficients_from(printed_indices(0.154, 0.492)), coefficients_of(r.at("T3w_variation_abc").at("0.492")), 1e-11);
 }
 
 TEST_CASE("the printed coefficients give their indices, in degenerate cases too", "[linear][published]") {
-  const auto r = reference();
+  const auto& r = reference();
   for (const json& record : {r.at("printed_abc_record"), r.at("degenerate_examples").at("complex_poles"), r.at("degenerate_examples").at("unstable"),
                              r.at("sname_mapping").at("example").at("record")}) {
     const auto m = coefficients_of(record.at("abc"));
@@ -276,28 +263,6 @@ TEST_CASE("the derivatives of the inverse are those of the reference", "[linear]
   for (std::size_t row = 0; row < 6; ++row)
     for (std::size_t column = 0; column < 6; ++column)
       CHECK_THAT(out[row].v[static_cast<int>(column)], WithinAbs(reference_rows[row][column].get<double>(), 1e-9 * 100.0));
-}
-
-TEST_CASE("hull and rudder of section 7 follow from the printed coefficients", "[linear][published]") {
-  const auto r = reference();
-  const auto& t = r.at("table1_input");
-  const LinearParts<double> ship{
-      .hull = {t.at("LB"), t.at("cB"), t.at("k11"), t.at("k22"), t.at("rz"), t.at("r66"), t.at("Yb"), t.at("Yw"), t.at("Nb"), t.at("Nw")},
-      .rudder = {t.at("AR"), t.at("w"), t.at("cTh"), t.at("cLa"), t.at("aH"), t.at("cRy"), t.at("xR")}};
-  const std::pair<const char*, KnownPart> choices[] = {
-      {"Yb", KnownPart::Y_b}, {"Yw", KnownPart::Y_w}, {"Nb", KnownPart::N_b}, {"Nw", KnownPart::N_w}, {"cRy", KnownPart::c_Ry}};
-  for (const auto& [name, known] : choices) {
-    INFO("known " << name);
-    const auto found = parts_from(RandomLinearShips::tanker(), ship, known);
-    const auto& wanted = r.at("section7").at("from_printed_abc").at(name);
-    CHECK_THAT(found.rudder.a_H, WithinRel(wanted.at("aH").get<double>(), 1e-9));
-    CHECK_THAT(found.rudder.x_Reff, WithinRel(wanted.at("xR").get<double>(), 1e-9));
-    CHECK_THAT(found.rudder.c_Ry, WithinRel(wanted.at("cRy").get<double>(), 1e-9));
-    CHECK_THAT(found.hull.Y_b, WithinRel(wanted.at("Yb").get<double>(), 1e-9));
-    CHECK_THAT(found.hull.Y_w, WithinRel(wanted.at("Yw").get<double>(), 1e-9));
-    CHECK_THAT(found.hull.N_b, WithinRel(wanted.at("Nb").get<double>(), 1e-9));
-    CHECK_THAT(found.hull.N_w, WithinRel(wanted.at("Nw").get<double>(), 1e-9));
-  }
 }
 
 TEST_CASE("the SNAME example gives its coefficients", "[linear][published]") {

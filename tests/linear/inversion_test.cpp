@@ -2,38 +2,23 @@
 
 #include <catch.hpp>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "files.hpp"
 #include "random_linear_ships.hpp"
+#include "tanker.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw {
 namespace {
 
-using nlohmann::json;
+using test::printed_table_1;
 using test::RandomLinearShips;
+using test::reference;
 
-constexpr std::array all_known{KnownPart::Y_b, KnownPart::Y_w, KnownPart::N_b, KnownPart::N_w, KnownPart::c_Ry};
-
-/// Hull and rudder of table 1.
-LinearParts<double> tanker_parts() {
-  return {.hull = {5.867, 0.761, 0.056, 1.004, 0.247, 0.225, 0.0043, 0.026, 0.0024, -0.063}, .rudder = {0.0177, 0.326, 2.127, 0.0385, 0.6, 1.0, -0.5}};
-}
-
-json golden() {
-  std::ifstream file(test::golden / "artyszuk_linear.json");
-  return json::parse(file).at("artyszuk");
-}
-
-Inversion inversion_of(const SwayYawCoefficients<double>& m, KnownPart known) { return inverted(m, steering_indices(m), tanker_parts(), known); }
+Inversion inversion_of(const SwayYawCoefficients<double>& m, KnownPart known) { return inverted(m, steering_indices(m), printed_table_1(), known); }
 
 TEST_CASE("hull and rudder from the printed coefficients agree with the reference for every known number", "[linear][published]") {
-  const auto cases = golden().at("section7").at("from_printed_abc");
-  const std::pair<const char*, KnownPart> names[] = {
-      {"Yb", KnownPart::Y_b}, {"Yw", KnownPart::Y_w}, {"Nb", KnownPart::N_b}, {"Nw", KnownPart::N_w}, {"cRy", KnownPart::c_Ry}};
-  for (const auto& [name, known] : names) {
+  const auto& cases = reference().at("section7").at("from_printed_abc");
+  for (const auto& [name, known] : test::known_parts) {
     const auto& wanted = cases.at(name);
     const auto result = inversion_of(RandomLinearShips::tanker(), known).parts;
     const char* keys[] = {"aH", "cRy", "xR", "Yb", "Yw", "Nb", "Nw"};
@@ -43,7 +28,7 @@ TEST_CASE("hull and rudder from the printed coefficients agree with the referenc
 
 TEST_CASE("elasticities of the coefficients are the reference's Jacobian", "[linear][published]") {
   // columns of the reference: T1, T2, T3b, T3w, Kb, Kw; its differences hold seven digits
-  const auto jacobian = golden().at("jacobian_REF").at("d_abc_d_TK");
+  const auto jacobian = reference().at("jacobian_REF").at("d_abc_d_TK");
   const auto m = RandomLinearShips::tanker();
   const auto i = steering_indices(m);
   const auto T = time_constants(transfer_functions(m)).value();
@@ -59,16 +44,16 @@ TEST_CASE("elasticities are differences of the inversion", "[linear][second-rout
   const auto m = RandomLinearShips::tanker();
   const auto i = steering_indices(m);
   const double h = 1e-6;
-  for (const auto known : all_known) {
-    const auto result = inverted(m, i, tanker_parts(), known).parts;
+  for (const auto& [name, known] : test::known_parts) {
+    const auto result = inverted(m, i, printed_table_1(), known).parts;
     const auto value = [&](double factor) {
       auto varied = i;
       varied.T3w *= factor;
-      return inverted(coefficients_from(varied), varied, tanker_parts(), known).parts;
+      return inverted(coefficients_from(varied), varied, printed_table_1(), known).parts;
     };
     const auto up = value(1.0 + h), down = value(1.0 - h);
     for (std::size_t k = 0; k < result.size(); ++k) {
-      INFO(name_of(known) << ", " << result[k].name);
+      INFO(name << ", " << result[k].name);
       CHECK_THAT(result[k].elasticity[5], WithinAbs((up[k].value - down[k].value) / (2.0 * h * result[k].value), 1e-6));
     }
   }
@@ -87,7 +72,7 @@ TEST_CASE("hull and rudder come back from their coefficients whatever is known",
   for (int n = 0; n < 200; ++n) {
     const auto ship = random.parts();
     const auto m = coefficients(ship).total();
-    for (const auto known : all_known) {
+    for (const auto& [name, known] : test::known_parts) {
       const auto again = inverted(m, steering_indices(m), ship, known).ship;
       CHECK_THAT(again.rudder.c_Ry, WithinRel(ship.rudder.c_Ry, 1e-9));
       CHECK_THAT(again.rudder.a_H, WithinRel(ship.rudder.a_H, 1e-9));
@@ -99,7 +84,7 @@ TEST_CASE("hull and rudder come back from their coefficients whatever is known",
 
 TEST_CASE("1 % in the known number does to the tanker what the reference says", "[linear][published]") {
   // from table 1: Y_b gives -3.3 % in c_Ry and 4.7 % in Y_w, N_b 3.7 % and -5.3 %
-  const auto m = coefficients(tanker_parts()).total();
+  const auto m = coefficients(printed_table_1()).total();
   const auto by_Y_b = inversion_of(m, KnownPart::Y_b).parts, by_N_b = inversion_of(m, KnownPart::N_b).parts;
   CHECK_THAT(by_Y_b[1].elasticity[8], WithinAbs(-3.3, 0.05));
   CHECK_THAT(by_Y_b[4].elasticity[8], WithinAbs(4.7, 0.1));
@@ -108,7 +93,7 @@ TEST_CASE("1 % in the known number does to the tanker what the reference says", 
 }
 
 TEST_CASE("of the tanker Y_w is best known, then c_Ry", "[linear]") {
-  const auto conditions = known_conditions(RandomLinearShips::tanker(), tanker_parts());
+  const auto conditions = known_conditions(RandomLinearShips::tanker(), printed_table_1());
   CHECK(best_known(conditions) == KnownPart::Y_w);
   for (const auto& c : conditions) {
     CHECK(c.by_known >= 1.0 - 1e-12);
@@ -120,7 +105,7 @@ TEST_CASE("of the tanker Y_w is best known, then c_Ry", "[linear]") {
 TEST_CASE("a ship without Kb is inverted, her elasticities to the indices are not numbers", "[linear][limit]") {
   auto m = RandomLinearShips::tanker();
   m.c1 = m.b1 * m.c2 / m.b2;
-  const auto result = inverted(m, {.T1T2 = 3, .T1_plus_T2 = 10, .T3b = INFINITY, .T3w = 1, .Kb = 0, .Kw = -4}, tanker_parts(), KnownPart::c_Ry);
+  const auto result = inverted(m, {.T1T2 = 3, .T1_plus_T2 = 10, .T3b = INFINITY, .T3w = 1, .Kb = 0, .Kw = -4}, printed_table_1(), KnownPart::c_Ry);
   CHECK(result.coefficients[2].value == m.c1);
   CHECK(std::isfinite(result.parts[4].value));
   CHECK(std::isfinite(result.parts[4].elasticity[8]));
@@ -134,7 +119,7 @@ TEST_CASE("a rudder that tells nothing is refused in words", "[linear][refusal]"
   m = RandomLinearShips::tanker();
   m.c2 = 0.0;  // the rudder acts midship: no moment
   CHECK_THROWS_AS(inversion_of(m, KnownPart::N_w), Refusal);
-  CHECK(std::isinf(known_conditions(m, tanker_parts())[3].worst));
+  CHECK(std::isinf(known_conditions(m, printed_table_1())[3].worst));
 }
 
 }  // namespace

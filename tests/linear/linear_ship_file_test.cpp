@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "files.hpp"
+#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -93,8 +94,7 @@ TEST_CASE("the ships of the project are those beside it", "[linear]") {
 }
 
 TEST_CASE("each form gives the reference's coefficients and indices", "[linear][published]") {
-  std::ifstream file(test::golden / "artyszuk_linear.json");
-  const auto golden = json::parse(file).at("artyszuk");
+  const auto& golden = test::reference();
   const auto check = [](const SwayYawCoefficients<double>& m, const json& wanted) {
     for (const auto& p : m.parameters()) CHECK_THAT(m.*p.member, WithinRel(wanted.at(std::string(p.key)).get<double>(), 1e-12));
   };

@@ -2,32 +2,26 @@
 
 #include <catch.hpp>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "files.hpp"
 #include "random_linear_ships.hpp"
+#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
 
 namespace swayaw {
 namespace {
 
-using nlohmann::json;
 using test::RandomLinearShips;
+using test::printed_indices;
+using test::ten_ten;
 using Indices = SteeringIndices<double>;
 
-LinearZigzagOrder ten_ten(double rate_deg_s = 2.5) { return {.rudder = radians(10), .heading = radians(10), .rate = radians(rate_deg_s) * 13.39, .first = Side::port}; }
-
-Indices printed(double T3b = 0.154, double T3w = 0.983) { return {10.491 * 0.298, 10.491 + 0.298, T3b, T3w, -3.464, -4.896}; }
-
 TEST_CASE("loops of the ninth reversal agree with the reference", "[linear][published]") {
-  std::ifstream file(test::golden / "artyszuk_linear.json");
-  const auto figures = json::parse(file).at("artyszuk").at("figure_numbers_printed_TK");
-  const std::tuple<const char*, Indices, double> cases[] = {{"REF", printed(), 2.5},
-                                                             {"T3b=0.309", printed(0.309), 2.5},
-                                                             {"T3w=0.492", printed(0.154, 0.492), 2.5},
-                                                             {"T3w=1.966", printed(0.154, 1.966), 2.5},
-                                                             {"REF rate0.5", printed(), 0.5}};
+  const auto& figures = test::reference().at("figure_numbers_printed_TK");
+  const std::tuple<const char*, Indices, double> cases[] = {{"REF", printed_indices(), 2.5},
+                                                             {"T3b=0.309", printed_indices(0.309), 2.5},
+                                                             {"T3w=0.492", printed_indices(0.154, 0.492), 2.5},
+                                                             {"T3w=1.966", printed_indices(0.154, 1.966), 2.5},
+                                                             {"REF rate0.5", printed_indices(), 0.5}};
   for (const auto& [name, indices, rate] : cases) {
     INFO(name);
     const auto& wanted = figures.at(name);
@@ -50,7 +44,7 @@ TEST_CASE("loops of the ninth reversal agree with the reference", "[linear][publ
 }
 
 TEST_CASE("the limit cycle repeats itself, a little beyond the ninth reversal", "[linear][limit]") {
-  const auto ship = coefficients_from(printed());
+  const auto ship = coefficients_from(printed_indices());
   const auto cycle = limit_cycle(ship, ten_ten());
   REQUIRE(cycle.settled);
   const auto loop = drift_yaw_loop(ship, cycle.zigzag).value();
@@ -110,7 +104,7 @@ TEST_CASE("area and moments are those of a fine polygon", "[linear][second-route
 TEST_CASE("as T3b nears T3w the loop becomes the first-order line", "[linear][limit]") {
   double previous = 1e9;
   for (const double gap : {0.4, 0.1, 0.01, 0.001}) {
-    const auto ship = coefficients_from(printed(0.983 + gap, 0.983));
+    const auto ship = coefficients_from(printed_indices(0.983 + gap, 0.983));
     const auto loop = drift_yaw_loop(ship, limit_cycle(ship, ten_ten()).zigzag).value();
     CHECK(loop.distance_from_line < previous);
     previous = loop.distance_from_line;
@@ -121,10 +115,10 @@ TEST_CASE("as T3b nears T3w the loop becomes the first-order line", "[linear][li
 
 TEST_CASE("sensitivities of loop and overshoots to T3b and T3w are those of differences", "[linear][second-route]") {
   const double h = 1e-5;
-  const auto exact = loop_sensitivity(printed(), ten_ten()).value();
+  const auto exact = loop_sensitivity(printed_indices(), ten_ten()).value();
   CHECK(exact.settled);
   for (const bool by_T3w : {false, true}) {
-    const auto shifted = [&](double by) { return loop_sensitivity(by_T3w ? printed(0.154, 0.983 + by) : printed(0.154 + by), ten_ten()).value(); };
+    const auto shifted = [&](double by) { return loop_sensitivity(by_T3w ? printed_indices(0.154, 0.983 + by) : printed_indices(0.154 + by), ten_ten()).value(); };
     const auto up = shifted(h), down = shifted(-h);
     const auto& d = by_T3w ? exact.by_T3w : exact.by_T3b;
     const auto check = [&](double LoopMeasures<double>::*measure) {
@@ -141,14 +135,14 @@ TEST_CASE("sensitivities of loop and overshoots to T3b and T3w are those of diff
 }
 
 TEST_CASE("T3b changes the loop and not the overshoots", "[linear][published]") {
-  const auto s = loop_sensitivity(printed(), ten_ten()).value();
+  const auto s = loop_sensitivity(printed_indices(), ten_ten()).value();
   for (const double x : s.overshoot_by_T3b) CHECK_THAT(x, WithinAbs(0.0, 1e-12));
   CHECK_THAT(s.period_by_T3b, WithinAbs(0.0, 1e-10));
   CHECK(std::abs(s.by_T3b.area) > 1e-3);
 }
 
 TEST_CASE("a mirrored zigzag draws the same loop", "[linear][symmetry]") {
-  const auto ship = coefficients_from(printed());
+  const auto ship = coefficients_from(printed_indices());
   auto starboard = ten_ten();
   starboard.first = Side::starboard;
   const auto a = drift_yaw_loop(ship, linear_zigzag(ship, ten_ten())).value(), b = drift_yaw_loop(ship, linear_zigzag(ship, starboard)).value();
@@ -157,11 +151,11 @@ TEST_CASE("a mirrored zigzag draws the same loop", "[linear][symmetry]") {
 }
 
 TEST_CASE("no loop without three reversals, no sensitivity without a ship", "[linear][refusal]") {
-  const auto ship = coefficients_from(printed());
+  const auto ship = coefficients_from(printed_indices());
   auto order = ten_ten();
   order.reversals = 2;
   CHECK_FALSE(drift_yaw_loop(ship, linear_zigzag(ship, order)).has_value());
-  CHECK_THROWS_WITH(loop_sensitivity(printed(0.5, 0.5), ten_ten()), ContainsSubstring("T3b and T3w are equal"));
+  CHECK_THROWS_WITH(loop_sensitivity(printed_indices(0.5, 0.5), ten_ten()), ContainsSubstring("T3b and T3w are equal"));
 }
 
 }  // namespace

@@ -2,11 +2,10 @@
 #include <catch.hpp>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "files.hpp"
 #include "random_linear_ships.hpp"
+#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/linear/euler_zigzag.hpp"
@@ -21,30 +20,17 @@ namespace swayaw {
 namespace {
 
 using nlohmann::json;
+using test::printed_indices;
+using test::printed_table_1;
 using test::RandomLinearShips;
+using test::reference;
 using Coefficients = SwayYawCoefficients<double>;
 using Indices = SteeringIndices<double>;
 using Parts = LinearParts<double>;
 
 // ---------------------------------------------------------------- the ship and its motions
 
-const json& reference() {
-  static const json all = json::parse(std::ifstream(test::golden / "artyszuk_linear.json")).at("artyszuk");
-  return all;
-}
-
-Parts parts_of(const json& t) {
-  return {.hull = {t.at("LB"), t.at("cB"), t.at("k11"), t.at("k22"), t.at("rz"), t.at("r66"), t.at("Yb"), t.at("Yw"), t.at("Nb"), t.at("Nw")},
-          .rudder = {t.at("AR"), t.at("w"), t.at("cTh"), t.at("cLa"), t.at("aH"), t.at("cRy"), t.at("xR")}};
-}
-
-Parts printed_table_1() { return parts_of(reference().at("table1_input")); }
-Parts unrounded_table_1() { return parts_of(reference().at("unrounded_table1_that_prints_all_digits").at("table1")); }
-
-/// The printed time constants and gains of table 3, with variations of T3b and T3w.
-Indices printed_indices(double T3b = 0.154, double T3w = 0.983) {
-  return {.T1T2 = 10.491 * 0.298, .T1_plus_T2 = 10.491 + 0.298, .T3b = T3b, .T3w = T3w, .Kb = -3.464, .Kw = -4.896};
-}
+Parts unrounded_table_1() { return test::parts_of(reference().at("unrounded_table1_that_prints_all_digits").at("table1")); }
 
 Coefficients reference_ship() { return coefficients_from(printed_indices()); }
 
@@ -54,8 +40,8 @@ Coefficients first_order_both(const Indices& i) {
   return {-1.0 / drift.T, 0.0, drift.K / drift.T, 0.0, -1.0 / yaw.T, yaw.K / yaw.T};
 }
 
-/// The 10/10 zigzag, first to starboard so that drift and yaw rate begin positive, at degrees per second; 1 L is 13.39 s.
-LinearZigzagOrder ten_ten(double rate_deg_s = 2.5) { return {.rudder = radians(10), .heading = radians(10), .rate = radians(rate_deg_s) * 13.39}; }
+/// First to starboard, so that drift and yaw rate begin positive.
+LinearZigzagOrder ten_ten(double rate_deg_s = 2.5) { return test::ten_ten(rate_deg_s, Side::starboard); }
 
 double overshoot_deg(const Coefficients& m, std::size_t i, double rate_deg_s = 2.5) { return degrees(linear_zigzag(m, ten_ten(rate_deg_s)).reversals.at(i).overshoot); }
 
@@ -508,8 +494,7 @@ TEST_CASE("wrong: not any of 7 parameters can be fixed, only 5; a_H and x'_Reff 
 }
 
 TEST_CASE("true: with one of the five fixed the others follow from the printed coefficients", "[linear][published]") {
-  const std::pair<const char*, KnownPart> cases[] = {{"Yb", KnownPart::Y_b}, {"Yw", KnownPart::Y_w}, {"Nb", KnownPart::N_b}, {"Nw", KnownPart::N_w}, {"cRy", KnownPart::c_Ry}};
-  for (const auto& [name, known] : cases) {
+  for (const auto& [name, known] : test::known_parts) {
     INFO(name);
     const auto& wanted = reference().at("section7").at("from_printed_abc").at(name);
     const auto found = parts_from(RandomLinearShips::tanker(), printed_table_1(), known);

@@ -5,11 +5,9 @@
 #include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <catch.hpp>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "files.hpp"
 #include "random_linear_ships.hpp"
+#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
 
@@ -166,10 +164,8 @@ TEST_CASE("a mirrored rudder gives the mirrored response", "[linear][symmetry]")
 }
 
 TEST_CASE("the step response of the printed ship is that of the reference", "[linear][published]") {
-  std::ifstream file(test::golden / "artyszuk_linear.json");
-  const auto reference = nlohmann::json::parse(file).at("artyszuk").at("step_response_printed_abc");
   const Response ship(RandomLinearShips::tanker());
-  for (const auto& [time, state] : reference.items()) {
+  for (const auto& [time, state] : test::reference().at("step_response_printed_abc").items()) {
     const auto x = state_after(ship, {0.0, 0.0, 0.0}, {radians(10), 0.0}, std::stod(time));
     CHECK_THAT(degrees(x.beta), WithinRel(state.at("beta_deg").get<double>(), 1e-9));
     CHECK_THAT(x.omega, WithinRel(state.at("omega").get<double>(), 1e-9));

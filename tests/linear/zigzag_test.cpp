@@ -2,11 +2,10 @@
 
 #include <catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "files.hpp"
 #include "random_linear_ships.hpp"
+#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/linear/indices.hpp"
@@ -16,18 +15,10 @@ namespace {
 
 using nlohmann::json;
 using test::RandomLinearShips;
+using test::reference;
+using test::ten_ten;
 
-json reference() {
-  std::ifstream file(test::golden / "artyszuk_linear.json");
-  return json::parse(file).at("artyszuk");
-}
-
-/// 10/10 zigzag with a rudder rate in degrees per second of a ship that sails a length in 13.39 s.
-LinearZigzagOrder ten_ten(double rate_deg_s) { return {.rudder = radians(10), .heading = radians(10), .rate = radians(rate_deg_s) * 13.39, .first = Side::port}; }
-
-SwayYawCoefficients<double> printed_indices(double T3b = 0.154, double T3w = 0.983) {
-  return coefficients_from(SteeringIndices<double>{10.491 * 0.298, 10.491 + 0.298, T3b, T3w, -3.464, -4.896});
-}
+SwayYawCoefficients<double> printed(double T3b = 0.154, double T3w = 0.983) { return coefficients_from(test::printed_indices(T3b, T3w)); }
 
 void check_zigzag(const json& wanted, const LinearZigzag<double>& found) {
   const auto& execute = wanted.at("execute_s");
@@ -44,18 +35,18 @@ TEST_CASE("exact zigzags agree with the reference to 1e-9", "[linear][published]
   const auto tanker = RandomLinearShips::tanker();
   check_zigzag(r.at("REF_printed_abc_rate2.5"), linear_zigzag(tanker, ten_ten(2.5)));
   check_zigzag(r.at("REF_printed_abc_rate0.5"), linear_zigzag(tanker, ten_ten(0.5)));
-  check_zigzag(r.at("REF_printed_TK_rate2.5"), linear_zigzag(printed_indices(), ten_ten(2.5)));
-  check_zigzag(r.at("REF_printed_TK_rate0.5"), linear_zigzag(printed_indices(), ten_ten(0.5)));
-  check_zigzag(r.at("T3b_0.309_rate2.5"), linear_zigzag(printed_indices(0.309), ten_ten(2.5)));
-  check_zigzag(r.at("T3w_0.492_rate2.5"), linear_zigzag(printed_indices(0.154, 0.492), ten_ten(2.5)));
-  check_zigzag(r.at("T3w_0.492_rate0.5"), linear_zigzag(printed_indices(0.154, 0.492), ten_ten(0.5)));
+  check_zigzag(r.at("REF_printed_TK_rate2.5"), linear_zigzag(printed(), ten_ten(2.5)));
+  check_zigzag(r.at("REF_printed_TK_rate0.5"), linear_zigzag(printed(), ten_ten(0.5)));
+  check_zigzag(r.at("T3b_0.309_rate2.5"), linear_zigzag(printed(0.309), ten_ten(2.5)));
+  check_zigzag(r.at("T3w_0.492_rate2.5"), linear_zigzag(printed(0.154, 0.492), ten_ten(2.5)));
+  check_zigzag(r.at("T3w_0.492_rate0.5"), linear_zigzag(printed(0.154, 0.492), ten_ten(0.5)));
 }
 
 TEST_CASE("zigzags of the figures and of the first-order equation agree with the reference", "[linear][published]") {
   const auto r = reference().at("figure_numbers_printed_TK");
   for (const double T3w : {1.966, 3.0, 5.0}) {
     const auto name = T3w == 1.966 ? std::string("T3w=1.966") : T3w == 3.0 ? "T3w=3" : "T3w=5";
-    check_zigzag(r.at(name), linear_zigzag(printed_indices(0.154, T3w), ten_ten(2.5)));
+    check_zigzag(r.at(name), linear_zigzag(printed(0.154, T3w), ten_ten(2.5)));
   }
   check_zigzag(r.at("first_order rate 2.5"), linear_zigzag(first_order_ship(-4.896, 9.806), ten_ten(2.5)));
   check_zigzag(r.at("first_order rate 0.5"), linear_zigzag(first_order_ship(-4.896, 9.806), ten_ten(0.5)));
@@ -263,13 +254,13 @@ TEST_CASE("a switch moves with the coefficients as duals say", "[linear][second-
 }
 
 TEST_CASE("T3b does not touch the yaw, and drift does not know T3w before the first reversal", "[linear][published]") {
-  const auto reference_zigzag = linear_zigzag(printed_indices(), ten_ten(2.5));
-  const auto other_T3b = linear_zigzag(printed_indices(0.309), ten_ten(2.5));
+  const auto reference_zigzag = linear_zigzag(printed(), ten_ten(2.5));
+  const auto other_T3b = linear_zigzag(printed(0.309), ten_ten(2.5));
   for (std::size_t i = 0; i < reference_zigzag.reversals.size(); ++i) {
     CHECK_THAT(other_T3b.reversals[i].execute, WithinRel(reference_zigzag.reversals[i].execute, 1e-12));
     CHECK_THAT(other_T3b.reversals[i].overshoot, WithinRel(reference_zigzag.reversals[i].overshoot, 1e-11));
   }
-  const LinearResponse<double> ship(printed_indices()), other_T3w(printed_indices(0.154, 0.492));
+  const LinearResponse<double> ship(printed()), other_T3w(printed(0.154, 0.492));
   for (double s = 0.1; s < 1.7; s += 0.1) {
     const RudderLine<double> rudder{0.0, 0.4};
     CHECK_THAT(state_after(other_T3w, {0, 0, 0}, rudder, s).beta, WithinAbs(state_after(ship, {0, 0, 0}, rudder, s).beta, 1e-14));
