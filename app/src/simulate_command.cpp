@@ -6,6 +6,7 @@
 #include "linear_output.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -15,19 +16,20 @@ ManoeuvreOptions options_of(const SimulateArguments& a) {
 }
 
 /// "shaft 11.85 1/s" or "thrust 11.2 N".
-std::string propulsion_text(const Controls<double>& c) {
+std::string propulsion_text(const Ship& ship, const Controls<double>& c) {
+  if (!c.by_thrust && !takes_shaft_speed(ship)) return "propulsion held";
   if (!c.by_thrust) return fmt::format("shaft {:.5g} 1/s", c.rev);
   return fmt::format("thrust {:.5g} N", c.thrust.port + c.thrust.starboard);
 }
 
-void add_propulsion(Json& json, const Controls<double>& c) {
+void add_propulsion(Json& json, const Ship& ship, const Controls<double>& c) {
   if (c.by_thrust) json["thrust_N"] = c.thrust.port + c.thrust.starboard;
-  else json["rev_s"] = c.rev;
+  else if (takes_shaft_speed(ship)) json["rev_s"] = c.rev;
 }
 
 // ---------------------------------------------------------------- zigzag
 
-Json zigzag_json(const Zigzag& z, const ZigzagOrder& order) {
+Json zigzag_json(const Ship& ship, const Zigzag& z, const ZigzagOrder& order) {
   Json execute = Json::array({0.0}), peaks = Json::array(), overshoots = Json::array();
   for (const auto& reversal : z.reversals) {
     execute.push_back(reversal.time);
@@ -43,12 +45,12 @@ Json zigzag_json(const Zigzag& z, const ZigzagOrder& order) {
           {"overshoot_deg", std::move(overshoots)},
           {"period_s", number(z.period)},
           {"initial_turning_m", number(z.initial_turning)}};
-  add_propulsion(json, z.propulsion);
+  add_propulsion(json, ship, z.propulsion);
   return json;
 }
 
 void print_zigzag(const Ship& ship, const Zigzag& z) {
-  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, z.run.facts.manoeuvre, z.approach_speed, propulsion_text(z.propulsion));
+  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, z.run.facts.manoeuvre, z.approach_speed, propulsion_text(ship, z.propulsion));
   fmt::print("  {:<10}{:>12}{:>12}{:>16}\n", "reversal", "at s", "peak s", "overshoot deg");
   for (std::size_t i = 0; i < z.reversals.size(); ++i) {
     const auto& r = z.reversals[i];
@@ -65,14 +67,14 @@ Recording run_zigzag(const Ship& ship, const SimulateArguments& a) {
   const auto [rudder, heading] = zigzag_angles(a.zigzag);
   const ZigzagOrder order{.rudder = rudder, .heading = heading, .first = side_named(a.first)};
   auto result = zigzag(ship, order, options_of(a));
-  if (a.json) fmt::print("{}\n", zigzag_json(result, order).dump(2));
+  if (a.json) fmt::print("{}\n", zigzag_json(ship, result, order).dump(2));
   else print_zigzag(ship, result);
   return std::move(result.run);
 }
 
 // ---------------------------------------------------------------- turning circle
 
-Json circle_json(const TurningCircle& c, const TurnOrder& order) {
+Json circle_json(const Ship& ship, const TurningCircle& c, const TurnOrder& order) {
   const bool steady = c.steady.has_value();
   Json json{{"manoeuvre", fmt::format("turn {:.6g}", degrees(order.rudder))},
           {"first", name_of(order.side)},
@@ -87,7 +89,7 @@ Json circle_json(const TurningCircle& c, const TurnOrder& order) {
           {"final_speed_m_s", steady ? number(speed(*c.steady)) : Json(nullptr)},
           {"final_drift_rad", steady ? number(drift_angle(*c.steady)) : Json(nullptr)},
           {"final_yaw_rate_rad_s", steady ? number(c.steady->r) : Json(nullptr)}};
-  add_propulsion(json, c.propulsion);
+  add_propulsion(json, ship, c.propulsion);
   return json;
 }
 
@@ -98,7 +100,7 @@ void print_length(std::string_view name, const std::optional<double>& metres, do
 
 void print_circle(const Ship& ship, const TurningCircle& c) {
   const double L = length(ship);
-  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, c.run.facts.manoeuvre, c.approach_speed, propulsion_text(c.propulsion));
+  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, c.run.facts.manoeuvre, c.approach_speed, propulsion_text(ship, c.propulsion));
   print_length("advance", c.advance, L);
   print_length("transfer", c.transfer, L);
   print_length("tactical diameter", c.tactical_diameter, L);
@@ -118,7 +120,7 @@ void print_circle(const Ship& ship, const TurningCircle& c) {
 Recording run_circle(const Ship& ship, const SimulateArguments& a) {
   const TurnOrder order{.rudder = radians(*a.turn), .side = side_named(a.first)};
   auto result = turning_circle(ship, order, options_of(a));
-  if (a.json) fmt::print("{}\n", circle_json(result, order).dump(2));
+  if (a.json) fmt::print("{}\n", circle_json(ship, result, order).dump(2));
   else print_circle(ship, result);
   return std::move(result.run);
 }

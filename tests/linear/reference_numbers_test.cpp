@@ -7,7 +7,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "files.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/linear/dimensional.hpp"
@@ -17,27 +16,23 @@
 #include "swayaw/linear/ship_parts.hpp"
 #include "swayaw/linear/sname.hpp"
 #include "swayaw/linear/zigzag.hpp"
+#include "tanker.hpp"
 
 /// Every number of the reference: computed here under the same key, then compared leaf by leaf, so that none is left out.
 namespace swayaw {
 namespace {
 
 using nlohmann::json;
+using test::parts_of;
+using test::printed_indices;
+using test::reference;
 using Coefficients = SwayYawCoefficients<double>;
 using Indices = SteeringIndices<double>;
-
-json reference() { return json::parse(std::ifstream(test::golden / "artyszuk_linear.json")).at("artyszuk"); }
 
 // ---------------------------------------------------------------- ships
 
 Coefficients coefficients_of(const json& j) { return {j.at("a1"), j.at("b1"), j.at("c1"), j.at("a2"), j.at("b2"), j.at("c2")}; }
 Coefficients printed_coefficients() { return {-0.622, 0.405, -0.171, 3.552, -2.827, -1.539}; }
-Indices printed(double T3b = 0.154, double T3w = 0.983) { return {10.491 * 0.298, 10.491 + 0.298, T3b, T3w, -3.464, -4.896}; }
-
-LinearParts<double> parts_of(const json& t) {
-  return {.hull = {t.at("LB"), t.at("cB"), t.at("k11"), t.at("k22"), t.at("rz"), t.at("r66"), t.at("Yb"), t.at("Yw"), t.at("Nb"), t.at("Nw")},
-          .rudder = {t.at("AR"), t.at("w"), t.at("cTh"), t.at("cLa"), t.at("aH"), t.at("cRy"), t.at("xR")}};
-}
 
 json as_json(const Coefficients& m) { return {{"a1", m.a1}, {"b1", m.b1}, {"c1", m.c1}, {"a2", m.a2}, {"b2", m.b2}, {"c2", m.c2}}; }
 
@@ -192,13 +187,13 @@ json figure(const Indices& indices, double rate) {
 
 json figures() {
   const std::tuple<const char*, Indices, double> cases[] = {
-      {"REF", printed(), 2.5},           {"T3b=0.309", printed(0.309), 2.5},    {"T3w=0.492", printed(0.154, 0.492), 2.5},
-      {"T3w=1.966", printed(0.154, 1.966), 2.5}, {"T3w=3", printed(0.154, 3.0), 2.5}, {"T3w=5", printed(0.154, 5.0), 2.5},
-      {"REF rate0.5", printed(), 0.5},   {"T3w=0.492 rate0.5", printed(0.154, 0.492), 0.5}};
+      {"REF", printed_indices(), 2.5},           {"T3b=0.309", printed_indices(0.309), 2.5},    {"T3w=0.492", printed_indices(0.154, 0.492), 2.5},
+      {"T3w=1.966", printed_indices(0.154, 1.966), 2.5}, {"T3w=3", printed_indices(0.154, 3.0), 2.5}, {"T3w=5", printed_indices(0.154, 5.0), 2.5},
+      {"REF rate0.5", printed_indices(), 0.5},   {"T3w=0.492 rate0.5", printed_indices(0.154, 0.492), 0.5}};
   json j;
   for (const auto& [name, indices, rate] : cases) j[name] = figure(indices, rate);
   for (const auto& [name, rate] : {std::pair{"first_order rate 2.5", 2.5}, std::pair{"first_order rate 0.5", 0.5}}) {
-    const auto yaw = first_order_yaw(printed());
+    const auto yaw = first_order_yaw(printed_indices());
     j[name] = reversals_of(first_order_ship(yaw.K, yaw.T), rate, 4);
     j[name].update({{"K", yaw.K}, {"T", yaw.T}});
   }
@@ -209,9 +204,9 @@ json exact_zigzags() {
   json j;
   for (const auto& [speed, rate] : {std::pair{"rate2.5", 2.5}, std::pair{"rate0.5", 0.5}}) {
     j[std::string("REF_printed_abc_") + speed] = reversals_of(printed_coefficients(), rate, 4);
-    j[std::string("REF_printed_TK_") + speed] = reversals_of(coefficients_from(printed()), rate, 4);
-    j[std::string("T3b_0.309_") + speed] = reversals_of(coefficients_from(printed(0.309)), rate, 4);
-    j[std::string("T3w_0.492_") + speed] = reversals_of(coefficients_from(printed(0.154, 0.492)), rate, 4);
+    j[std::string("REF_printed_TK_") + speed] = reversals_of(coefficients_from(printed_indices()), rate, 4);
+    j[std::string("T3b_0.309_") + speed] = reversals_of(coefficients_from(printed_indices(0.309)), rate, 4);
+    j[std::string("T3w_0.492_") + speed] = reversals_of(coefficients_from(printed_indices(0.154, 0.492)), rate, 4);
     for (const char* ship : {"REF_printed_abc_", "REF_printed_TK_", "T3b_0.309_", "T3w_0.492_"})
       j[std::string(ship) + speed].update({{"delta_deg", 10.0}, {"psi_deg", 10.0}, {"rudder_rate_deg_per_s", rate}, {"L_over_v_s", 13.39}});
   }
@@ -230,7 +225,7 @@ json euler() {
 // ---------------------------------------------------------------- the rest
 
 json first_order() {
-  const auto i = printed();
+  const auto i = printed_indices();
   const auto drift = first_order_drift(i), yaw = first_order_yaw(i);
   json j{{"T_b", drift.T}, {"T_w", yaw.T}, {"beta0_deg", std::abs(drift.K) * 10.0}, {"omega0", std::abs(yaw.K) * radians(10)}};
   // (43): omega'/omega'_0 = 1 − (1 − beta/beta_0)^(T_b/T_w)
@@ -269,9 +264,9 @@ json computed(const json& wanted) {
   j["from_table1_record"] = record_of(coefficients(ship).total());
   j["unrounded_table1_that_prints_all_digits"]["TK"] = record_of(coefficients(parts_of(unrounded)).total());
   j["printed_abc_record"] = record_of(printed_coefficients());
-  j["printed_TK_to_abc"] = as_json(coefficients_from(printed()));
-  j["T3b_variation_abc"] = {{"0.309", as_json(coefficients_from(printed(0.309)))}, {"0.308 (=2*0.154)", as_json(coefficients_from(printed(0.308)))}};
-  j["T3w_variation_abc"] = {{"0.492", as_json(coefficients_from(printed(0.154, 0.492)))}, {"0.4915", as_json(coefficients_from(printed(0.154, 0.4915)))}};
+  j["printed_TK_to_abc"] = as_json(coefficients_from(printed_indices()));
+  j["T3b_variation_abc"] = {{"0.309", as_json(coefficients_from(printed_indices(0.309)))}, {"0.308 (=2*0.154)", as_json(coefficients_from(printed_indices(0.308)))}};
+  j["T3w_variation_abc"] = {{"0.492", as_json(coefficients_from(printed_indices(0.154, 0.492)))}, {"0.4915", as_json(coefficients_from(printed_indices(0.154, 0.4915)))}};
   j["jacobian_REF"] = jacobians(printed_coefficients());
   j["section7"] = section_7(ship);
   j["zigzag_exact"] = exact_zigzags();
