@@ -15,10 +15,13 @@ struct SimulateArguments {
   std::optional<double> turn;       ///< [deg]
   std::string first = "starboard";  ///< side turned to first
   std::optional<double> speed;      ///< [m/s]
+  std::optional<double> rev;        ///< [1/s]
+  std::optional<double> thrust;     ///< [N]
   std::optional<double> duration;   ///< [s]
   std::optional<double> step;       ///< [s]
   double tolerance = 1e-9;
   std::filesystem::path out;        ///< empty: no time series
+  bool forces = false;              ///< forces by part in the time series
   bool json = false;
 };
 void simulate(const SimulateArguments& arguments);
@@ -28,6 +31,7 @@ struct ReplayArguments {
   std::filesystem::path run;
   std::string shaft = "recorded";
   std::filesystem::path out;
+  bool forces = false;  ///< forces by part in the time series
   bool json = false;
 };
 void replay(const ReplayArguments& arguments);
@@ -42,6 +46,24 @@ struct CompareArguments {
   bool markdown = false;
 };
 void compare(const CompareArguments& arguments);
+
+struct ForcesArguments {
+  std::filesystem::path ship;
+  std::string state;  ///< "u=0.96,v=0.05,…"
+  bool json = false;
+};
+void forces(const ForcesArguments& arguments);
+
+struct LinearizeArguments {
+  std::filesystem::path ship;
+  std::optional<double> speed;   ///< [m/s]
+  std::optional<double> rev;     ///< [1/s]
+  std::optional<double> thrust;  ///< [N]
+  std::optional<double> rudder;  ///< [deg], positive to port; nothing: straight ahead
+  std::string side;              ///< turned to, where the forces have a kink; empty: mean and both
+  bool json = false;
+};
+void linearize(const LinearizeArguments& arguments);
 
 struct IndicesArguments {
   std::filesystem::path ship;

@@ -71,7 +71,10 @@ Json split_json(const LinearParts<double>& ship) {
   return {{"hull", coefficients_json(split.hull)}, {"rudder", coefficients_json(split.rudder)}, {"centrifugal", coefficients_json(split.centrifugal)}};
 }
 
-Json document_of(const LinearShip& ship, const Findings& f, double speed) {
+}  // namespace
+
+Json indices_json(const LinearShip& ship, double speed) {
+  const auto f = findings_of(ship);
   Json json{{"ship", ship.name}, {"length_m", ship.particulars.L}, {"given", form_words(ship)}};
   json.update(coefficients_json(f.m));
   json.update({{"T1", number(f.T.T1)},
@@ -92,6 +95,8 @@ Json document_of(const LinearShip& ship, const Findings& f, double speed) {
   json["condition_number"] = number(condition_number(f.m));
   return json;
 }
+
+namespace {
 
 // ---------------------------------------------------------------- text
 
@@ -114,21 +119,15 @@ void print_indices(const Findings& f, const PrimeScale& scale) {
   print_row("T_w", f.T_w, f.T_w * t, "s", "first-order yaw, T1 + T2 - T3w");
 }
 
-void print_coefficients(std::string_view name, const SwayYawCoefficients<double>& m) {
-  fmt::print("  {:<13}", name);
-  for (const auto& p : m.parameters()) fmt::print("{:>11}", cell(m.*p.member));
-  fmt::print("\n");
-}
-
 /// The rudder's part of each coefficient in percent of the whole.
 void print_rudder_share(const SwayYawCoefficients<double>& rudder, const SwayYawCoefficients<double>& whole) {
-  fmt::print("  {:<13}", "rudder share");
+  fmt::print("  {:<24}", "rudder share");
   for (const auto& p : whole.parameters()) fmt::print("{:>11}", fmt::format("{:.0f} %", 100.0 * rudder.*p.member / whole.*p.member));
   fmt::print("\n");
 }
 
 void print_equations(const LinearShip& ship, const SwayYawCoefficients<double>& m) {
-  fmt::print("\n  {:<13}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "a1", "b1", "c1", "a2", "b2", "c2");
+  fmt::print("\n  {:<24}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "a1", "b1", "c1", "a2", "b2", "c2");
   if (const auto* given = parts(ship)) {
     const auto split = coefficients(*given);
     print_coefficients("hull", split.hull);
@@ -141,7 +140,20 @@ void print_equations(const LinearShip& ship, const SwayYawCoefficients<double>& 
   }
 }
 
-void print_text(const LinearShip& ship, const Findings& f, double speed) {
+}  // namespace
+
+void print_index_table(const LinearShip& ship, double speed) { print_indices(findings_of(ship), prime_scale(ship, speed)); }
+
+void print_coefficients(std::string_view name, const SwayYawCoefficients<double>& m) {
+  fmt::print("  {:<24}", name);
+  for (const auto& p : m.parameters()) fmt::print("{:>11}", cell(m.*p.member));
+  fmt::print("\n");
+}
+
+namespace {
+
+void print_text(const LinearShip& ship, double speed) {
+  const auto f = findings_of(ship);
   fmt::print("{}: L = {:.5g} m, given by {}\n", ship.name, ship.particulars.L, form_words(ship));
   fmt::print("The ship is {}.\n\n", stability_words(f.h));
   print_indices(f, prime_scale(ship, speed));
@@ -152,11 +164,10 @@ void print_text(const LinearShip& ship, const Findings& f, double speed) {
 }  // namespace
 
 void indices(const IndicesArguments& a) {
-  const auto ship = load_linear_ship(a.ship);
-  const auto findings = findings_of(ship);
+  const auto ship = load_linear_ship(a.ship, a.speed);
   const double speed = speed_of(ship, a.speed);
-  if (a.json) fmt::print("{}\n", document_of(ship, findings, speed).dump(2));
-  else print_text(ship, findings, speed);
+  if (a.json) fmt::print("{}\n", indices_json(ship, speed).dump(2));
+  else print_text(ship, speed);
 }
 
 }  // namespace swayaw::app

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -15,6 +16,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/side.hpp"
 #include "swayaw/linear/linear_ship_file.hpp"
+#include "swayaw/nonlinear/linearization.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
@@ -36,11 +38,20 @@ inline AnyShip load_ship(const std::filesystem::path& file) {
   return parse_ship(text, file);
 }
 
-/// A linear ship. @throws Refusal  for another, saying what will be the way with her
-inline LinearShip load_linear_ship(const std::filesystem::path& file) {
-  auto ship = load_ship(file);
-  if (auto* linear = std::get_if<LinearShip>(&ship)) return std::move(*linear);
-  throw Refusal(fmt::format("{}: this ship is nonlinear; her linear coefficients come with `linearize`, which this version does not have", file.string()));
+/// A linear ship, or the small motions of another about the straight course at that speed, the service speed unless given.
+inline LinearShip load_linear_ship(const std::filesystem::path& file, const std::optional<double>& speed = std::nullopt) {
+  auto any = load_ship(file);
+  if (auto* linear = std::get_if<LinearShip>(&any)) return std::move(*linear);
+  const auto& ship = std::get<Ship>(any);
+  fmt::print(stderr, "swayaw: {}: linearized about the straight course\n", ship.name);
+  return linear_ship(ship, linearize(ship, straight_course(ship, speed.value_or(service_speed(ship)))));
+}
+
+/// A ship of a nonlinear model. @throws Refusal  for a linear one
+inline Ship load_nonlinear_ship(const std::filesystem::path& file) {
+  auto any = load_ship(file);
+  if (auto* ship = std::get_if<Ship>(&any)) return std::move(*ship);
+  throw Refusal(fmt::format("{}: this ship is linear and has no parts with forces", file.string()));
 }
 
 /// "20/10": rudder angle and heading of a zigzag in degrees. The form was checked when the arguments were read.

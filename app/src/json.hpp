@@ -10,7 +10,8 @@ namespace swayaw::app {
 
 using Json = nlohmann::ordered_json;
 
-inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+/// Without the sign of a zero.
+inline Json number(double value) { return std::isfinite(value) ? Json(value + 0.0) : Json(nullptr); }
 
 inline Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 

@@ -14,7 +14,7 @@ Json coefficients_json(const SwayYawCoefficients<double>& m) {
   return json;
 }
 
-std::string cell(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value) : "-"; }
+std::string cell(double value) { return std::isfinite(value) ? fmt::format("{:.5g}", value + 0.0) : "-"; }
 
 std::string stability_words(const SwayYawTransfer<double>& h) {
   const bool swings = h.e1 * h.e1 < 4.0 * h.e0;

@@ -19,6 +19,15 @@ Json coefficients_json(const SwayYawCoefficients<double>& m);
 /// A number in a column, "-" where it is infinite or not a number.
 std::string cell(double value);
 
+/// What `swayaw indices --json` prints.
+Json indices_json(const LinearShip& ship, double speed);
+
+/// Time constants and gains with and without dimension.
+void print_index_table(const LinearShip& ship, double speed);
+
+/// A row a1 … c2.
+void print_coefficients(std::string_view name, const SwayYawCoefficients<double>& m);
+
 /// "course stable, …" and the like.
 std::string stability_words(const SwayYawTransfer<double>& h);
 

@@ -291,7 +291,7 @@ void print_text(const LinearShip& ship, const Finding& f) {
 }  // namespace
 
 void loop(const LoopArguments& a) {
-  const auto ship = load_linear_ship(a.ship);
+  const auto ship = load_linear_ship(a.ship, a.speed);
   const auto finding = finding_of(ship, a);
   for (const auto& warning : finding.warnings) fmt::print(stderr, "swayaw: {}\n", warning);
   if (!a.out.empty()) write_recording(zigzag_recording(ship, finding.cycle.zigzag, finding.order, finding.speed, {}), a.out);

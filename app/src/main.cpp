@@ -16,7 +16,7 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 6> commands{"compare", "indices", "invert", "loop", "replay", "simulate"};
+constexpr std::array<std::string_view, 8> commands{"compare", "forces", "indices", "invert", "linearize", "loop", "replay", "simulate"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -49,12 +49,15 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
   manoeuvre.require_option(1);
   command.add_option("--first", a.first, "side turned to first")->check(side_name)->capture_default_str();
   command.add_option("--speed", a.speed, "approach speed in m/s (default: service speed)")->check(CLI::PositiveNumber);
+  auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s (default: self-propulsion at the approach speed)")->check(CLI::PositiveNumber);
+  command.add_option("--thrust", a.thrust, "thrust of all propellers in N, in place of a shaft speed")->check(CLI::PositiveNumber)->excludes(rev);
   command.add_option("--duration", a.duration, "seconds (default: until the indices are known)")->check(CLI::PositiveNumber);
   command.add_option("--step", a.step, "seconds between samples of the time series")->check(CLI::PositiveNumber);
   command.add_option("--tolerance", a.tolerance, "error of an integration step, relative to ship length and speed")
       ->check(CLI::Range(1e-13, 1e-2))
       ->capture_default_str();
-  command.add_option("--out", a.out, "time series to this file (CSV)");
+  auto* out = command.add_option("--out", a.out, "time series to this file (CSV)");
+  command.add_flag("--forces", a.forces, "forces by part in the time series")->needs(out);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { simulate(a); });
 }
@@ -65,6 +68,7 @@ void add_replay(CLI::App& app, ReplayArguments& a) {
   command.add_option("RUN", a.run, "recording (CSV)")->required();
   add_shaft(command, a.shaft);
   command.add_option("--out", a.out, "time series to this file (CSV)")->required();
+  command.add_flag("--forces", a.forces, "forces by part in the time series");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { replay(a); });
 }
@@ -81,6 +85,26 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   auto* json = command.add_flag("--json", a.json, "print one JSON document");
   command.add_flag("--markdown", a.markdown, "print Markdown tables")->excludes(json);
   command.callback([&a] { compare(a); });
+}
+
+void add_forces(CLI::App& app, ForcesArguments& a) {
+  auto& command = *app.add_subcommand("forces", "forces by part at a motion of the ship");
+  add_ship(command, a.ship);
+  command.add_option("--state", a.state, "u=,v= [m/s],r= [rad/s],delta= [rad, positive to port],psi= [rad] and rev= [1/s] or thrust= [N]; u is needed")->required();
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { forces(a); });
+}
+
+void add_linearize(CLI::App& app, LinearizeArguments& a) {
+  auto& command = *app.add_subcommand("linearize", "linear coefficients of a nonlinear ship by part, and her indices");
+  add_ship(command, a.ship);
+  auto* speed = command.add_option("--speed", a.speed, "speed in m/s, self-propelled straight ahead (default: service speed)")->check(CLI::PositiveNumber);
+  auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s, in place of a speed")->check(CLI::PositiveNumber)->excludes(speed);
+  command.add_option("--thrust", a.thrust, "thrust of all propellers in N, in place of a speed")->check(CLI::PositiveNumber)->excludes(speed)->excludes(rev);
+  command.add_option("--rudder", a.rudder, "about the steady turn at this rudder angle in degrees, positive to port");
+  command.add_option("--side", a.side, "side turned to, where the forces have a kink (default: mean, and both)")->check(side_name);
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { linearize(a); });
 }
 
 void add_indices(CLI::App& app, IndicesArguments& a) {
@@ -131,12 +155,16 @@ int run(int count, char** words) {
   SimulateArguments simulate_arguments;
   ReplayArguments replay_arguments;
   CompareArguments compare_arguments;
+  ForcesArguments forces_arguments;
+  LinearizeArguments linearize_arguments;
   IndicesArguments indices_arguments;
   InvertArguments invert_arguments;
   LoopArguments loop_arguments;
   add_simulate(app, simulate_arguments);
   add_replay(app, replay_arguments);
   add_compare(app, compare_arguments);
+  add_forces(app, forces_arguments);
+  add_linearize(app, linearize_arguments);
   add_indices(app, indices_arguments);
   add_invert(app, invert_arguments);
   add_loop(app, loop_arguments);

@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
+#include "swayaw/nonlinear/force_breakdown.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
 namespace swayaw::app {
@@ -12,7 +13,8 @@ void replay(const ReplayArguments& a) {
   const Recording run = load_run(a.run);
   const Shaft shaft = shaft_named(a.shaft);
   tell_shaft(run, shaft);
-  const Recording simulated = swayaw::replay(ship, run, {.shaft = shaft});
+  Recording simulated = swayaw::replay(ship, run, {.shaft = shaft});
+  if (a.forces) add_forces(simulated, ship);
   write_recording(simulated, a.out);
   const double begin = run.time.front(), end = run.time.back();
   if (a.json) {

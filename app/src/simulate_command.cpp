@@ -5,6 +5,7 @@
 #include "json.hpp"
 #include "linear_output.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/nonlinear/force_breakdown.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
@@ -12,7 +13,7 @@ namespace swayaw::app {
 namespace {
 
 ManoeuvreOptions options_of(const SimulateArguments& a) {
-  return {.speed = a.speed, .duration = a.duration, .step = a.step, .tolerance = a.tolerance};
+  return {.speed = a.speed, .rev = a.rev, .thrust = a.thrust, .duration = a.duration, .step = a.step, .tolerance = a.tolerance};
 }
 
 /// "shaft 11.85 1/s" or "thrust 11.2 N".
@@ -131,7 +132,8 @@ void simulate(const SimulateArguments& a) {
   const AnyShip any = load_ship(a.ship);
   if (const auto* linear = std::get_if<LinearShip>(&any)) return simulate_linear(*linear, a);
   const auto& ship = std::get<Ship>(any);
-  const Recording run = a.turn ? run_circle(ship, a) : run_zigzag(ship, a);
+  Recording run = a.turn ? run_circle(ship, a) : run_zigzag(ship, a);
+  if (a.forces) add_forces(run, ship);
   if (!a.out.empty()) write_recording(run, a.out);
 }
 

@@ -127,6 +127,7 @@ void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
 }  // namespace
 
 void simulate_linear(const LinearShip& ship, const SimulateArguments& a) {
+  if (a.rev || a.thrust || a.forces) throw Refusal("a linear ship has no propulsion and no parts with forces");
   if (a.turn) simulate_turn(ship, a);
   else simulate_zigzag(ship, a);
 }

@@ -145,6 +145,14 @@ SwayYawCoefficients<double> sway_yaw(const AccelerationDerivatives& a, const Pri
 
 SnameDerivatives<double> sname(const Linearization& linear) { return sname_derivatives(sway_yaw(linear.whole, linear.scale), linear.masses); }
 
+LinearShip linear_ship(const Ship& ship, const Linearization& linear) {
+  return {.name = ship.name,
+          .particulars = {.L = linear.scale.L, .U_0 = linear.scale.U},
+          .steering_gear = steering_gear(ship),
+          .form = sway_yaw(linear.whole, linear.scale),
+          .confidence = {}};
+}
+
 OperatingPoint straight_course(const Ship& ship, double speed) { return settled(ship, self_propulsion(ship, speed), speed); }
 
 OperatingPoint straight_course(const Ship& ship, const Controls<double>& propulsion) {

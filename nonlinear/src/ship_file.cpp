@@ -139,7 +139,9 @@ Ship read_as(const PartsReader& file) {
 
 Ship parse_ship(std::string_view text, const std::filesystem::path& name) {
   const PartsReader file(text, name);
-  if (file.model() == "abkowitz") return read_as<AbkowitzShip<double>>(file);
+  const auto model = file.model();
+  if (model == "abkowitz") return read_as<AbkowitzShip<double>>(file);
+  if (model == "linear") file.fail("", "model", "a ship of a nonlinear model is needed here, got \"linear\"");
   file.require_model("mmg");
   return read_as<MmgShip<double>>(file);
 }

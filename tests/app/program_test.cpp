@@ -30,7 +30,7 @@ TEST_CASE("the program tells its version and its commands", "[app]") {
   CHECK(std::regex_match(version.out, std::regex("swayaw \\d+\\.\\d+\\.\\d+\n")));
   const auto help = run(scratch, "--help");
   CHECK(help.code == 0);
-  for (const char* command : {"simulate", "replay", "compare", "indices", "invert", "loop"}) {
+  for (const char* command : {"simulate", "replay", "compare", "forces", "indices", "invert", "linearize", "loop"}) {
     CHECK_THAT(help.out, ContainsSubstring(command));
     CHECK(run(scratch, std::string(command) + " --help").code == 0);
   }

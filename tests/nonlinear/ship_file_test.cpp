@@ -264,7 +264,7 @@ TEST_CASE("a model of another kind is refused in words, before its keys are", "[
   const auto line = line_of(model_lines(), "model") + 1;
   CHECK(refusal_of(text_with("model", "\"mgm\"")) ==
         place(line, 9) + "model \"mgm\" is not known to this version (known: linear, mmg, pi, pu, abkowitz)");
-  CHECK(refusal_of("model = \"linear\"\n[nomoto]\nT1 = 1\n") == place(1, 9) + "a ship of model \"mmg\" is needed here, got \"linear\"");
+  CHECK(refusal_of("model = \"linear\"\n[nomoto]\nT1 = 1\n") == place(1, 9) + "a ship of a nonlinear model is needed here, got \"linear\"");
 }
 
 TEST_CASE("an effect surrounds the ship or is refused in words", "[nonlinear][refusal]") {

@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "swayaw/core/side.hpp"
-#include "swayaw/linear/dimensional.hpp"
-#include "swayaw/linear/sname.hpp"
+#include "swayaw/linear/linear_ship.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Small motions about a steady one, by exact derivatives of the ship's forces.
@@ -59,6 +58,9 @@ SwayYawCoefficients<double> sway_yaw(const AccelerationDerivatives& derivatives,
 /// Sway and yaw derivatives in ½ρL²U² and ½ρL³U², with the masses of the ship. Y_r' holds −m_x' of models that have the
 /// added mass of surge in the centripetal force.
 SnameDerivatives<double> sname(const Linearization& linear);
+
+/// The ship in small motions about the operating point, in the form that the linear floor works with.
+LinearShip linear_ship(const Ship& ship, const Linearization& linear);
 
 /// Straight ahead at that speed, with self-propulsion.
 /// @throws Refusal  as self_propulsion, or if the straight course is no steady motion

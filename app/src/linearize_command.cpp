@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "input.hpp"
+#include "linear_output.hpp"
+#include "swayaw/nonlinear/equilibria.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
+
+namespace swayaw::app {
+namespace {
+
+Controls<double> propulsion_of(const Ship& ship, const LinearizeArguments& a) {
+  if (a.rev && !takes_shaft_speed(ship)) throw Refusal("this ship file does not tell the thrust at a shaft speed; give --thrust");
+  if (a.rev) return {.delta = 0.0, .rev = *a.rev};
+  if (!a.thrust) return self_propulsion(ship, a.speed.value_or(service_speed(ship)));
+  return {.delta = 0.0, .thrust = {0.5 * *a.thrust, 0.5 * *a.thrust}, .by_thrust = true};
+}
+
+/// The fastest stable turn at that rudder angle, or the fastest if none is stable.
+OperatingPoint steady_turn(const Ship& ship, const Controls<double>& controls) {
+  const auto turns = steady_turns(ship, controls);
+  const auto better = [](const SteadyMotion& x, const SteadyMotion& y) {
+    return x.stable != y.stable ? y.stable : speed(x.motion) < speed(y.motion);
+  };
+  if (turns.empty()) throw Refusal(fmt::format("the ship has no steady turn at a rudder angle of {:.6g} deg", degrees(controls.delta)));
+  return {std::ranges::max_element(turns, better)->motion, controls};
+}
+
+/// As asked: straight ahead, or in a steady turn.
+OperatingPoint point_of(const Ship& ship, const LinearizeArguments& a) {
+  const auto propulsion = propulsion_of(ship, a);
+  if (a.rudder) return steady_turn(ship, with_rudder(propulsion, radians(*a.rudder)));
+  return a.rev || a.thrust ? straight_course(ship, propulsion) : straight_course(ship, a.speed.value_or(service_speed(ship)));
+}
+
+// ---------------------------------------------------------------- JSON
+
+Json point_json(const OperatingPoint& point) {
+  const auto& [m, c] = point;
+  Json json{{"u_m_s", m.u}, {"v_m_s", m.v}, {"r_rad_s", m.r}, {"delta_rad", c.delta}};
+  if (c.by_thrust) json["thrust_N"] = c.thrust.port + c.thrust.starboard;
+  else json["rev_s"] = c.rev;
+  return json;
+}
+
+Json sname_json(const Linearization& linear) {
+  const auto d = sname(linear);
+  return {{"system", "force 0.5 rho L^2 U^2, moment 0.5 rho L^3 U^2"},
+          {"Y_v", d.Y_v}, {"Y_r", d.Y_r}, {"Y_delta", d.Y_delta}, {"N_v", d.N_v}, {"N_r", d.N_r}, {"N_delta", d.N_delta},
+          {"m", d.m}, {"x_G", d.x_G}, {"I_z", d.I_z}, {"Y_vdot", d.Y_vdot}, {"Y_rdot", d.Y_rdot}, {"N_vdot", d.N_vdot}, {"N_rdot", d.N_rdot}};
+}
+
+Json parts_json(const Linearization& linear) {
+  Json parts = Json::object();
+  for (const auto& part : linear.parts) parts[part.name] = coefficients_json(sway_yaw(part.derivatives, linear.scale));
+  return parts;
+}
+
+Json poles_json(const Linearization& linear) {
+  Json poles = Json::array();
+  for (const auto& pole : linear.poles) poles.push_back({{"real_per_s", pole.real()}, {"imaginary_per_s", pole.imag()}});
+  return poles;
+}
+
+Json document_of(const Ship& ship, const Linearization& linear) {
+  Json json = indices_json(linear_ship(ship, linear), linear.scale.U);
+  json["sname"] = sname_json(linear);
+  json["parts"] = parts_json(linear);
+  json["operating_point"] = point_json(linear.point);
+  json["poles"] = poles_json(linear);
+  return json;
+}
+
+/// Both sides, where they differ.
+void add_sides(Json& json, const Ship& ship, const OperatingPoint& point) {
+  for (const Side side : {Side::port, Side::starboard}) json[std::string(name_of(side))] = document_of(ship, linearize(ship, point, side));
+}
+
+// ---------------------------------------------------------------- text
+
+void print_parts(const Linearization& linear) {
+  fmt::print("\n  {:<24}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "a1", "b1", "c1", "a2", "b2", "c2");
+  for (const auto& part : linear.parts) print_coefficients(part.name, sway_yaw(part.derivatives, linear.scale));
+  print_coefficients("whole", sway_yaw(linear.whole, linear.scale));
+}
+
+void print_text(const Ship& ship, const Linearization& linear, std::string_view of_what) {
+  const auto& [m, c] = linear.point;
+  fmt::print("{}: small motions about u = {:.5g} m/s, v = {:.4g} m/s, r = {:.4g} deg/s, delta = {:.4g} deg{}\n", ship.name, m.u, m.v,
+             degrees(m.r), degrees(c.delta), of_what);
+  const auto slim = linear_ship(ship, linear);
+  fmt::print("The ship is {}.\n\n", stability_words(transfer_functions(slim)));
+  print_index_table(slim, linear.scale.U);
+  print_parts(linear);
+}
+
+}  // namespace
+
+void linearize(const LinearizeArguments& a) {
+  const Ship ship = load_nonlinear_ship(a.ship);
+  const auto point = point_of(ship, a);
+  const bool kink = a.side.empty() && has_kink(ship, point);
+  const auto side = a.side.empty() ? std::nullopt : std::optional(side_named(a.side));
+  const auto linear = linearize(ship, point, side);
+  if (a.json) {
+    auto json = document_of(ship, linear);
+    if (kink) add_sides(json, ship, point);
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  print_text(ship, linear, kink ? ", mean of turns to both sides" : "");
+  if (!kink) return;
+  for (const Side each : {Side::port, Side::starboard}) {
+    fmt::print("\n");
+    print_text(ship, linearize(ship, point, each), fmt::format(", turning to {}", name_of(each)));
+  }
+}
+
+}  // namespace swayaw::app

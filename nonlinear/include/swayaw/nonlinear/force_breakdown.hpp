@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "swayaw/core/recording.hpp"
+#include "swayaw/nonlinear/ship.hpp"
+
+/// From which part does a force come?
+namespace swayaw {
+
+/// Forces about midship, split by part, and what they do to the ship.
+struct ForceBreakdown {
+  std::vector<ForcePart<double>> parts;     ///< hull, propeller, rudder, …, and wind where there is some
+  PlanarForce<double> total;                ///< drives the equations of motion of the model
+  PlanarAcceleration<double> acceleration;  ///< of midship in body axes
+};
+
+/// @throws Refusal  if the ship does not move ahead, for which no force model holds
+ForceBreakdown force_breakdown(const Ship& ship, const ShipState<double>& state, const Controls<double>& controls);
+
+/// Forces by part as columns X_hull_N, Y_hull_N, N_hull_N_m, … beside the samples of a run, recorded or simulated. Samples of
+/// which the motion, the rudder or the propulsion is missing get none.
+///
+/// @throws Refusal  if the run lacks u, v, r, rudder, or shaft speed and thrust, altogether
+void add_forces(Recording& run, const Ship& ship);
+
+}  // namespace swayaw

@@ -1,0 +1,93 @@
+#include "swayaw/nonlinear/force_breakdown.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
+
+namespace swayaw {
+namespace {
+
+template <class Model>
+ForceBreakdown break_down(const Model& model, const Surroundings<double>& around, const ShipState<double>& state,
+                          const Controls<double>& controls) {
+  const auto split = forces(model, state.motion, controls);
+  ForceBreakdown result{.parts = {}, .total = split.total(), .acceleration = {}};
+  for (const auto& part : split.parts()) result.parts.push_back(part);
+  if (around.windy) {
+    result.parts.push_back({"wind", wind_load(around, state)});
+    result.total = result.total + result.parts.back().force;
+  }
+  result.acceleration = acceleration(model, state.motion, result.total);
+  return result;
+}
+
+// ---------------------------------------------------------------- along a run
+
+/// State and controls of one sample.
+struct Sample {
+  ShipState<double> state;
+  Controls<double> controls;
+};
+
+/// Samples of a run as far as forces need them.
+class Samples {
+ public:
+  Samples(const Recording& run, const Ship& ship) : run_(run), by_rev_(run.has(Channel::rev) && takes_shaft_speed(ship)) {
+    for (const auto& [channel, name] : {std::pair{Channel::u, "u"}, {Channel::v, "v"}, {Channel::r, "yaw rate"}, {Channel::delta, "rudder angle"}})
+      if (!run.has(channel)) throw Refusal(fmt::format("{}: forces need {}", run.name, name));
+    if (!by_rev_ && takes_shaft_speed(ship) && !run.has(Channel::thrust))
+      throw Refusal(fmt::format("{}: forces need shaft speed or thrust", run.name));
+  }
+
+  /// Nothing where a number is missing.
+  std::optional<Sample> operator[](std::size_t i) const {
+    const auto at = [&](Channel channel) { return run_.has(channel) ? run_[channel][i] : 0.0; };
+    const double half = 0.5 * at(Channel::thrust);
+    const Sample sample{.state = {at(Channel::x), at(Channel::y), at(Channel::psi), {at(Channel::u), at(Channel::v), at(Channel::r)}},
+                        .controls = {.delta = at(Channel::delta), .rev = by_rev_ ? at(Channel::rev) : 0.0,
+                                     .thrust = {half, half}, .by_thrust = !by_rev_ && run_.has(Channel::thrust)}};
+    const auto& m = sample.state.motion;
+    const double known = sample.state.psi + m.u + m.v + m.r + sample.controls.delta + (by_rev_ ? sample.controls.rev : half);
+    if (!std::isfinite(known) || m.u <= 0.0) return std::nullopt;
+    return sample;
+  }
+
+ private:
+  const Recording& run_;
+  bool by_rev_;
+};
+
+std::string cell(double value) { return fmt::format("{}", value); }
+
+}  // namespace
+
+ForceBreakdown force_breakdown(const Ship& ship, const ShipState<double>& state, const Controls<double>& controls) {
+  if (!(state.motion.u > 0.0)) throw Refusal(fmt::format("forces are known for way ahead, not for u = {:.6g} m/s", state.motion.u));
+  return std::visit([&](const auto& model) { return break_down(model, ship.surroundings, state, controls); }, ship.model);
+}
+
+void add_forces(Recording& run, const Ship& ship) {
+  const Samples samples(run, ship);
+  std::vector<ExtraColumn> columns;
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    const auto sample = samples[i];
+    if (!sample) continue;
+    const auto split = force_breakdown(ship, sample->state, sample->controls);
+    for (std::size_t k = 0; k < split.parts.size(); ++k) {
+      const auto& [name, force] = split.parts[k];
+      if (columns.size() == 3 * k)
+        for (const auto& column : {fmt::format("X_{}_N", name), fmt::format("Y_{}_N", name), fmt::format("N_{}_N_m", name)})
+          columns.push_back({column, std::vector<std::string>(run.samples())});
+      columns[3 * k].cells[i] = cell(force.X);
+      columns[3 * k + 1].cells[i] = cell(force.Y);
+      columns[3 * k + 2].cells[i] = cell(force.N);
+    }
+  }
+  run.extra.insert(run.extra.end(), columns.begin(), columns.end());
+}
+
+}  // namespace swayaw
