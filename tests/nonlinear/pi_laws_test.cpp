@@ -4,12 +4,13 @@
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/pack.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/prime_propulsion.hpp"
 
 namespace swayaw {
 namespace {
 
 using test::acceleration_at;
-using test::forces_at;
 using test::RandomPrimeShips;
 
 template <PrimeShip Ship>
@@ -32,8 +33,8 @@ void check_mirror(unsigned seed) {
     const auto ship = random_ship<Model>(random);
     const auto m = random.motion(ship.particulars.L, ship.particulars.U_0);
     const auto c = random.controls(ship.particulars.U_0);
-    const auto port = forces_at(test::mirrored(ship), mirrored(m), test::mirrored_sides(c)).total();
-    const auto starboard = mirrored(forces_at(ship, m, c).total());
+    const auto port = forces(test::mirrored(ship), mirrored(m), test::mirrored_sides(c)).total();
+    const auto starboard = mirrored(forces(ship, m, c).total());
     const double scale = force_scale(ship, speed(m));
     REQUIRE_THAT(port.X, WithinAbs(starboard.X, 1e-14 * scale));
     REQUIRE_THAT(port.Y, WithinAbs(starboard.Y, 1e-14 * scale));
@@ -49,7 +50,7 @@ TEST_CASE("a mirrored PI or PU ship in mirrored motion feels mirrored forces", "
 TEST_CASE("the wPCC, whose sides are alike, goes straight ahead without side force", "[nonlinear][symmetry]") {
   const auto ship = test::pi_ship("wpcc_pi");
   const Controls<double> c{.delta = 0.0, .thrust = {5.0, 5.0}, .by_thrust = true};
-  const auto total = forces_at(ship, {0.9, 0.0, 0.0}, c).total();
+  const auto total = forces(ship, PlanarMotion<double>{0.9, 0.0, 0.0}, c).total();
   CHECK(total.Y == 0.0);
   CHECK(total.N == 0.0);
 }
@@ -167,6 +168,36 @@ TEST_CASE("PI forces are continuous where a branch changes", "[nonlinear][limit]
   for (const int n : changes) CHECK(n > 20);
 }
 
+template <template <class> class Model>
+void check_self_propulsion(unsigned seed) {
+  RandomPrimeShips random(seed);
+  for (int i = 0; i < 200; ++i) {
+    auto ship = random_ship<Model>(random);
+    ship.hull.X_0 = -1.5e-3;
+    ship.hull.X_u = 0.0;
+    if (i % 2 == 0) ship.propeller.k_0 = 0.0;
+    const double U = random.uniform(0.4, 2.0) * ship.particulars.U_0;
+    const auto c = self_propulsion(ship, U);
+    REQUIRE(c.by_thrust == (i % 2 == 0));
+    REQUIRE_THAT(acceleration_at(ship, PlanarMotion<double>{U, 0.0, 0.0}, c).u, WithinAbs(0.0, 1e-14 * U * U / ship.particulars.L));
+  }
+}
+
+TEST_CASE("at the self-propulsion point a PI or PU ship does not lose speed", "[nonlinear][limit]") {
+  check_self_propulsion<PiShip>(8);
+  check_self_propulsion<PuShip>(9);
+  const auto ship = test::pi_ship("wpcc_pi");
+  const auto c = self_propulsion(ship, ship.particulars.U_0);
+  CHECK_THAT(c.thrust.port + c.thrust.starboard, WithinRel(ship.propeller.T_0, 1e-13));
+}
+
+TEST_CASE("a hull without resistance has no self-propulsion point", "[nonlinear][refusal]") {
+  auto ship = test::pi_ship("wpcc_pi");
+  ship.hull.X_0 = 5e-3;
+  CHECK_THROWS_AS(self_propulsion(ship, 0.9), Refusal);
+  CHECK_THROWS_AS(self_propulsion(ship, 0.0), std::domain_error);
+}
+
 TEST_CASE("without thrust the race has the speed and the width of the propeller disc", "[nonlinear][limit]") {
   const auto race = race_at(0.03, 0.06, 1000.0, 0.7, 0.0);
   CHECK_THAT(race.V_corr, WithinRel(0.7, 1e-15));
@@ -201,7 +232,7 @@ TEST_CASE("the gap takes lift away, all of it beyond 33 deg, and more only when 
   CHECK(K(-35.0) == 0.0);
   CHECK_THAT(K(-20.0), WithinAbs(0.9238456450533228, 1e-15));
   const Controls<double> c{.delta = radians(35.0), .thrust = {5.0, 5.0}, .by_thrust = true};
-  CHECK_THAT(forces_at(ship, {0.9, 0.0, 0.0}, c).rudder.Y, WithinAbs(0.0, 1e-12));
+  CHECK_THAT(forces(ship, PlanarMotion<double>{0.9, 0.0, 0.0}, c).rudder.Y, WithinAbs(0.0, 1e-12));
 }
 
 TEST_CASE("the ITTC 1957 line is 2.7 times the published one at the Reynolds number of the model rudder", "[nonlinear][published]") {

@@ -88,7 +88,7 @@ TEST_CASE("a model that is right in a zigzag can be wrong in the wind", "[nonlin
   const auto moment = [](const auto& ship) {
     const double beta = radians(10.0);
     const PlanarMotion<double> m{0.8 * std::cos(beta), -0.8 * std::sin(beta), 0.0};
-    return test::forces_at(ship, m, Controls<double>{.delta = 0.0, .thrust = {5.0, 5.0}, .by_thrust = true}).total().N;
+    return forces(ship, m, Controls<double>{.delta = 0.0, .thrust = {5.0, 5.0}, .by_thrust = true}).total().N;
   };
   const double reference = moment(test::pi_ship("wpcc_reference"));
   CHECK_THAT(moment(test::pi_ship("wpcc_pi")) / reference, WithinAbs(0.70, 0.005));

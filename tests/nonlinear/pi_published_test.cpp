@@ -9,7 +9,6 @@ namespace swayaw {
 namespace {
 
 using nlohmann::json;
-using test::forces_at;
 
 PlanarMotion<double> motion_of(const json& state) { return {state.at("u"), state.at("v"), state.at("r")}; }
 
@@ -26,7 +25,7 @@ void check_force(const PlanarForce<double>& force, const json& expected, double 
 
 void check_state(const PiShip<double>& ship, const json& state) {
   const auto m = motion_of(state);
-  const auto f = forces_at(ship, m, controls_of(state));
+  const auto f = forces(ship, m, controls_of(state));
   double largest = 0.0;
   for (const auto& x : state.at("hull")) largest = std::max(largest, std::abs(x.get<double>()));
   check_force(f.hull, state.at("hull"), 1e-9 * largest);
@@ -119,7 +118,7 @@ class Figure9 {
     const auto mark = [&](const char* name) { return marks.at(name)[i].get<double>() * 1e-3; };
     const double q = 0.5 * ship_.water.rho * L * L * U * U;
     const double T = q * (mark("XD_model") - mark("XH_model") - mark("XR_model")) / (1.0 - ship_.propeller.t_P);
-    const auto f = forces_at(ship_, m, {.delta = delta, .thrust = {T / 2, T / 2}, .by_thrust = true});
+    const auto f = forces(ship_, m, Controls<double>{.delta = delta, .thrust = {T / 2, T / 2}, .by_thrust = true});
     const auto prime = [&](const PlanarForce<double>& p) { return PlanarForce<double>{p.X / q, p.Y / q, p.N / (q * L)}; };
     return {prime(f.hull + f.rudder_hull_interaction), prime(f.rudder)};
   }
@@ -171,7 +170,7 @@ template <template <class> class Model>
 void check_figure_14(const Model<double>& ship, const json& figure, const char* name) {
   const double V = figure.at("V"), beta = radians(figure.at("beta_deg")), T = figure.at("thrust_total");
   const PlanarMotion<double> m{V * std::cos(beta), -V * std::sin(beta), 0.0};
-  const auto total = forces_at(ship, m, {.delta = 0.0, .thrust = {T / 2, T / 2}, .by_thrust = true}).total();
+  const auto total = forces(ship, m, Controls<double>{.delta = 0.0, .thrust = {T / 2, T / 2}, .by_thrust = true}).total();
   CHECK_THAT(total.Y, WithinAbs(figure.at(name).at("Y_D").get<double>(), 0.5e-3));
   CHECK_THAT(total.N, WithinAbs(figure.at(name).at("N_D").get<double>(), 0.5e-3));
 }
@@ -193,7 +192,7 @@ void check_linear(const PiShip<double>& model, const json& linear) {
   Controls<D> c{.delta = D(0.0, 2), .thrust = {D(T), D(0.0)}, .by_thrust = true};
   if (model.propeller.twin()) c.thrust = {D(T / 2), D(T / 2)};
   const PlanarMotion<D> m{D(U), D(0.0, 0), D(0.0, 1)};
-  const auto total = forces_at(ship, m, c).total();
+  const auto total = forces(ship, m, c).total();
   const double mass = model.water.rho * model.particulars.nabla, coupling = mass * model.particulars.x_G;
   const double D_prime[2][2] = {{total.Y.v[0] * U / q, (total.Y.v[1] - mass * U) * U / (q * L)},
                                 {total.N.v[0] * U / (q * L), (total.N.v[1] - coupling * U) * U / (q * L * L)}};
@@ -235,7 +234,7 @@ TEST_CASE("the twin-screw terms that the publication leaves out are small", "[no
   const double U = published.particulars.U_0, T = published.propeller.T_0;
   const auto rudder = [&](const PiShip<double>& ship, double r_prime, double delta) {
     const PlanarMotion<double> m{U, 0.0, r_prime * U / ship.particulars.L};
-    return forces_at(ship, m, {.delta = delta, .thrust = {T / 2, T / 2}, .by_thrust = true}).rudder;
+    return forces(ship, m, Controls<double>{.delta = delta, .thrust = {T / 2, T / 2}, .by_thrust = true}).rudder;
   };
   const double delta = radians(-10.0);
   const auto turning = rudder(twin, -0.3, delta), turning_published = rudder(published, -0.3, delta);

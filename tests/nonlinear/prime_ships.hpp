@@ -30,15 +30,9 @@ Ship prime_ship(const std::string& name) {
 inline PiShip<double> pi_ship(const std::string& name) { return prime_ship<PiShip<double>>(name); }
 inline PuShip<double> wpcc_pu() { return prime_ship<PuShip<double>>("wpcc_pu"); }
 
-/// Forces on the branch of the motion.
-template <template <class> class Model, class S>
-auto forces_at(const Model<S>& ship, const PlanarMotion<S>& m, const Controls<S>& c) {
-  return forces(ship, m, c, branch_at(ship, m, c));
-}
-
 template <template <class> class Model, class S>
 PlanarAcceleration<S> acceleration_at(const Model<S>& ship, const PlanarMotion<S>& m, const Controls<S>& c) {
-  return acceleration(ship, m, forces_at(ship, m, c).total());
+  return acceleration(ship, m, forces(ship, m, c).total());
 }
 
 class RandomPrimeShips {

@@ -12,10 +12,12 @@
 namespace swayaw {
 
 using std::abs;
+using std::atan;
 using std::atan2;
 using std::cos;
 using std::exp;
 using std::hypot;
+using std::log;
 using std::sin;
 using std::sqrt;
 
@@ -34,6 +36,13 @@ template <class Scalar>
 double value_of(const Scalar& x) {
   if constexpr (requires { x.a; }) return x.a;
   else return x;
+}
+
+/// The number in a double or a dual, or in the first lane of a pack: for facts that are the same in all lanes.
+template <class Scalar>
+double first_lane(const Scalar& x) {
+  if constexpr (requires { x.get(0); }) return x.get(0);
+  else return value_of(x);
 }
 
 /// x where positive, else 0.

@@ -51,7 +51,7 @@ std::array<S, 6> branch_functions(const PiShip<S>& ship, const PlanarMotion<S>& 
   const S beta_P = wake_branch_function(ship, m);
   const S V_g = geometric_crossflow(k, m);
   const auto flow = flow_at_rudders(ship, m, controls, beta_P > S(0.0), V_g > S(0.0));
-  const bool has_gap = value_of_first_lane(k.s) != 0.0;
+  const bool has_gap = first_lane(k.s) != 0.0;
   const S beyond = abs(controls.delta) - k.delta_lim;
   return {
       beta_P,

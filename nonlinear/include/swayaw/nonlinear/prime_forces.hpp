@@ -132,7 +132,7 @@ template <PrimeShip Ship>
 typename Ship::Scalar yaw_inertia(const Ship& ship) {
   using S = typename Ship::Scalar;
   const auto& p = ship.particulars;
-  if (value_of_first_lane(p.I_z) > 0.0) return p.I_z;
+  if (first_lane(p.I_z) > 0.0) return p.I_z;
   return S(ship.water.rho * p.nabla * (p.k_zz * p.k_zz + p.x_G * p.x_G));
 }
 

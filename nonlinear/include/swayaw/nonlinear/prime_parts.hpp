@@ -116,9 +116,9 @@ struct PrimePropeller {
   S C_2_negative;     ///< wake change, limit for beta_P < 0
   Selection wake;     ///< constant, or changing as in the MMG model
 
-  bool twin() const { return value_of_first_lane(y_P_port) != value_of_first_lane(y_P_starboard); }
+  bool twin() const { return first_lane(y_P_port) != first_lane(y_P_starboard); }
   bool wake_changes() const { return wake.index == 1; }
-  bool has_open_water_curve() const { return value_of_first_lane(k_0) > 0.0; }
+  bool has_open_water_curve() const { return first_lane(k_0) > 0.0; }
 
   static constexpr auto parameters() {
     using P = Parameter<PrimePropeller, S>;
