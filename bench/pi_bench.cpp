@@ -17,7 +17,7 @@ void pi_right_hand_side(benchmark::State& state) {
   for (auto _ : state) {
     const std::size_t k = i++ & 1023;
     const auto& s = motions[k];
-    benchmark::DoNotOptimize(right_hand_side(ship, s.motion.r * 10.0, s.motion, s.controls, branches[k]));
+    benchmark::DoNotOptimize(right_hand_side(ship, s.motion.r * 10.0, s.motion, forces(ship, s.motion, s.controls, branches[k])));
   }
   tell_ratio(state);
 }
@@ -47,7 +47,7 @@ void pi_right_hand_side_dual4(benchmark::State& state) {
     const PlanarMotion<D> m{D(s.motion.u, 0), D(s.motion.v, 1), D(s.motion.r, 2)};
     auto controls = cast<D>(s.controls);
     controls.delta.v[3] = 1.0;
-    benchmark::DoNotOptimize(right_hand_side(ship, D(0.3), m, controls, branch_at(ship, m, controls)));
+    benchmark::DoNotOptimize(right_hand_side(ship, D(0.3), m, forces(ship, m, controls)));
   }
   tell_ratio(state);
 }

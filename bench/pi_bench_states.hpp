@@ -34,11 +34,10 @@ inline std::vector<PiSample> pi_samples(std::size_t count) {
   return result;
 }
 
-/// Right-hand side of the equations of motion with earth-fixed track, on a branch.
+/// Right-hand side of the equations of motion with earth-fixed track, under given forces.
 template <class S>
-std::array<S, 6> right_hand_side(const PiShip<S>& ship, const S& psi, const PlanarMotion<S>& m, const Controls<S>& controls,
-                                 const Branch<S, 6>& branch) {
-  const auto a = acceleration(ship, m, forces(ship, m, controls, branch).total());
+std::array<S, 6> right_hand_side(const PiShip<S>& ship, const S& psi, const PlanarMotion<S>& m, const PiForces<S>& f) {
+  const auto a = acceleration(ship, m, f.total());
   const S c = cos(psi), s = sin(psi);
   return {m.u * c - m.v * s, m.u * s + m.v * c, m.r, a.u, a.v, a.r};
 }

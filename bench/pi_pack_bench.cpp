@@ -29,7 +29,7 @@ void pi_right_hand_side_pack(benchmark::State& state) {
   }
   for (auto _ : state) {
     for (std::size_t i = 0; i < packs.size(); ++i)
-      benchmark::DoNotOptimize(right_hand_side(ship, Pack(packs[i].r * 10.0), packs[i], controls[i], branch_at(ship, packs[i], controls[i])));
+      benchmark::DoNotOptimize(right_hand_side(ship, Pack(packs[i].r * 10.0), packs[i], forces(ship, packs[i], controls[i])));
   }
   const auto ships = static_cast<double>(packs.size() * lanes);
   state.counters["per_ship"] = benchmark::Counter(ships, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

@@ -198,6 +198,18 @@ TEST_CASE("a hull without resistance has no self-propulsion point", "[nonlinear]
   CHECK_THROWS_AS(self_propulsion(ship, 0.0), std::domain_error);
 }
 
+TEST_CASE("a radius of gyration about the centre of gravity stands for an inertia about midship", "[nonlinear][second-route]") {
+  auto ship = test::pi_ship("wpcc_pi");
+  const double m = ship.water.rho * ship.particulars.nabla, x_G = ship.particulars.x_G;
+  const PlanarForce<double> force{1.0, 2.0, 3.0};
+  const auto given = acceleration(ship, PlanarMotion<double>{0.9, 0.1, -0.05}, force);
+  ship.particulars.k_zz = std::sqrt(ship.particulars.I_z / m - x_G * x_G);
+  ship.particulars.I_z = 0.0;
+  const auto by_radius = acceleration(ship, PlanarMotion<double>{0.9, 0.1, -0.05}, force);
+  CHECK_THAT(by_radius.v, WithinRel(given.v, 1e-13));
+  CHECK_THAT(by_radius.r, WithinRel(given.r, 1e-13));
+}
+
 TEST_CASE("without thrust the race has the speed and the width of the propeller disc", "[nonlinear][limit]") {
   const auto race = race_at(0.03, 0.06, 1000.0, 0.7, 0.0);
   CHECK_THAT(race.V_corr, WithinRel(0.7, 1e-15));
@@ -233,6 +245,9 @@ TEST_CASE("the gap takes lift away, all of it beyond 33 deg, and more only when 
   CHECK_THAT(K(-20.0), WithinAbs(0.9238456450533228, 1e-15));
   const Controls<double> c{.delta = radians(35.0), .thrust = {5.0, 5.0}, .by_thrust = true};
   CHECK_THAT(forces(ship, PlanarMotion<double>{0.9, 0.0, 0.0}, c).rudder.Y, WithinAbs(0.0, 1e-12));
+  // a late gap is closed, not clipped, amidships
+  ship.rudder.delta_lim = 0.6;
+  CHECK(branch_functions(ship, PlanarMotion<double>{0.9, 0.0, 0.0}, Controls<double>{.delta = 0.1, .thrust = {5.0, 5.0}, .by_thrust = true})[PiBranch::gap_lifts] == 1.0);
 }
 
 TEST_CASE("the ITTC 1957 line is 2.7 times the published one at the Reynolds number of the model rudder", "[nonlinear][published]") {

@@ -44,23 +44,28 @@ PiFlow<S> flow_at_rudders(const PiShip<S>& ship, const PlanarMotion<S>& m, const
   return flow;
 }
 
+/// The branch functions at a flow that was found with the signs of beta_P and V_g.
+template <class S>
+std::array<S, 6> branch_functions(const PiShip<S>& ship, const S& delta, const S& beta_P, const S& V_g, const PiFlow<S>& flow) {
+  const auto& k = ship.rudder;
+  const auto has_gap = k.s != S(0.0);
+  const S beyond = abs(delta) - k.delta_lim;
+  return {
+      beta_P,
+      select(has_gap, beyond, S(-1.0)),
+      k.gap_clipped() ? select(beyond > S(0.0), S(1.0 + k.s * beyond * beyond), S(1.0)) : S(1.0),
+      V_g,
+      delta + k.gamma_0_port + flow.inflow.port.gamma,
+      ship.propeller.twin() ? S(delta + k.gamma_0_starboard + flow.inflow.starboard.gamma) : S(1.0),
+  };
+}
+
 /// Where the force has a kink or a jump; see PiBranch. A term that the ship does not have never changes.
 template <class S>
 std::array<S, 6> branch_functions(const PiShip<S>& ship, const PlanarMotion<S>& m, const Controls<S>& controls) {
-  const auto& k = ship.rudder;
   const S beta_P = wake_branch_function(ship, m);
-  const S V_g = geometric_crossflow(k, m);
-  const auto flow = flow_at_rudders(ship, m, controls, beta_P > S(0.0), V_g > S(0.0));
-  const bool has_gap = first_lane(k.s) != 0.0;
-  const S beyond = abs(controls.delta) - k.delta_lim;
-  return {
-      beta_P,
-      has_gap ? beyond : S(-1.0),
-      has_gap && k.gap_clipped() ? gap_factor(k, controls.delta, beyond > S(0.0), S(1.0) > S(0.0)) : S(1.0),
-      V_g,
-      controls.delta + k.gamma_0_port + flow.inflow.port.gamma,
-      ship.propeller.twin() ? S(controls.delta + k.gamma_0_starboard + flow.inflow.starboard.gamma) : S(1.0),
-  };
+  const S V_g = geometric_crossflow(ship.rudder, m);
+  return branch_functions(ship, controls.delta, beta_P, V_g, flow_at_rudders(ship, m, controls, beta_P > S(0.0), V_g > S(0.0)));
 }
 
 /// Forces split by part, about midship.
@@ -96,17 +101,34 @@ PlanarForce<S> rudder_force(const PiShip<S>& ship, const S& delta, const PiFlow<
   return port + one(flow.race.starboard, flow.inflow.starboard, k.gamma_0_starboard, k.y_R_starboard, branch[PiBranch::attack_starboard]);
 }
 
-/// All forces, on a given branch.
+/// All forces in a given flow.
 template <class S>
-PiForces<S> forces(const PiShip<S>& ship, const PlanarMotion<S>& m, const Controls<S>& controls, const Branch<S, 6>& branch) {
-  const auto flow = flow_at_rudders(ship, m, controls, branch[PiBranch::wake], branch[PiBranch::crossflow]);
-  const auto rudder = rudder_force(ship, controls.delta, flow, branch);
+PiForces<S> forces(const PiShip<S>& ship, const PlanarMotion<S>& m, const S& delta, const PiFlow<S>& flow, const Branch<S, 6>& branch) {
+  const auto rudder = rudder_force(ship, delta, flow, branch);
   return {
       .hull = hull_force(ship, m),
       .propeller = propeller_force(ship.propeller, flow.thrust),
       .rudder = rudder,
       .rudder_hull_interaction = rudder_hull_interaction(ship.rudder, rudder),
   };
+}
+
+/// All forces, on a given branch.
+template <class S>
+PiForces<S> forces(const PiShip<S>& ship, const PlanarMotion<S>& m, const Controls<S>& controls, const Branch<S, 6>& branch) {
+  return forces(ship, m, controls.delta, flow_at_rudders(ship, m, controls, branch[PiBranch::wake], branch[PiBranch::crossflow]), branch);
+}
+
+/// All forces on the branch of the motion; the flow that tells the branch is found once.
+template <class S>
+PiForces<S> forces(const PiShip<S>& ship, const PlanarMotion<S>& m, const Controls<S>& controls) {
+  const S beta_P = wake_branch_function(ship, m);
+  const S V_g = geometric_crossflow(ship.rudder, m);
+  const auto flow = flow_at_rudders(ship, m, controls, beta_P > S(0.0), V_g > S(0.0));
+  const auto g = branch_functions(ship, controls.delta, beta_P, V_g, flow);
+  Branch<S, 6> branch{};
+  for (std::size_t i = 0; i < g.size(); ++i) branch[i] = g[i] > S(0.0);
+  return forces(ship, m, controls.delta, flow, branch);
 }
 
 }  // namespace swayaw

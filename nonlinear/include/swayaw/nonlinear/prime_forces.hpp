@@ -132,8 +132,13 @@ template <PrimeShip Ship>
 typename Ship::Scalar yaw_inertia(const Ship& ship) {
   using S = typename Ship::Scalar;
   const auto& p = ship.particulars;
-  if (first_lane(p.I_z) > 0.0) return p.I_z;
-  return S(ship.water.rho * p.nabla * (p.k_zz * p.k_zz + p.x_G * p.x_G));
+  return select(p.I_z > S(0.0), p.I_z, S(ship.water.rho * p.nabla * (p.k_zz * p.k_zz + p.x_G * p.x_G)));
+}
+
+/// Mass of the ship herself.
+template <PrimeShip Ship>
+RigidBody rigid_body(const Ship& ship) {
+  return {.m = ship.water.rho * ship.particulars.nabla, .x_G = ship.particulars.x_G, .I_z = yaw_inertia(ship)};
 }
 
 /// Acceleration that a force gives to ship and entrained water.
