@@ -14,7 +14,7 @@ inline PiShip<double> wpcc() {
   const std::filesystem::path path = SWAYAW_BENCH_SHIPS "/wpcc_pi.toml";
   const PartsReader file(read_text(path), path);
   PiShip<double> ship{};
-  file.read(file_numbers(ship), file_choices(ship));
+  file.read(file_keys(ship));
   return ship;
 }
 

@@ -170,7 +170,7 @@ int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const PartsReader file(read_text(argv[1]), argv[1]);
   PuShip<double> ship{};
-  file.read(file_numbers(ship), file_choices(ship));
+  file.read(file_keys(ship));
   std::ifstream drawing(argv[2]);
   const auto figure = json::parse(drawing);
   const std::vector<Zigzag> zigzags{zigzag_of(figure, "zigzag10/10", 10.0, {{0.0, 1.0}, {11.0, 11.0}}),

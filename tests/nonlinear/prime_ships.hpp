@@ -23,7 +23,7 @@ Ship prime_ship(const std::string& name) {
   const auto path = ships / (name + ".toml");
   const PartsReader file(read_text(path), path);
   Ship ship{};
-  file.read(file_numbers(ship), file_choices(ship));
+  file.read(file_keys(ship));
   return ship;
 }
 
