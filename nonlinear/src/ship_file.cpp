@@ -21,6 +21,20 @@ void require_consistent(const MmgShip<double>& ship, const PartsReader& file) {
   if (ship.propeller.q_0 == 0.0) file.fail("engine", "kind", "a torque limited engine needs the torque curve kq in [propeller]");
 }
 
+/// PI and PU ships.
+template <class PrimeShip>
+void require_consistent(const PrimeShip& ship, const PartsReader& file) {
+  const auto& [p, propeller] = std::tie(ship.particulars, ship.propeller);
+  constexpr std::string_view rule = "one of inertia_z_kg_m2 and radius_of_gyration_m is needed in [particulars]";
+  if (p.I_z == 0.0 && p.k_zz == 0.0) file.fail("particulars", "", fmt::format("{}; none is there", rule));
+  if (p.I_z > 0.0 && p.k_zz > 0.0) file.fail("particulars", "radius_of_gyration_m", fmt::format("{}; both are there", rule));
+  if (p.I_z > 0.0 && p.I_z <= ship.water.rho * p.nabla * p.x_G * p.x_G)
+    file.fail("particulars", "inertia_z_kg_m2", "inertia_z_kg_m2 in [particulars] is about midship and must be larger than m x_G2");
+  if (!propeller.wake_changes()) return;
+  for (const auto* key : {"x_m", "wake_C1", "wake_C2_positive", "wake_C2_negative"})
+    if (!file.has("propeller", key)) file.fail("propeller", "wake", fmt::format("wake = \"mmg\" needs {} in [propeller]", key));
+}
+
 void require_consistent(const AbkowitzShip<double>&, const PartsReader&) {}
 
 // ---------------------------------------------------------------- effects
@@ -140,6 +154,8 @@ Ship read_as(const PartsReader& file) {
 Ship parse_ship(std::string_view text, const std::filesystem::path& name) {
   const PartsReader file(text, name);
   const auto model = file.model();
+  if (model == "pi") return read_as<PiShip<double>>(file);
+  if (model == "pu") return read_as<PuShip<double>>(file);
   if (model == "abkowitz") return read_as<AbkowitzShip<double>>(file);
   if (model == "linear") file.fail("", "model", "a ship of a nonlinear model is needed here, got \"linear\"");
   file.require_model("mmg");
