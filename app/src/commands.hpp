@@ -22,6 +22,7 @@ struct SimulateArguments {
   double tolerance = 1e-9;
   std::filesystem::path out;        ///< empty: no time series
   bool forces = false;              ///< forces by part in the time series
+  std::filesystem::path svg;        ///< empty: no plot
   bool json = false;
 };
 void simulate(const SimulateArguments& arguments);
@@ -68,6 +69,7 @@ void linearize(const LinearizeArguments& arguments);
 struct IndicesArguments {
   std::filesystem::path ship;
   std::optional<double> speed;  ///< [m/s]
+  std::filesystem::path svg;    ///< empty: no plot
   bool json = false;
 };
 void indices(const IndicesArguments& arguments);
@@ -87,6 +89,7 @@ struct LoopArguments {
   std::optional<double> speed;      ///< [m/s]
   std::filesystem::path out;        ///< empty: no time series
   std::filesystem::path report;     ///< empty: no page
+  std::filesystem::path svg;        ///< empty: no plot
   bool json = false;
 };
 void loop(const LoopArguments& arguments);

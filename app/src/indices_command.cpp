@@ -1,10 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "commands.hpp"
 #include "input.hpp"
 #include "linear_output.hpp"
+#include "plot.hpp"
+#include "swayaw/core/atomic_file.hpp"
+#include "swayaw/linear/frequency_response.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -161,11 +166,46 @@ void print_text(const LinearShip& ship, double speed) {
   if (!has_coefficients(ship)) fmt::print("\nNo coupled equations follow from these indices: T3b = T3w, or Kb or Kw = 0.\n");
 }
 
+// ---------------------------------------------------------------- plot
+
+/// Whole decades around the corner frequencies of poles and zeros, which are at least a factor of 3 inside.
+std::vector<double> frequencies_of(const SwayYawTransfer<double>& h) {
+  std::vector<double> corners{std::abs(h.e0 / h.e1), std::sqrt(std::abs(h.e0)), std::abs(h.e1), std::abs(h.nb0 / h.nb1), std::abs(h.nw0 / h.nw1)};
+  std::erase_if(corners, [](double x) { return !std::isnormal(x); });
+  const auto [low, high] = std::ranges::minmax(corners);
+  return logarithmic_frequencies(std::pow(10.0, std::floor(std::log10(low / 3.0))), std::pow(10.0, std::ceil(std::log10(3.0 * high))), 400);
+}
+
+/// Adds the gain and the phase of one motion, where the rudder moves it at all.
+void add_motion(Plot& plot, const std::string& name, const RudderTransfer<double>& t, const std::vector<double>& frequencies, const Stroke& stroke) {
+  if (t.n0 == 0.0 && t.n1 == 0.0) return;
+  std::vector<double> gains, phases_deg;
+  for (const double nu : frequencies) {
+    gains.push_back(gain(t, nu));
+    phases_deg.push_back(degrees(phase(t, nu)));
+  }
+  plot.panels[0].curves.push_back({name, frequencies, std::move(gains), stroke});
+  plot.panels[1].curves.push_back({name, frequencies, std::move(phases_deg), stroke});
+}
+
+/// @throws Refusal  if the rudder moves the ship in no way
+Plot bode_plot(const LinearShip& ship, const SwayYawTransfer<double>& h, double speed) {
+  const Axis frequency{"Frequency", "rad per ship length", true};
+  Plot plot{fmt::format("{}: drift and yaw by rudder, one ship length in {:.4g} s", ship.name, ship.particulars.L / speed),
+            {{.x = frequency, .y = {"Gain", "", true}, .curves = {}}, {.x = frequency, .y = {"Phase", "deg", false, 45.0}, .curves = {}}}};
+  const auto frequencies = frequencies_of(h);
+  add_motion(plot, "drift angle β / δ", rudder_to_drift(h), frequencies, {ink::drift});
+  add_motion(plot, "yaw rate ω′ / δ", rudder_to_yaw(h), frequencies, {ink::yaw});
+  if (plot.panels[0].curves.empty()) throw Refusal("the rudder moves this ship neither in drift nor in yaw: there is nothing to plot");
+  return plot;
+}
+
 }  // namespace
 
 void indices(const IndicesArguments& a) {
   const auto ship = load_linear_ship(a.ship, a.speed);
   const double speed = speed_of(ship, a.speed);
+  if (!a.svg.empty()) write_text(a.svg, svg_of(bode_plot(ship, transfer_functions(ship), speed)));
   if (a.json) fmt::print("{}\n", indices_json(ship, speed).dump(2));
   else print_text(ship, speed);
 }

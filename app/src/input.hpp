@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
@@ -52,6 +53,11 @@ inline Ship load_nonlinear_ship(const std::filesystem::path& file) {
   auto any = load_ship(file);
   if (auto* ship = std::get_if<Ship>(&any)) return std::move(*ship);
   throw Refusal(fmt::format("{}: this ship is linear and has no parts with forces", file.string()));
+}
+
+inline std::vector<double> in_degrees(std::vector<double> angles) {
+  for (double& x : angles) x = degrees(x);
+  return angles;
 }
 
 /// "20/10": rudder angle and heading of a zigzag in degrees. The form was checked when the arguments were read.

@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "input.hpp"
 #include "linear_output.hpp"
+#include "plot.hpp"
 #include "swayaw/app/report.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/version.hpp"
@@ -39,8 +40,7 @@ bool has_inverse(const SwayYawCoefficients<double>& m, const SteeringIndices<dou
 /// The first few of a list of angles.
 std::vector<double> first_in_degrees(std::vector<double> angles) {
   angles.resize(std::min(angles.size(), shown_overshoots));
-  for (double& x : angles) x = degrees(x);
-  return angles;
+  return in_degrees(std::move(angles));
 }
 
 std::vector<double> overshoots_deg(const std::vector<LinearReversal<double>>& reversals) {
@@ -136,25 +136,56 @@ Json document_of(const LinearShip& ship, const Finding& f) {
   return json;
 }
 
-// ---------------------------------------------------------------- page
+// ---------------------------------------------------------------- curves
 
-/// Points along the legs from one to another, as columns.
-Json curve_json(const SwayYawCoefficients<double>& m, const std::vector<Leg<double>>& legs, std::size_t first, std::size_t last) {
+/// Points along legs of the zigzag, as columns.
+struct Curves {
+  std::vector<double> s, psi, beta, omega, delta;
+};
+
+/// Points of the legs from one to another.
+Curves curves_of(const LinearShip& ship, const std::vector<Leg<double>>& legs, std::size_t first, std::size_t last) {
   constexpr int points = 24;
-  const LinearResponse<double> ship(m);
-  std::vector<double> time, psi, beta, omega, delta;
-  for (std::size_t i = first; i < last; ++i) {
+  const LinearResponse<double> response(yaw_coefficients(ship));
+  const auto i = indices(ship);
+  const bool coupled = has_coefficients(ship);
+  Curves c;
+  for (std::size_t n = first; n < last; ++n) {
     for (int k = 0; k <= points; ++k) {
-      const double s = legs[i].length * k / points;
-      const auto x = state_after(ship, legs[i].start, legs[i].rudder, s);
-      time.push_back(legs[i].from + s);
-      psi.push_back(x.psi);
-      beta.push_back(x.beta);
-      omega.push_back(x.omega);
-      delta.push_back(legs[i].rudder.value + legs[i].rudder.rate * s);
+      const double s = legs[n].length * k / points;
+      const auto x = state_after(response, legs[n].start, legs[n].rudder, s);
+      c.s.push_back(legs[n].from + s);
+      c.psi.push_back(x.psi);
+      c.beta.push_back(coupled ? x.beta : i.Kb / i.Kw * x.omega);
+      c.omega.push_back(x.omega);
+      c.delta.push_back(legs[n].rudder.value + legs[n].rudder.rate * s);
     }
   }
-  return {{"s", numbers(time)}, {"psi_rad", numbers(psi)}, {"beta_rad", numbers(beta)}, {"omega", numbers(omega)}, {"delta_rad", numbers(delta)}};
+  return c;
+}
+
+/// The zigzag from straight ahead, its first few reversals.
+Curves approach_of(const LinearShip& ship, const Finding& f) {
+  const auto& [r, legs] = f.cycle.zigzag;
+  return curves_of(ship, legs, 0, r[std::min<std::size_t>(r.size(), 7) - 1].leg);
+}
+
+/// The last full cycle.
+Curves cycle_of(const LinearShip& ship, const Finding& f) {
+  const auto& [r, legs] = f.cycle.zigzag;
+  return curves_of(ship, legs, r[r.size() - 3].leg, r.back().leg);
+}
+
+std::string_view cycle_words(const Finding& f) { return f.cycle.settled ? "limit cycle" : "last cycle"; }
+
+std::string manoeuvre_words(const Finding& f) {
+  return fmt::format("{} first {}", name_of(ZigzagAngles{f.order.rudder, f.order.heading}), name_of(f.order.first));
+}
+
+// ---------------------------------------------------------------- page
+
+Json curves_json(const Curves& c) {
+  return {{"s", numbers(c.s)}, {"psi_rad", numbers(c.psi)}, {"beta_rad", numbers(c.beta)}, {"omega", numbers(c.omega)}, {"delta_rad", numbers(c.delta)}};
 }
 
 std::vector<double> around(double value) {
@@ -202,7 +233,7 @@ Json indices_json(const LinearShip& ship) {
 std::string verdict_of(const Finding& f) {
   const auto& m = f.loop;
   auto text = fmt::format("The {} takes {:.2f} ship lengths; its loop has an area of {:.4f} rad and passes zero drift at omega' = {:.3f}.",
-                          f.cycle.settled ? "limit cycle" : "last cycle", f.cycle.zigzag.period().value(), m.area, m.omega_at_beta_zero);
+                          cycle_words(f), f.cycle.zigzag.period().value(), m.area, m.omega_at_beta_zero);
   if (f.sensitivity)
     text += fmt::format(" One hundredth more of T3w changes the area by {:+.2g} rad and the first overshoot by {:+.2g} deg; of T3b by {:+.2g} rad and not the overshoot.",
                         0.01 * f.sensitivity->by_T3w.area, 0.01 * degrees(f.sensitivity->overshoot_by_T3w.front()), 0.01 * f.sensitivity->by_T3b.area);
@@ -210,27 +241,24 @@ std::string verdict_of(const Finding& f) {
 }
 
 Json page_document(const LinearShip& ship, const Finding& f, const LoopArguments& a) {
-  const auto m = yaw_coefficients(ship);
   const auto i = indices(ship);
-  const auto& zigzag = f.cycle.zigzag;
-  const auto& r = zigzag.reversals;
   Json measures = measures_json(f.loop);
-  measures["period"] = number(zigzag.period().value());
+  measures["period"] = number(f.cycle.zigzag.period().value());
   Json json{{"schema", "swayaw.loop/1"},
             {"version", version()},
             {"ship", ship.name},
             {"ship_file", a.ship.string()},
-            {"manoeuvre", fmt::format("{} first {}", name_of(ZigzagAngles{f.order.rudder, f.order.heading}), name_of(f.order.first))},
+            {"manoeuvre", manoeuvre_words(f)},
             {"length_m", ship.particulars.L},
             {"speed_m_s", f.speed},
             {"verdict", verdict_of(f)},
             {"indices", indices_json(ship)},
             {"slope", number(i.Kw / i.Kb)},
             {"loop", std::move(measures)},
-            {"overshoot_deg", numbers(overshoots_deg(r))},
+            {"overshoot_deg", numbers(overshoots_deg(f.cycle.zigzag.reversals))},
             {"sensitivity", sensitivity_json(f.sensitivity)},
-            {"zigzag", curve_json(m, zigzag.legs, 0, r[std::min<std::size_t>(r.size(), 7) - 1].leg)},
-            {"cycle", curve_json(m, zigzag.legs, r[r.size() - 3].leg, r.back().leg)},
+            {"zigzag", curves_json(approach_of(ship, f))},
+            {"cycle", curves_json(cycle_of(ship, f))},
             {"map", f.sensitivity ? map_json(i, f.order) : Json(nullptr)}};
   return json;
 }
@@ -238,6 +266,30 @@ Json page_document(const LinearShip& ship, const Finding& f, const LoopArguments
 void write_page(const LinearShip& ship, const Finding& f, const LoopArguments& a) {
   write_text(a.report, loop_page(nlohmann::json::parse(page_document(ship, f, a).dump())));
   fmt::print(stderr, "swayaw: report written to {}\n", a.report.string());
+}
+
+// ---------------------------------------------------------------- plot
+
+double reach(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double x : values) largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
+/// beta = nb0 t, omega' = nw0 t, since Kb/Kw = nb0/nw0, as far as the cycle goes in one of the two.
+Curve first_order_line(const SwayYawTransfer<double>& h, const Curves& cycle) {
+  const double t = std::fmin(reach(cycle.beta) / std::abs(h.nb0), reach(cycle.omega) / std::abs(h.nw0));
+  return {"first-order line", in_degrees({-h.nb0 * t, h.nb0 * t}), {-h.nw0 * t, h.nw0 * t}, {ink::line, 1.4, true}};
+}
+
+Plot loop_plot(const LinearShip& ship, const Finding& f) {
+  const auto approach = approach_of(ship, f), cycle = cycle_of(ship, f);
+  return {fmt::format("{}: {}", ship.name, manoeuvre_words(f)),
+          {{.x = {"Drift angle", "deg"},
+            .y = {"Yaw rate ω′", ""},
+            .curves = {first_order_line(transfer_functions(ship), cycle),
+                       {"from straight ahead", in_degrees(approach.beta), approach.omega, {ink::faint, 1.2}},
+                       {std::string(cycle_words(f)), in_degrees(cycle.beta), cycle.omega, {ink::yaw, 2.4}}}}}};
 }
 
 // ---------------------------------------------------------------- text
@@ -275,8 +327,7 @@ void print_row(std::string_view name, std::string_view unit, double value, doubl
 void print_text(const LinearShip& ship, const Finding& f) {
   const auto& s = f.sensitivity;
   const auto& reversals = f.cycle.zigzag.reversals;
-  fmt::print("{}: {} first {} at {:.4g} m/s, the loop of {}\n", ship.name, name_of(ZigzagAngles{f.order.rudder, f.order.heading}), name_of(f.order.first),
-             f.speed, f.cycle.settled ? "the limit cycle" : "the last cycle");
+  fmt::print("{}: {} at {:.4g} m/s, the loop of the {}\n", ship.name, manoeuvre_words(f), f.speed, cycle_words(f));
   fmt::print("  {:<22}{:>11} {:<4}{}\n", "", "value", "", s ? "      by T3b       by T3w" : "");
   for (const auto& [name, unit, member, scale] : rows)
     print_row(name, unit, f.loop.*member * scale, s ? s->by_T3b.*member * scale : 0.0, s ? s->by_T3w.*member * scale : 0.0, s.has_value());
@@ -293,9 +344,11 @@ void print_text(const LinearShip& ship, const Finding& f) {
 void loop(const LoopArguments& a) {
   const auto ship = load_linear_ship(a.ship, a.speed);
   const auto finding = finding_of(ship, a);
+  const auto svg = a.svg.empty() ? std::string() : svg_of(loop_plot(ship, finding));  // before anything is written
   for (const auto& warning : finding.warnings) fmt::print(stderr, "swayaw: {}\n", warning);
   if (!a.out.empty()) write_recording(zigzag_recording(ship, finding.cycle.zigzag, finding.order, finding.speed, {}), a.out);
   if (!a.report.empty()) write_page(ship, finding, a);
+  if (!a.svg.empty()) write_text(a.svg, svg);
   if (a.json) fmt::print("{}\n", document_of(ship, finding).dump(2));
   else print_text(ship, finding);
 }

@@ -34,6 +34,10 @@ void add_ship(CLI::App& command, std::filesystem::path& ship) {
   command.add_option("SHIP", ship, "ship file (TOML)")->required();
 }
 
+void add_svg(CLI::App& command, std::filesystem::path& svg, const std::string& what) {
+  command.add_option("--svg", svg, "plot to this file (SVG, drawn by gnuplot): " + what);
+}
+
 void add_shaft(CLI::App& command, std::string& shaft) {
   command.add_option("--shaft", shaft, "shaft speed: recorded, or the model's self-propulsion point at the recorded starting speed")
       ->check(CLI::IsMember({"recorded", "self-propulsion"}))
@@ -58,6 +62,7 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
       ->capture_default_str();
   auto* out = command.add_option("--out", a.out, "time series to this file (CSV)");
   command.add_flag("--forces", a.forces, "forces by part in the time series")->needs(out);
+  add_svg(command, a.svg, "heading and rudder of a zigzag, track of a turn");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { simulate(a); });
 }
@@ -111,6 +116,7 @@ void add_indices(CLI::App& app, IndicesArguments& a) {
   auto& command = *app.add_subcommand("indices", "coefficients, time constants, gains and stability of a linear ship");
   add_ship(command, a.ship);
   command.add_option("--speed", a.speed, "speed in m/s of the numbers with dimension (default: service speed)")->check(CLI::PositiveNumber);
+  add_svg(command, a.svg, "Bode diagram of drift and yaw");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { indices(a); });
 }
@@ -133,6 +139,7 @@ void add_loop(CLI::App& app, LoopArguments& a) {
       ->check(CLI::PositiveNumber);
   command.add_option("--out", a.out, "time series to this file (CSV)");
   command.add_option("--report", a.report, "write an HTML page that needs no network");
+  add_svg(command, a.svg, "drift angle and yaw rate, with the line of a first-order ship");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { loop(a); });
 }

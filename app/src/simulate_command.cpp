@@ -4,6 +4,7 @@
 #include "input.hpp"
 #include "json.hpp"
 #include "linear_output.hpp"
+#include "simulate_output.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/force_breakdown.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
@@ -26,6 +27,11 @@ std::string propulsion_text(const Ship& ship, const Controls<double>& c) {
 void add_propulsion(Json& json, const Ship& ship, const Controls<double>& c) {
   if (c.by_thrust) json["thrust_N"] = c.thrust.port + c.thrust.starboard;
   else if (takes_shaft_speed(ship)) json["rev_s"] = c.rev;
+}
+
+void write_run(Recording& run, const Ship& ship, const SimulateArguments& a) {
+  if (a.forces) add_forces(run, ship);
+  write_files(run, a);
 }
 
 // ---------------------------------------------------------------- zigzag
@@ -64,13 +70,13 @@ void print_zigzag(const Ship& ship, const Zigzag& z) {
   if (z.reversals.empty()) fmt::print("  the heading never reached the switch angle\n");
 }
 
-Recording run_zigzag(const Ship& ship, const SimulateArguments& a) {
+void run_zigzag(const Ship& ship, const SimulateArguments& a) {
   const auto [rudder, heading] = zigzag_angles(a.zigzag);
   const ZigzagOrder order{.rudder = rudder, .heading = heading, .first = side_named(a.first)};
   auto result = zigzag(ship, order, options_of(a));
+  write_run(result.run, ship, a);
   if (a.json) fmt::print("{}\n", zigzag_json(ship, result, order).dump(2));
   else print_zigzag(ship, result);
-  return std::move(result.run);
 }
 
 // ---------------------------------------------------------------- turning circle
@@ -118,12 +124,12 @@ void print_circle(const Ship& ship, const TurningCircle& c) {
   fmt::print("  {:<20}{:>12.4f} deg/s\n", "final yaw rate", degrees(c.steady->r));
 }
 
-Recording run_circle(const Ship& ship, const SimulateArguments& a) {
+void run_circle(const Ship& ship, const SimulateArguments& a) {
   const TurnOrder order{.rudder = radians(*a.turn), .side = side_named(a.first)};
   auto result = turning_circle(ship, order, options_of(a));
+  write_run(result.run, ship, a);
   if (a.json) fmt::print("{}\n", circle_json(ship, result, order).dump(2));
   else print_circle(ship, result);
-  return std::move(result.run);
 }
 
 }  // namespace
@@ -132,9 +138,8 @@ void simulate(const SimulateArguments& a) {
   const AnyShip any = load_ship(a.ship);
   if (const auto* linear = std::get_if<LinearShip>(&any)) return simulate_linear(*linear, a);
   const auto& ship = std::get<Ship>(any);
-  Recording run = a.turn ? run_circle(ship, a) : run_zigzag(ship, a);
-  if (a.forces) add_forces(run, ship);
-  if (!a.out.empty()) write_recording(run, a.out);
+  if (a.turn) run_circle(ship, a);
+  else run_zigzag(ship, a);
 }
 
 }  // namespace swayaw::app

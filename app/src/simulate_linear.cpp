@@ -4,6 +4,7 @@
 
 #include "input.hpp"
 #include "linear_output.hpp"
+#include "simulate_output.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -70,7 +71,7 @@ void print_zigzag(const LinearShip& ship, const Run& run) {
 
 void simulate_zigzag(const LinearShip& ship, const SimulateArguments& a) {
   const auto run = run_of(ship, a);
-  if (!a.out.empty()) write_recording(zigzag_recording(ship, run.zigzag, run.order, run.scale.U, a.step), a.out);
+  if (wants_files(a)) write_files(zigzag_recording(ship, run.zigzag, run.order, run.scale.U, a.step), a);
   if (a.json) fmt::print("{}\n", zigzag_json(run).dump(2));
   else print_zigzag(ship, run);
 }
@@ -110,7 +111,7 @@ Json turn_json(const SteadyTurn& t, const SimulateArguments& a, double speed) {
 }
 
 void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
-  if (!a.out.empty()) throw Refusal("the turn of a linear ship is known by its steady values only: no time series for --out");
+  if (wants_files(a)) throw Refusal(fmt::format("the turn of a linear ship is known by its steady values only: no {}", a.out.empty() ? "track for --svg" : "time series for --out"));
   const double angle = radians(*a.turn), speed = speed_of(ship, a.speed);
   require_rudder(angle, ship.steering_gear);
   const auto turn = steady_turn(ship, rudder_sign(side_named(a.first)) * angle, speed);

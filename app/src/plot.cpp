@@ -1,0 +1,93 @@
+#include "plot.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include "child_process.hpp"
+#include "swayaw/core/refusal.hpp"
+
+namespace swayaw::app {
+namespace {
+
+using Script = std::back_insert_iterator<std::string>;
+
+/// A text in gnuplot's single quotes, where nothing has a meaning but the quote, which is doubled, and the end of the line.
+std::string literal(std::string_view text) {
+  std::string result = "'";
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    if (c == '\'') result += "''";
+    else result += code < 0x20 || code == 0x7f ? ' ' : c;
+  }
+  return result + "'";
+}
+
+std::string label_of(const Axis& axis) { return literal(axis.unit.empty() ? axis.quantity : axis.quantity + ", " + axis.unit); }
+
+/// Shortest digits that give the number back, with a point in every locale.
+std::string number_of(double x) { return std::isfinite(x) ? fmt::format("{}", x) : "NaN"; }
+
+std::string block_name(std::size_t panel, std::size_t curve) { return fmt::format("$curve_{}_{}", panel, curve); }
+
+void put_points(Script to, const std::string& block, const Curve& curve) {
+  fmt::format_to(to, "{} << END\n", block);
+  for (std::size_t i = 0; i < curve.x.size(); ++i) fmt::format_to(to, "{} {}\n", number_of(curve.x[i]), number_of(curve.y[i]));
+  fmt::format_to(to, "END\n");
+}
+
+void put_axis(Script to, char name, const Axis& axis) {
+  fmt::format_to(to, "set {}label {}\n{} logscale {}\n", name, label_of(axis), axis.logarithmic ? "set" : "unset", name);
+  if (axis.tick > 0.0) fmt::format_to(to, "set {}tics {}\n", name, number_of(axis.tick));
+  else fmt::format_to(to, "set {}tics autofreq\n", name);
+}
+
+std::string drawn(const std::string& block, const Curve& curve) {
+  return fmt::format("{} using 1:2 with lines linecolor rgb '{}' linewidth {} dashtype {} title {}", block, curve.stroke.colour, number_of(curve.stroke.width),
+                     curve.stroke.dashed ? "(12,6)" : "solid", literal(curve.name));
+}
+
+void put_panel(Script to, std::size_t index, const Panel& panel) {
+  for (std::size_t k = 0; k < panel.curves.size(); ++k) put_points(to, block_name(index, k), panel.curves[k]);
+  put_axis(to, 'x', panel.x);
+  put_axis(to, 'y', panel.y);
+  fmt::format_to(to, "set autoscale {}\nset size {}\nplot ", panel.x.logarithmic ? "xfix" : "x", panel.same_scale ? "ratio -1" : "noratio");
+  for (std::size_t k = 0; k < panel.curves.size(); ++k) fmt::format_to(to, "{}{}", k > 0 ? ", " : "", drawn(block_name(index, k), panel.curves[k]));
+  fmt::format_to(to, "\n");
+}
+
+std::string script_of(const Plot& plot) {
+  constexpr int width = 800, height_of_panel = 350, height_of_rest = 250;
+  const auto panels = plot.panels.size();
+  std::string script;
+  const Script to(script);
+  fmt::format_to(to, "set encoding utf8\nset terminal svg size {},{} fixed noenhanced font 'sans-serif,14' background '#ffffff'\n", width,
+                 height_of_rest + height_of_panel * panels);
+  fmt::format_to(to, "set lmargin 10\nset rmargin 3\nset grid linecolor rgb '#e8ebee' linewidth 1 dashtype solid\nset border linecolor rgb '#5a6470'\n");
+  fmt::format_to(to, "set key tmargin horizontal center Left reverse samplen 2.5 width -3\nset multiplot layout {},1 title {}\n", panels, literal(plot.title));
+  for (std::size_t i = 0; i < panels; ++i) put_panel(to, i, plot.panels[i]);
+  fmt::format_to(to, "unset multiplot\n");
+  return script;
+}
+
+/// The last line that says anything: there gnuplot tells what is wrong.
+std::string_view last_line(std::string_view text) {
+  const auto end = text.find_last_not_of(" \n");
+  if (end == std::string_view::npos) return "no reason given";
+  text = text.substr(0, end + 1);
+  text.remove_prefix(text.rfind('\n') + 1);
+  return text.substr(text.find_first_not_of(' '));
+}
+
+}  // namespace
+
+std::string svg_of(const Plot& plot) {
+  auto end = run_program({"gnuplot", "--default-settings", "-"}, script_of(plot));
+  if (!end) throw Refusal("plots are drawn by gnuplot, which is not installed: install the Debian package gnuplot-nox");
+  if (end->code != 0) throw Refusal(fmt::format("gnuplot ended with code {}: {}", end->code, last_line(end->err)));
+  return std::move(end->out);
+}
+
+}  // namespace swayaw::app
