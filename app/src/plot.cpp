@@ -14,15 +14,19 @@ namespace {
 
 using Script = std::back_insert_iterator<std::string>;
 
-/// A text in gnuplot's single quotes, where nothing has a meaning but the quote, which is doubled, and the end of the line.
+bool is_plain(unsigned char code) { return (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z') || code == ' ' || code >= 0x80; }
+
+/// A text in gnuplot's double quotes, every byte but letters, blanks and UTF-8 by its octal number: nothing is left that could end the
+/// text or be taken for a command. (In single quotes gnuplot 5.4 takes the second of two doubled quotes in a row for the end.)
+/// Digits are numbers too, since gnuplot reads more than three of them as one.
 std::string literal(std::string_view text) {
-  std::string result = "'";
+  std::string result = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
-    if (c == '\'') result += "''";
-    else result += code < 0x20 || code == 0x7f ? ' ' : c;
+    if (is_plain(code)) result += c;
+    else result += code < 0x20 || code == 0x7f ? " " : fmt::format("\\{:03o}", code);
   }
-  return result + "'";
+  return result + "\"";
 }
 
 std::string label_of(const Axis& axis) { return literal(axis.unit.empty() ? axis.quantity : axis.quantity + ", " + axis.unit); }
@@ -65,7 +69,7 @@ std::string script_of(const Plot& plot) {
   const Script to(script);
   fmt::format_to(to, "set encoding utf8\nset terminal svg size {},{} fixed noenhanced font 'sans-serif,14' background '#ffffff'\n", width,
                  height_of_rest + height_of_panel * panels);
-  fmt::format_to(to, "set lmargin 10\nset rmargin 3\nset grid linecolor rgb '#e8ebee' linewidth 1 dashtype solid\nset border linecolor rgb '#5a6470'\n");
+  fmt::format_to(to, "set lmargin 10\nset rmargin 3\nset grid linecolor rgb '#e8ebee' linewidth 1\nset border linecolor rgb '#5a6470'\n");
   fmt::format_to(to, "set key tmargin horizontal center Left reverse samplen 2.5 width -3\nset multiplot layout {},1 title {}\n", panels, literal(plot.title));
   for (std::size_t i = 0; i < panels; ++i) put_panel(to, i, plot.panels[i]);
   fmt::format_to(to, "unset multiplot\n");

@@ -14,14 +14,15 @@ namespace swayaw {
 namespace {
 
 using nlohmann::json;
-using test::lines;
+using test::document;
+using test::refusal;
 using test::run;
 using test::Scratch;
 
-const std::string parts_ship = (test::ships / "tanker97.toml").string();
-const std::string abc_ship = (test::ships / "tanker97_abc.toml").string();
-const std::string nomoto_ship = (test::ships / "tanker97_nomoto.toml").string();
-const std::string mmg_ship = (test::ships / "kvlcc2_l7.toml").string();
+const std::string parts_ship = test::ship_file("tanker97.toml");
+const std::string abc_ship = test::ship_file("tanker97_abc.toml");
+const std::string nomoto_ship = test::ship_file("tanker97_nomoto.toml");
+const std::string mmg_ship = test::ship_file("kvlcc2_l7.toml");
 
 /// The reference counts 13.39 s to the ship length.
 const std::string reference_speed = "--speed 7.274085138162808";
@@ -29,26 +30,6 @@ const std::string reference_speed = "--speed 7.274085138162808";
 json golden() {
   std::ifstream file(test::golden / "artyszuk_linear.json");
   return json::parse(file).at("artyszuk");
-}
-
-/// The JSON of a command that must succeed.
-json document(const std::string& arguments) {
-  const Scratch scratch;
-  const auto outcome = run(scratch, arguments + " --json");
-  INFO(arguments << "\n" << outcome.err);
-  REQUIRE(outcome.code == 0);
-  return json::parse(outcome.out);
-}
-
-/// What a command that must fail says.
-std::string refusal(const std::string& arguments) {
-  const Scratch scratch;
-  const auto outcome = run(scratch, arguments);
-  INFO(arguments);
-  CHECK(outcome.code == 1);
-  CHECK(outcome.out.empty());
-  CHECK(lines(outcome.err) == 1);
-  return outcome.err;
 }
 
 /// A ship file with that form in the folder.
@@ -353,7 +334,7 @@ TEST_CASE("invert tells how sure the coefficients of uncertain indices are", "[a
   CHECK_THAT(unsure.at("standard_error").at("a1").get<double>(), WithinRel(2.0 * sure.at("standard_error").at("a1").get<double>(), 1e-9));
   CHECK(sure.at("interval_95").at("b1")[0] < sure.at("interval_95").at("b1")[1]);
   CHECK(uncertainty_with("T3b = 6.0").at("separation") < 1.0);
-  CHECK(json::parse(run(scratch, "invert " + (test::ships / "tanker97_abc.toml").string() + " --json").out).at("uncertainty").is_null());
+  CHECK(document("invert " + abc_ship).at("uncertainty").is_null());
 }
 
 }  // namespace

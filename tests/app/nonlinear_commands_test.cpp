@@ -10,34 +10,18 @@
 namespace swayaw {
 namespace {
 
-using nlohmann::json;
+using test::document;
+using test::refusal;
 using test::run;
 using test::Scratch;
 
-const std::string tanker = (test::ships / "kvlcc2_l7.toml").string();
-const std::string mariner = (test::ships / "mariner.toml").string();
-
-json answer(const std::string& arguments) {
-  const Scratch scratch;
-  const auto outcome = run(scratch, arguments + " --json");
-  INFO(arguments << ": " << outcome.err);
-  REQUIRE(outcome.code == 0);
-  return json::parse(outcome.out);
-}
-
-std::string refusal(const std::string& arguments, int code = 1) {
-  const Scratch scratch;
-  const auto outcome = run(scratch, arguments);
-  CHECK(outcome.code == code);
-  CHECK(outcome.out.empty());
-  CHECK(test::lines(outcome.err) == 1);
-  return outcome.err;
-}
+const std::string tanker = test::ship_file("kvlcc2_l7.toml");
+const std::string mariner = test::ship_file("mariner.toml");
 
 // ---------------------------------------------------------------- forces
 
 TEST_CASE("forces by part add up to the total", "[app]") {
-  const auto found = answer("forces " + tanker + " --state u=1.0,v=0.1,r=-0.02,delta=0.1,rev=11");
+  const auto found = document("forces " + tanker + " --state u=1.0,v=0.1,r=-0.02,delta=0.1,rev=11");
   for (const char* axis : {"X", "Y", "N"}) {
     double sum = 0.0;
     for (const auto& [name, part] : found.at("parts").items()) sum += part.at(axis).get<double>();
@@ -48,10 +32,10 @@ TEST_CASE("forces by part add up to the total", "[app]") {
 }
 
 TEST_CASE("the same thrust is the same force, whether by shaft speed or given", "[app][second-route]") {
-  const auto by_rev = answer("forces " + tanker + " --state u=1.0,v=0.1,delta=0.1,rev=11");
+  const auto by_rev = document("forces " + tanker + " --state u=1.0,v=0.1,delta=0.1,rev=11");
   const double thrust = by_rev.at("parts").at("propeller").at("X").get<double>() / (1.0 - 0.22);
-  const auto given = answer("forces " + tanker + " --state u=1.0,v=0.1,delta=0.1,thrust=" + std::to_string(thrust));
-  const auto sides = answer("forces " + tanker + " --state u=1.0,v=0.1,delta=0.1,thrust_port=" + std::to_string(thrust) + ",thrust_starboard=0");
+  const auto given = document("forces " + tanker + " --state u=1.0,v=0.1,delta=0.1,thrust=" + std::to_string(thrust));
+  const auto sides = document("forces " + tanker + " --state u=1.0,v=0.1,delta=0.1,thrust_port=" + std::to_string(thrust) + ",thrust_starboard=0");
   for (const auto* other : {&given, &sides}) CHECK(other->at("total").at("N").get<double>() == Approx(by_rev.at("total").at("N").get<double>()).epsilon(1e-6));
 }
 
@@ -82,7 +66,7 @@ TEST_CASE("forces stand beside the samples of a simulation and a replay", "[app]
 
 TEST_CASE("linearize gives the keys of indices, and parts that add up to the whole", "[app]") {
   for (const auto& ship : {tanker, mariner}) {
-    const auto found = answer("linearize " + ship);
+    const auto found = document("linearize " + ship);
     for (const char* key : {"a1", "b1", "c1", "a2", "b2", "c2"}) {
       double sum = 0.0;
       for (const auto& [name, part] : found.at("parts").items()) sum += part.at(key).get<double>();
@@ -94,21 +78,21 @@ TEST_CASE("linearize gives the keys of indices, and parts that add up to the who
 }
 
 TEST_CASE("linearize tells both sides where they differ, and their mean", "[app]") {
-  const auto found = answer("linearize " + tanker);
+  const auto found = document("linearize " + tanker);
   CHECK(found.at("a1").get<double>() == Approx(0.5 * (found.at("port").at("a1").get<double>() + found.at("starboard").at("a1").get<double>())));
   CHECK(found.at("port").at("stable") == false);
   CHECK(found.at("starboard").at("stable") == true);
-  CHECK_FALSE(answer("linearize " + tanker + " --side port").contains("port"));
-  CHECK_FALSE(answer("linearize " + mariner).contains("port"));
+  CHECK_FALSE(document("linearize " + tanker + " --side port").contains("port"));
+  CHECK_FALSE(document("linearize " + mariner).contains("port"));
 }
 
 TEST_CASE("a ship is linearized in a steady turn, and refused where she has none or cannot be driven so", "[app]") {
-  const auto turn = answer("linearize " + tanker + " --rudder -20");
+  const auto turn = document("linearize " + tanker + " --rudder -20");
   CHECK(turn.at("operating_point").at("r_rad_s") > 0.0);
   CHECK(turn.at("operating_point").at("delta_rad").get<double>() == Approx(-0.34906585));
   CHECK_THAT(refusal("linearize " + mariner + " --rev 2"), ContainsSubstring("give --thrust"));
   CHECK_THAT(refusal("linearize " + mariner + " --speed 2"), ContainsSubstring("and at no other"));
-  CHECK_THAT(refusal("linearize " + (test::ships / "tanker97.toml").string()), ContainsSubstring("this ship is linear"));
+  CHECK_THAT(refusal("linearize " + test::ship_file("tanker97.toml")), ContainsSubstring("this ship is linear"));
 }
 
 }  // namespace

@@ -15,11 +15,12 @@ namespace swayaw {
 namespace {
 
 using nlohmann::json;
-using test::lines;
+using test::document;
+using test::refusal;
 using test::run;
 using test::Scratch;
 
-const std::string ship = (test::ships / "kvlcc2_l7.toml").string();
+const std::string ship = test::ship_file("kvlcc2_l7.toml");
 const std::string example_zigzag = (test::example_recordings / "weak_rudder_zz10_10.csv").string();
 const std::string example_turn = (test::example_recordings / "weak_rudder_turn35.csv").string();
 
@@ -37,7 +38,6 @@ TEST_CASE("the program tells its version and its commands", "[app]") {
 }
 
 TEST_CASE("wrong usage ends with code 2 and one line that helps", "[app][refusal]") {
-  const Scratch scratch;
   const std::pair<std::string, std::string> cases[] = {
       {"", "subcommand"},
       {"simulat " + ship, "did you mean \"simulate\"?"},
@@ -57,14 +57,7 @@ TEST_CASE("wrong usage ends with code 2 and one line that helps", "[app][refusal
       {"loop " + ship, "--zigzag"},
       {"loop " + ship + " --zigzag ten", "D/H"},
   };
-  for (const auto& [arguments, hint] : cases) {
-    INFO(arguments);
-    const auto outcome = run(scratch, arguments);
-    CHECK(outcome.code == 2);
-    CHECK(outcome.out.empty());
-    CHECK(lines(outcome.err) == 1);
-    CHECK_THAT(outcome.err, ContainsSubstring(hint));
-  }
+  for (const auto& [arguments, hint] : cases) CHECK_THAT(refusal(arguments, 2), ContainsSubstring(hint));
 }
 
 TEST_CASE("bad data ends with code 1, names the place, and writes nothing", "[app][refusal]") {
@@ -74,18 +67,13 @@ TEST_CASE("bad data ends with code 1, names the place, and writes nothing", "[ap
   const auto line = std::ranges::count(ship_text.substr(0, ship_text.find("density_kg_m3")), '\n') + 1;
   ship_text.replace(ship_text.find("density_kg_m3 = 1000"), 20, "density_kg_m3 = -1");
   write_text(scratch / "bad.toml", ship_text);
-  const auto bad_run = run(scratch, "replay " + ship + " " + (scratch / "bad.csv").string() + " --out " + (scratch / "out.csv").string());
-  CHECK(bad_run.code == 1);
-  CHECK(bad_run.out.empty());
-  CHECK(lines(bad_run.err) == 1);
-  CHECK_THAT(bad_run.err, ContainsSubstring((scratch / "bad.csv").string() + ":3:5: "));
+  const auto bad_run = refusal("replay " + ship + " " + (scratch / "bad.csv").string() + " --out " + (scratch / "out.csv").string());
+  CHECK_THAT(bad_run, ContainsSubstring((scratch / "bad.csv").string() + ":3:5: "));
   CHECK_FALSE(std::filesystem::exists(scratch / "out.csv"));
-  const auto bad_ship = run(scratch, "simulate " + (scratch / "bad.toml").string() + " --turn 35");
-  CHECK(bad_ship.code == 1);
-  CHECK_THAT(bad_ship.err, ContainsSubstring((scratch / "bad.toml").string() + ":" + std::to_string(line) + ":17: density_kg_m3 in [water] must be positive, got -1"));
-  CHECK(run(scratch, "simulate no_such_ship.toml --turn 35").code == 1);
-  CHECK(run(scratch, "simulate " + ship + " --turn 36").code == 1);
-  CHECK(run(scratch, "simulate " + ship + " --turn 35 --out /no/such/folder/f.csv").code == 1);
+  CHECK_THAT(refusal("simulate " + (scratch / "bad.toml").string() + " --turn 35"), ContainsSubstring((scratch / "bad.toml").string() + ":" + std::to_string(line) + ":17: density_kg_m3 in [water] must be positive, got -1"));
+  CHECK_THAT(refusal("simulate no_such_ship.toml --turn 35"), ContainsSubstring("no_such_ship.toml"));
+  CHECK_THAT(refusal("simulate " + ship + " --turn 36"), ContainsSubstring("beyond the ship's largest"));
+  CHECK_THAT(refusal("simulate " + ship + " --turn 35 --out /no/such/folder/f.csv"), ContainsSubstring("/no/such/folder/f.csv"));
 }
 
 TEST_CASE("simulate prints the indices of a zigzag as JSON", "[app]") {
@@ -103,13 +91,12 @@ TEST_CASE("simulate prints the indices of a zigzag as JSON", "[app]") {
 }
 
 TEST_CASE("simulate prints the indices of a turning circle as JSON, null for what was not reached", "[app]") {
-  const Scratch scratch;
-  const auto whole = json::parse(run(scratch, "simulate " + ship + " --turn 35 --json").out);
+  const auto whole = document("simulate " + ship + " --turn 35");
   for (const char* key : {"advance_m", "transfer_m", "tactical_diameter_m", "final_diameter_m", "time_90_s", "time_180_s", "final_speed_m_s",
                           "final_drift_rad", "final_yaw_rate_rad_s"})
     CHECK(whole.at(key).is_number());
   CHECK(whole.at("final_yaw_rate_rad_s").get<double>() > 0.0);
-  const auto part = json::parse(run(scratch, "simulate " + ship + " --turn 35 --duration 30 --json").out);
+  const auto part = document("simulate " + ship + " --turn 35 --duration 30");
   CHECK(part.at("time_90_s").is_number());
   CHECK(part.at("time_180_s").is_null());
 }
