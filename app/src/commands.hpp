@@ -13,6 +13,13 @@ struct SimulateArguments {
   std::filesystem::path ship;
   std::string zigzag;               ///< "D/H" in degrees, or empty
   std::optional<double> turn;       ///< [deg]
+  bool spiral = false;
+  bool reverse_spiral = false;
+  std::optional<double> pullout;    ///< [deg]
+  bool williamson = false;
+  bool imo = false;
+  std::optional<double> rudder;     ///< of spirals and the Williamson turn [deg]
+  double rudder_step = 5.0;         ///< of the spiral [deg]
   std::string first = "starboard";  ///< side turned to first
   std::optional<double> speed;      ///< [m/s]
   std::optional<double> rev;        ///< [1/s]

@@ -44,27 +44,47 @@ void add_shaft(CLI::App& command, std::string& shaft) {
       ->capture_default_str();
 }
 
+/// --rudder and --rudder-step go with some manoeuvres only.
+void require_sense(const SimulateArguments& a, bool step_given) {
+  if (a.rudder && !a.spiral && !a.reverse_spiral && !a.williamson)
+    throw CLI::ValidationError("--rudder", "goes with --spiral, --reverse-spiral or --williamson");
+  if (step_given && !a.spiral) throw CLI::ValidationError("--rudder-step", "goes with --spiral");
+}
+
 void add_simulate(CLI::App& app, SimulateArguments& a) {
   auto& command = *app.add_subcommand("simulate", "run a standard manoeuvre and print its indices");
   add_ship(command, a.ship);
   auto& manoeuvre = *command.add_option_group("manoeuvre", "one of");
   manoeuvre.add_option("--zigzag", a.zigzag, "zigzag, rudder D and heading H in degrees")->check(zigzag_form);
   manoeuvre.add_option("--turn", a.turn, "turning circle, rudder in degrees")->check(CLI::PositiveNumber);
+  auto* spiral = manoeuvre.add_flag("--spiral", a.spiral, "Dieudonne spiral, and all steady turns");
+  auto* reverse_spiral = manoeuvre.add_flag("--reverse-spiral", a.reverse_spiral, "Bech spiral: the rudder that holds each yaw rate");
+  auto* pullout = manoeuvre.add_option("--pullout", a.pullout, "pull-out from turns to both sides, rudder in degrees")->check(CLI::PositiveNumber);
+  manoeuvre.add_flag("--williamson", a.williamson, "Williamson turn");
+  auto* imo = manoeuvre.add_flag("--imo", a.imo, "steering criteria of IMO resolution MSC.137(76), both sides");
   manoeuvre.require_option(1);
-  command.add_option("--first", a.first, "side turned to first")->check(side_name)->capture_default_str();
+  command.add_option("--rudder", a.rudder, "largest rudder angle in degrees of a spiral (default: 25) or Williamson turn (default: 35), or the ship's largest")
+      ->check(CLI::PositiveNumber);
+  auto* step = command.add_option("--rudder-step", a.rudder_step, "degrees between the rudder angles of the spiral")->check(CLI::PositiveNumber)->capture_default_str();
+  command.add_option("--first", a.first, "side turned to first; of the pull-outs the one that --out writes")
+      ->check(side_name)->capture_default_str()->excludes(reverse_spiral)->excludes(imo);
   command.add_option("--speed", a.speed, "approach speed in m/s (default: service speed)")->check(CLI::PositiveNumber);
   auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s (default: self-propulsion at the approach speed)")->check(CLI::PositiveNumber);
   command.add_option("--thrust", a.thrust, "thrust of all propellers in N, in place of a shaft speed")->check(CLI::PositiveNumber)->excludes(rev);
-  command.add_option("--duration", a.duration, "seconds (default: until the indices are known)")->check(CLI::PositiveNumber);
+  command.add_option("--duration", a.duration, "seconds (default: until the indices are known)")
+      ->check(CLI::PositiveNumber)->excludes(spiral)->excludes(reverse_spiral)->excludes(pullout)->excludes(imo);
   command.add_option("--step", a.step, "seconds between samples of the time series")->check(CLI::PositiveNumber);
   command.add_option("--tolerance", a.tolerance, "error of an integration step, relative to ship length and speed")
       ->check(CLI::Range(1e-13, 1e-2))
       ->capture_default_str();
-  auto* out = command.add_option("--out", a.out, "time series to this file (CSV)");
+  auto* out = command.add_option("--out", a.out, "time series to this file (CSV)")->excludes(reverse_spiral)->excludes(imo);
   command.add_flag("--forces", a.forces, "forces by part in the time series")->needs(out);
   add_svg(command, a.svg, "heading and rudder of a zigzag, track of a turn");
   command.add_flag("--json", a.json, "print one JSON document");
-  command.callback([&a] { simulate(a); });
+  command.callback([&a, step] {
+    require_sense(a, step->count() > 0);
+    simulate(a);
+  });
 }
 
 void add_replay(CLI::App& app, ReplayArguments& a) {

@@ -4,35 +4,14 @@
 #include "input.hpp"
 #include "json.hpp"
 #include "linear_output.hpp"
+#include "simulate_files.hpp"
 #include "simulate_output.hpp"
+#include "simulate_trials.hpp"
 #include "swayaw/core/angle.hpp"
-#include "swayaw/nonlinear/force_breakdown.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw::app {
 namespace {
-
-ManoeuvreOptions options_of(const SimulateArguments& a) {
-  return {.speed = a.speed, .rev = a.rev, .thrust = a.thrust, .duration = a.duration, .step = a.step, .tolerance = a.tolerance};
-}
-
-/// "shaft 11.85 1/s" or "thrust 11.2 N".
-std::string propulsion_text(const Ship& ship, const Controls<double>& c) {
-  if (!c.by_thrust && !takes_shaft_speed(ship)) return "propulsion held";
-  if (!c.by_thrust) return fmt::format("shaft {:.5g} 1/s", c.rev);
-  return fmt::format("thrust {:.5g} N", c.thrust.port + c.thrust.starboard);
-}
-
-void add_propulsion(Json& json, const Ship& ship, const Controls<double>& c) {
-  if (c.by_thrust) json["thrust_N"] = c.thrust.port + c.thrust.starboard;
-  else if (takes_shaft_speed(ship)) json["rev_s"] = c.rev;
-}
-
-void write_run(Recording& run, const Ship& ship, const SimulateArguments& a) {
-  if (a.forces) add_forces(run, ship);
-  write_files(run, a);
-}
 
 // ---------------------------------------------------------------- zigzag
 
@@ -53,6 +32,7 @@ Json zigzag_json(const Ship& ship, const Zigzag& z, const ZigzagOrder& order) {
           {"period_s", number(z.period)},
           {"initial_turning_m", number(z.initial_turning)}};
   add_propulsion(json, ship, z.propulsion);
+  json["criteria"] = criteria_json(criteria_of(z, order, length(ship)));
   return json;
 }
 
@@ -77,6 +57,7 @@ void run_zigzag(const Ship& ship, const SimulateArguments& a) {
   write_run(result.run, ship, a);
   if (a.json) fmt::print("{}\n", zigzag_json(ship, result, order).dump(2));
   else print_zigzag(ship, result);
+  if (!a.json) print_criteria(criteria_of(result, order, length(ship)));
 }
 
 // ---------------------------------------------------------------- turning circle
@@ -97,12 +78,8 @@ Json circle_json(const Ship& ship, const TurningCircle& c, const TurnOrder& orde
           {"final_drift_rad", steady ? number(drift_angle(*c.steady)) : Json(nullptr)},
           {"final_yaw_rate_rad_s", steady ? number(c.steady->r) : Json(nullptr)}};
   add_propulsion(json, ship, c.propulsion);
+  json["criteria"] = criteria_json(criteria_of(c, order, length(ship), turning_rudder(ship)));
   return json;
-}
-
-void print_length(std::string_view name, const std::optional<double>& metres, double L) {
-  if (metres) fmt::print("  {:<20}{:>12.2f} m{:>10.3f} L\n", name, *metres, *metres / L);
-  else fmt::print("  {:<20}{:>12}\n", name, "not reached");
 }
 
 void print_circle(const Ship& ship, const TurningCircle& c) {
@@ -130,6 +107,7 @@ void run_circle(const Ship& ship, const SimulateArguments& a) {
   write_run(result.run, ship, a);
   if (a.json) fmt::print("{}\n", circle_json(ship, result, order).dump(2));
   else print_circle(ship, result);
+  if (!a.json) print_criteria(criteria_of(result, order, length(ship), turning_rudder(ship)));
 }
 
 }  // namespace
@@ -138,8 +116,9 @@ void simulate(const SimulateArguments& a) {
   const AnyShip any = load_ship(a.ship);
   if (const auto* linear = std::get_if<LinearShip>(&any)) return simulate_linear(*linear, a);
   const auto& ship = std::get<Ship>(any);
-  if (a.turn) run_circle(ship, a);
-  else run_zigzag(ship, a);
+  if (!a.zigzag.empty()) run_zigzag(ship, a);
+  else if (a.turn) run_circle(ship, a);
+  else run_trial(ship, a);
 }
 
 }  // namespace swayaw::app

@@ -4,7 +4,7 @@
 
 #include "input.hpp"
 #include "linear_output.hpp"
-#include "simulate_output.hpp"
+#include "simulate_files.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -37,6 +37,14 @@ Run run_of(const LinearShip& ship, const SimulateArguments& a) {
   return run;
 }
 
+/// What the zigzag tells of the IMO criteria.
+std::vector<Criterion> criteria_of(const Run& run) {
+  Zigzag zigzag{.reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = run.scale.U, .propulsion = {}, .run = {}};
+  if (!run.execute.empty()) zigzag.initial_turning = run.execute.front() * run.scale.U;
+  for (const auto& reversal : run.zigzag.reversals) zigzag.reversals.push_back({.time = 0.0, .peak_time = {}, .overshoot = reversal.overshoot});
+  return criteria_of(zigzag, {run.order.rudder, run.order.heading, run.order.first}, run.scale.L);
+}
+
 Json zigzag_json(const Run& run) {
   Json execute = Json::array({0.0}), peaks = Json::array(), overshoots = Json::array();
   for (const double time : run.execute) execute.push_back(time);
@@ -53,7 +61,8 @@ Json zigzag_json(const Run& run) {
           {"peak_s", std::move(peaks)},
           {"overshoot_deg", std::move(overshoots)},
           {"period_s", number(run.period())},
-          {"initial_turning_m", turning}};
+          {"initial_turning_m", turning},
+          {"criteria", criteria_json(criteria_of(run))}};
 }
 
 void print_zigzag(const LinearShip& ship, const Run& run) {
@@ -67,6 +76,7 @@ void print_zigzag(const LinearShip& ship, const Run& run) {
   }
   if (run.period()) fmt::print("  period of the last cycle {:.2f} s\n", *run.period());
   if (run.execute.empty()) fmt::print("  the heading never reached the switch angle\n");
+  print_criteria(criteria_of(run));
 }
 
 void simulate_zigzag(const LinearShip& ship, const SimulateArguments& a) {
@@ -107,7 +117,8 @@ Json turn_json(const SteadyTurn& t, const SimulateArguments& a, double speed) {
           {"initial_turning_m", nullptr},
           {"final_speed_m_s", speed},
           {"final_drift_rad", number(t.drift)},
-          {"final_yaw_rate_rad_s", number(t.yaw_rate)}};
+          {"final_yaw_rate_rad_s", number(t.yaw_rate)},
+          {"criteria", Json::array()}};
 }
 
 void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
@@ -129,6 +140,8 @@ void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
 
 void simulate_linear(const LinearShip& ship, const SimulateArguments& a) {
   if (a.rev || a.thrust || a.forces) throw Refusal("a linear ship has no propulsion and no parts with forces");
+  if (!a.turn && a.zigzag.empty())
+    throw Refusal("the yaw rate of a linear ship is proportional to the rudder angle at any angle: of her --zigzag and --turn tell all, other manoeuvres need a nonlinear ship");
   if (a.turn) simulate_turn(ship, a);
   else simulate_zigzag(ship, a);
 }

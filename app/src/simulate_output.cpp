@@ -2,35 +2,53 @@
 
 #include <fmt/format.h>
 
-#include "input.hpp"
-#include "plot.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw::app {
 namespace {
 
-std::vector<double> values_of(const Recording& run, Channel channel) { return {run[channel].begin(), run[channel].end()}; }
-
-Panel heading_and_rudder(const Recording& run) {
-  return {.x = {"Time", "s"},
-          .y = {"Heading, rudder", "deg"},
-          .curves = {{"heading", run.time, in_degrees(values_of(run, Channel::psi)), {ink::heading}},
-                     {"rudder, to port", run.time, in_degrees(values_of(run, Channel::delta)), {ink::rudder, 1.4}}}};
-}
-
-Panel track(const Recording& run) {
-  return {.x = {"East", "m"},
-          .y = {"North", "m"},
-          .curves = {{"track of midship", values_of(run, Channel::y), values_of(run, Channel::x), {ink::drift}}},
-          .same_scale = true};
+std::string_view verdict(const Criterion& c) {
+  if (!c.pass) return "not judged";
+  return *c.pass ? "pass" : "fail";
 }
 
 }  // namespace
 
-void write_files(const Recording& run, const SimulateArguments& a) {
-  std::string svg;
-  if (!a.svg.empty()) svg = svg_of({fmt::format("{}: {}", run.name, run.facts.manoeuvre), {a.turn ? track(run) : heading_and_rudder(run)}});
-  if (!a.out.empty()) write_recording(run, a.out);
-  if (!a.svg.empty()) write_text(a.svg, svg);
+ManoeuvreOptions options_of(const SimulateArguments& a) {
+  return {.speed = a.speed, .rev = a.rev, .thrust = a.thrust, .duration = a.duration, .step = a.step, .tolerance = a.tolerance};
+}
+
+std::string propulsion_text(const Ship& ship, const Controls<double>& c) {
+  if (!c.by_thrust && !takes_shaft_speed(ship)) return "propulsion held";
+  if (!c.by_thrust) return fmt::format("shaft {:.5g} 1/s", c.rev);
+  return fmt::format("thrust {:.5g} N", c.thrust.port + c.thrust.starboard);
+}
+
+void add_propulsion(Json& json, const Ship& ship, const Controls<double>& c) {
+  if (c.by_thrust) json["thrust_N"] = c.thrust.port + c.thrust.starboard;
+  else if (takes_shaft_speed(ship)) json["rev_s"] = c.rev;
+}
+
+Json criteria_json(const std::vector<Criterion>& criteria) {
+  Json list = Json::array();
+  for (const auto& c : criteria)
+    list.push_back({{"name", c.name}, {"side", name_of(c.side)}, {"value", number(c.value)}, {"limit", c.limit}, {"unit", c.unit},
+                    {"pass", c.pass ? Json(*c.pass) : Json(nullptr)}});
+  return list;
+}
+
+void print_criteria(const std::vector<Criterion>& criteria) {
+  if (criteria.empty()) return;
+  fmt::print("  {:<24}{:<12}{:>12}{:>10}  {:<5}{}\n", "MSC.137(76)", "to", "value", "limit", "", "verdict");
+  for (const auto& c : criteria) {
+    const auto value = c.value ? fmt::format("{:.3f}", *c.value) : std::string("not reached");
+    fmt::print("  {:<24}{:<12}{:>12}{:>10.3f}  {:<5}{}\n", c.name, name_of(c.side), value, c.limit, c.unit, verdict(c));
+  }
+}
+
+void print_length(std::string_view name, const std::optional<double>& metres, double L) {
+  if (metres) fmt::print("  {:<20}{:>12.2f} m{:>10.3f} L\n", name, *metres, *metres / L);
+  else fmt::print("  {:<20}{:>12}\n", name, "not reached");
 }
 
 }  // namespace swayaw::app

@@ -1,14 +1,33 @@
 #pragma once
 
-#include "commands.hpp"
-#include "swayaw/core/recording.hpp"
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
-/// Files of `swayaw simulate`, for ships of all models.
+#include "commands.hpp"
+#include "json.hpp"
+#include "swayaw/nonlinear/imo_criteria.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+
+/// What the manoeuvres of `swayaw simulate` share in print.
 namespace swayaw::app {
 
-inline bool wants_files(const SimulateArguments& a) { return !a.out.empty() || !a.svg.empty(); }
+ManoeuvreOptions options_of(const SimulateArguments& arguments);
 
-/// Writes the files that were asked for. The plot is drawn first: without gnuplot nothing is written.
-void write_files(const Recording& run, const SimulateArguments& a);
+/// "shaft 11.85 1/s", "thrust 11.2 N", or "propulsion held" for a ship without either.
+std::string propulsion_text(const Ship& ship, const Controls<double>& controls);
+
+/// Adds rev_s or thrust_N, if the ship has one.
+void add_propulsion(Json& json, const Ship& ship, const Controls<double>& controls);
+
+/// [{"name", "side", "value", "limit", "unit", "pass"}, …]
+Json criteria_json(const std::vector<Criterion>& criteria);
+
+/// A table of value, limit and verdict; nothing without criteria.
+void print_criteria(const std::vector<Criterion>& criteria);
+
+/// "  advance    23.10 m   3.300 L".
+void print_length(std::string_view name, const std::optional<double>& metres, double L);
 
 }  // namespace swayaw::app

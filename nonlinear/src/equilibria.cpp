@@ -114,6 +114,18 @@ std::vector<Point> curve_points(const TurnEquations<Model>& equations, double la
   return curve;
 }
 
+/// Newton's method at the yaw rate that lies between two turns of a curve, from the place of a straight line between them.
+template <class Model>
+std::optional<SteadyTurn> turn_between(const TurnEquations<Model>& equations, const SteadyTurn& a, const SteadyTurn& b, double yaw_rate,
+                                       double U, double L) {
+  const auto point = [&](const SteadyTurn& s) { return Point(s.motion.u / U, s.motion.v / U, s.motion.r * L / U, s.delta); };
+  const double share = a.motion.r == b.motion.r ? 0.0 : (yaw_rate - a.motion.r) / (b.motion.r - a.motion.r);
+  Point p = point(a) + share * (point(b) - point(a));
+  p[2] = yaw_rate * L / U;
+  if (!correct(equations, p, Point(Point::Unit(2)))) return std::nullopt;
+  return equations.turn_at(p);
+}
+
 /// Speed of the straight course.
 double straight_speed(const Ship& ship, const Controls<double>& propulsion) {
   const auto steady = steady_motion(ship, with_rudder(propulsion, 0.0), {service_speed(ship), 0.0, 0.0});
@@ -166,6 +178,22 @@ std::vector<SteadyMotion> steady_turns(const Ship& ship, const Controls<double>&
       for (const double r : {-0.9, -0.3, 0.3, 0.9}) add_if_new(found, steady_motion(ship, controls, {u * U, v * U, r * U / L}), U, L);
   std::ranges::sort(found, {}, [](const SteadyMotion& s) { return s.motion.r; });
   return found;
+}
+
+std::optional<SteadyTurn> turn_at_yaw_rate(const Ship& ship, const Controls<double>& propulsion, const std::vector<SteadyTurn>& curve,
+                                           double yaw_rate, double largest) {
+  const double L = length(ship), U = service_speed(ship);
+  std::optional<SteadyTurn> nearest;
+  const auto search = [&](const auto& model) {
+    const TurnEquations equations(model, propulsion, U);
+    for (std::size_t i = 1; i < curve.size(); ++i) {
+      if ((curve[i - 1].motion.r - yaw_rate) * (curve[i].motion.r - yaw_rate) > 0.0) continue;
+      const auto turn = turn_between(equations, curve[i - 1], curve[i], yaw_rate, U, L);
+      if (turn && std::abs(turn->delta) <= largest * (1.0 + 1e-9) && (!nearest || std::abs(turn->delta) < std::abs(nearest->delta))) nearest = turn;
+    }
+  };
+  std::visit(search, ship.model);
+  return nearest;
 }
 
 std::optional<InstabilityLoop> instability_loop(const std::vector<SteadyTurn>& curve) {

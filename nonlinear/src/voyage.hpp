@@ -91,6 +91,9 @@ class Voyage {
   ShipState<double> state() const { return state_of(state_); }
   Controls<double> controls() const { return controls_at(time_); }
 
+  /// Rates of change of x, y, psi, u, v, r now.
+  StateVector<double> rates_now() const { return rates_of(ship_, surroundings_, state(), controls(), branch_); }
+
   /// From now on the rudder moves at that rate [rad/s].
   void steer(double rate) { follow(RudderMotion::moving(time_, rudder_.at(time_), rate)); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "swayaw/nonlinear/steady_motion.hpp"
@@ -27,6 +28,14 @@ std::vector<SteadyTurn> steady_turn_curve(const Ship& ship, const Controls<doubl
 /// Every steady motion ahead that was found at these controls: those where the curve passes the rudder angle and those that
 /// Newton's method reaches from a fixed grid of starts. Ordered by yaw rate; none if the ship has no steady turn there.
 std::vector<SteadyMotion> steady_turns(const Ship& ship, const Controls<double>& controls);
+
+/// The steady turn at that yaw rate [rad/s], its rudder angle sought: the point nearest to amidships where the r–delta curve up to
+/// `largest` passes it.
+///
+/// @param curve  of the same ship and propulsion, to start from
+/// @return nothing where the curve does not reach it
+std::optional<SteadyTurn> turn_at_yaw_rate(const Ship& ship, const Controls<double>& propulsion, const std::vector<SteadyTurn>& curve,
+                                           double yaw_rate, double largest);
 
 /// Width of the hysteresis of an unstable ship: the range of rudder angles between the folds of the r–delta curve nearest to
 /// the straight course.

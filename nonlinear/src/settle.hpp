@@ -1,0 +1,40 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/settling.hpp"
+#include "swayaw/nonlinear/ship.hpp"
+#include "voyage.hpp"
+
+/// Sailing until nothing changes but place and heading. Not installed.
+namespace swayaw {
+
+/// @throws Refusal  for a ship in wind, whose turns never become steady
+inline void require_calm(const Ship& ship, std::string_view manoeuvre) {
+  if (ship.surroundings.windy) throw Refusal(fmt::format("no turn is steady in wind, which the {} waits for; take the wind out of the ship file", manoeuvre));
+}
+
+/// Largest acceleration over U²/L, of yaw over U²/L².
+inline double acceleration_size(const StateVector<double>& rate, double L, double U) {
+  return std::max({std::abs(rate[3]), std::abs(rate[4]), std::abs(rate[5]) * L}) * L / (U * U);
+}
+
+/// Sails one ship length after another until the motion is steady. @return whether it became so
+///
+/// At the end of each length all three accelerations must be small, so the turning point of a swing does not count.
+template <class Model>
+bool settle(Voyage<Model>& voyage, const Settling& settling, double L, double U) {
+  const double end = voyage.time() + settling.longest * L / U;
+  while (voyage.time() < end) {
+    voyage.sail(std::min(end, voyage.time() + L / U));
+    if (acceleration_size(voyage.rates_now(), L, U) < settling.tolerance) return true;
+  }
+  return false;
+}
+
+}  // namespace swayaw

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "random_ships.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/settling.hpp"
+
+/// What the tests of manoeuvres share.
+namespace swayaw::test {
+
+inline Ship with_model(const MmgShip<double>& model) { return {.name = "test ship", .model = model, .confidence = {}, .surroundings = {}}; }
+
+/// The same to both sides.
+inline MmgShip<double> symmetric(MmgShip<double> ship) {
+  ship.rudder.gamma_R_positive = ship.rudder.gamma_R_negative;
+  ship.propeller.C_2_positive = ship.propeller.C_2_negative;
+  return ship;
+}
+
+/// U/L [rad/s].
+inline double yaw_unit(const MmgShip<double>& ship) { return ship.particulars.U_0 / ship.particulars.L; }
+
+/// Waits until accelerations are far below what a test looks at.
+inline constexpr Settling patient{.tolerance = 1e-9, .longest = 2000.0};
+inline const ManoeuvreOptions precise{.tolerance = 1e-12, .sampled = false};
+
+}  // namespace swayaw::test
