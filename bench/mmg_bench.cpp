@@ -2,7 +2,9 @@
 
 #include "mmg_bench_states.hpp"
 #include "reference_loops.hpp"
+#include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
+#include "swayaw/nonlinear/batch.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
@@ -54,6 +56,29 @@ void kvlcc2_zigzag_10_10(benchmark::State& state) {
   tell_ratio(state);
 }
 BENCHMARK(kvlcc2_zigzag_10_10)->DenseRange(5, 10)->Unit(benchmark::kMicrosecond);
+
+/// The same, up to 8 reversals at 1e-6, of 10,000 ships whose coefficients are within 5 % of hers; one core.
+void kvlcc2_zigzag_batch_10000(benchmark::State& state, InstructionSet set) {
+  if (!available(set)) return state.SkipWithError("instruction set not available");
+  std::mt19937_64 engine(1);
+  std::uniform_real_distribution<double> about(0.95, 1.05);
+  std::vector<MmgShip<double>> ships(10'000, kvlcc2());
+  for (auto& ship : ships) {
+    const auto shake = [&](const auto& section) {
+      auto& part = ship.*section.part;
+      for (const auto& p : part.parameters())
+        if (p.role == Role::coefficient) part.*p.member *= about(engine);
+    };
+    std::apply([&](const auto&... section) { (shake(section), ...); }, MmgShip<double>::sections());
+  }
+  const ZigzagOrder order{.rudder = radians(10), .heading = radians(10), .first = Side::starboard};
+  for (auto _ : state) benchmark::DoNotOptimize(zigzag_batch(ships, order, {.reversals = 8, .duration = 100.0, .batch = {.threads = 1, .set = set}}));
+  state.counters["per_ship"] = benchmark::Counter(1e4, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  tell_ratio(state, 1e4);
+}
+BENCHMARK_CAPTURE(kvlcc2_zigzag_batch_10000, baseline, InstructionSet::baseline)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(kvlcc2_zigzag_batch_10000, avx2, InstructionSet::avx2)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(kvlcc2_zigzag_batch_10000, avx512, InstructionSet::avx512)->Unit(benchmark::kMillisecond);
 
 void kvlcc2_turn_35(benchmark::State& state) {
   const Ship ship = kvlcc2_ship();

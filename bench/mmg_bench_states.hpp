@@ -32,7 +32,7 @@ inline std::vector<Sample> samples(std::size_t count) {
 template <class S>
 std::array<S, 6> right_hand_side(const MmgShip<S>& ship, const S& psi, const PlanarMotion<S>& m, const Controls<S>& controls) {
   const auto a = acceleration(ship, m, forces(ship, m, controls).total());
-  const S c = cos(psi), s = sin(psi);
+  const auto [s, c] = sin_cos(psi);
   return {m.u * c - m.v * s, m.u * s + m.v * c, m.r, a.u, a.v, a.r};
 }
 

@@ -23,6 +23,23 @@ function(swayaw_add_floor name)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
+# The packs of a floor once for each instruction set: NAME_baseline.cpp, which is one of its SOURCES, and on x86-64
+# NAME_avx2.cpp and NAME_avx512.cpp; which one runs is decided when the program does. Optimised in every configuration, so
+# that no inline function is left that the rest of the program might be linked to.
+function(swayaw_add_kernels floor name)
+  set(kernels ${name}_baseline.cpp)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_sources(swayaw_${floor} PRIVATE ${name}_avx2.cpp ${name}_avx512.cpp)
+    target_compile_definitions(swayaw_${floor} PRIVATE SWAYAW_X86_KERNELS)
+    set_property(SOURCE ${name}_avx2.cpp PROPERTY COMPILE_OPTIONS -mavx2 -mfma)
+    # g++ 12 takes its own AVX-512 headers for careless
+    set_property(SOURCE ${name}_avx512.cpp PROPERTY COMPILE_OPTIONS
+      -mavx512f -mavx512cd -mavx512dq -mavx512bw -mfma -Wno-uninitialized -Wno-maybe-uninitialized)
+    list(APPEND kernels ${name}_avx2.cpp ${name}_avx512.cpp)
+  endif()
+  set_property(SOURCE ${kernels} APPEND PROPERTY COMPILE_OPTIONS -O3)
+endfunction()
+
 # Warnings and, on request, sanitizers for a target of this project.
 function(swayaw_set_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion

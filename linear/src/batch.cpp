@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "batch_kernel.hpp"
-#include "parallel.hpp"
+#include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw {

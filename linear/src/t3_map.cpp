@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "leg_functions.hpp"
-#include "parallel.hpp"
+#include "swayaw/core/parallel.hpp"
 #include "swayaw/linear/batch.hpp"
 
 namespace swayaw {

@@ -85,7 +85,7 @@ Interpolant rudder_of(const Ship& ship, const Recording& run) {
   auto angle = followed.fill(Channel::delta);
   angle[0] = order.values()[0];
   for (std::size_t i = 1; i < angle.size(); ++i) {
-    const auto motion = RudderMotion::ordered(steering_gear(ship), followed.time[i - 1], angle[i - 1], order.values()[i]);
+    const auto motion = RudderMotion<>::ordered(steering_gear(ship), followed.time[i - 1], angle[i - 1], order.values()[i]);
     angle[i] = motion.at(followed.time[i]);
   }
   return Interpolant(followed, Channel::delta);

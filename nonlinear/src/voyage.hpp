@@ -79,7 +79,7 @@ class Voyage {
         surroundings_(surroundings),
         time_(start.time),
         state_(vector_of(start.state)),
-        rudder_(RudderMotion::moving(start.time, start.controls.delta, 0.0)),
+        rudder_(RudderMotion<>::moving(start.time, start.controls.delta, 0.0)),
         propulsion_{start.time, start.controls},
         time_unit_(ship.particulars.L / std::max(speed(start.state.motion), 0.05 * ship.particulars.U_0)),
         step_(0.02 * time_unit_),
@@ -95,10 +95,10 @@ class Voyage {
   StateVector<double> rates_now() const { return rates_of(ship_, surroundings_, state(), controls(), branch_); }
 
   /// From now on the rudder moves at that rate [rad/s].
-  void steer(double rate) { follow(RudderMotion::moving(time_, rudder_.at(time_), rate)); }
+  void steer(double rate) { follow(RudderMotion<>::moving(time_, rudder_.at(time_), rate)); }
 
   /// From now on the rudder moves to that angle, as the steering gear can.
-  void order(double angle) { follow(RudderMotion::ordered(ship_.steering_gear, time_, rudder_.at(time_), angle)); }
+  void order(double angle) { follow(RudderMotion<>::ordered(ship_.steering_gear, time_, rudder_.at(time_), angle)); }
 
   /// From now on the propulsion changes at that rate per second.
   void drive(const Controls<double>& rate) {
@@ -160,7 +160,7 @@ class Voyage {
     };
   }
 
-  void follow(const RudderMotion& motion) {
+  void follow(const RudderMotion<>& motion) {
     rudder_ = motion;
     rudder_kink_ = rudder_.next_kink(time_);
     running_ = false;
@@ -275,7 +275,7 @@ class Voyage {
   Surroundings<double> surroundings_;
   double time_;
   StateVector<double> state_;
-  RudderMotion rudder_;
+  RudderMotion<> rudder_;
   PropulsionLine propulsion_;
   double time_unit_;  ///< L/U [s]
   double step_;       ///< step that the error control asks for [s]

@@ -27,7 +27,7 @@ TEST_CASE("the closed-form rudder motion obeys the steering gear's equation at e
     const SteeringGear<double> gear{.rate = uniform(0.02, 0.1), .max_angle = 0.6, .lag = i % 3 == 0 ? 0.0 : uniform(0.1, 5.0),
                                     .dead_band = i % 2 == 0 ? 0.0 : uniform(0.001, 0.03)};
     const double from = uniform(-0.6, 0.6), order = uniform(-0.6, 0.6), start = uniform(-10.0, 10.0);
-    const auto motion = RudderMotion::ordered(gear, start, from, order);
+    const auto motion = RudderMotion<>::ordered(gear, start, from, order);
     CHECK(motion.at(start) == Approx(from).margin(1e-14));
     double kinks[2] = {motion.next_kink(start), never};
     kinks[1] = motion.next_kink(kinks[0]);
@@ -43,7 +43,7 @@ TEST_CASE("the closed-form rudder motion obeys the steering gear's equation at e
 
 TEST_CASE("without lag the rudder keeps its rate until it arrives exactly", "[core][limit]") {
   const SteeringGear<double> gear{.rate = 0.04, .max_angle = 0.6};
-  const auto motion = RudderMotion::ordered(gear, 1.0, 0.1, -0.1);
+  const auto motion = RudderMotion<>::ordered(gear, 1.0, 0.1, -0.1);
   CHECK(motion.at(3.5) == Approx(0.0).margin(1e-15));
   CHECK(motion.next_kink(1.0) == Approx(6.0));
   CHECK(motion.at(6.0 + 1e-9) == -0.1);
@@ -53,9 +53,9 @@ TEST_CASE("without lag the rudder keeps its rate until it arrives exactly", "[co
 
 TEST_CASE("a change within the dead band moves nothing, a larger one stops short by the band", "[core][limit]") {
   const SteeringGear<double> gear{.rate = 0.04, .max_angle = 0.6, .lag = 1.0, .dead_band = 0.02};
-  CHECK(RudderMotion::ordered(gear, 0.0, 0.1, 0.119).at(50.0) == 0.1);
-  CHECK(RudderMotion::ordered(gear, 0.0, 0.1, 0.3).at(50.0) == Approx(0.28));
-  CHECK(RudderMotion::ordered(gear, 0.0, 0.1, -0.3).at(50.0) == Approx(-0.28));
+  CHECK(RudderMotion<>::ordered(gear, 0.0, 0.1, 0.119).at(50.0) == 0.1);
+  CHECK(RudderMotion<>::ordered(gear, 0.0, 0.1, 0.3).at(50.0) == Approx(0.28));
+  CHECK(RudderMotion<>::ordered(gear, 0.0, 0.1, -0.3).at(50.0) == Approx(-0.28));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ Scalar speed(const PlanarMotion<Scalar>& m) {
 /// beta = atan2(-v, u) [rad].
 template <class Scalar>
 Scalar drift_angle(const PlanarMotion<Scalar>& m) {
-  return atan2(-m.v, m.u);
+  return angle_of(Scalar(-m.v), m.u);
 }
 
 }  // namespace swayaw

@@ -72,6 +72,22 @@ struct Section {
   Part Ship::*part;
 };
 
+/// How many numbers the sections of a ship list.
+template <class Ship>
+constexpr std::size_t number_count() {
+  const auto count = []<class Part>(const Section<Ship, Part>&) { return Part::parameters().size(); };
+  return std::apply([&](const auto&... section) { return (count(section) + ...); }, Ship::sections());
+}
+
+/// Calls visit(number) for every number of a ship, in the order of its sections.
+template <class Ship, class Visit>
+void for_each_number(Ship& ship, Visit&& visit) {
+  const auto visit_part = [&](auto& part) {
+    for (const auto& parameter : part.parameters()) visit(part.*parameter.member);
+  };
+  std::apply([&](const auto&... section) { (visit_part(ship.*section.part), ...); }, Ship::sections());
+}
+
 /// The same part with another scalar.
 template <class To, template <class> class Part, class From>
 Part<To> cast_part(const Part<From>& part) {

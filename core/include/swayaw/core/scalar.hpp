@@ -45,6 +45,61 @@ double first_lane(const Scalar& x) {
   else return value_of(x);
 }
 
+/// Whether a condition holds, in every lane of a pack.
+inline bool all(bool condition) { return condition; }
+
+/// Whether a condition holds, in some lane of a pack.
+inline bool any(bool condition) { return condition; }
+
+template <class S>
+struct SinCos {
+  S sin, cos;
+};
+
+/// Elementary functions that a kind of scalar may have its own of, as packs do (pack.hpp).
+template <class S>
+struct Elementary {
+  static SinCos<S> sin_cos(const S& x) { return {sin(x), cos(x)}; }
+  static S decay(const S& x) { return exp(-x); }
+  static S angle_of(const S& y, const S& x) { return atan2(y, x); }
+};
+
+/// Sine and cosine at once.
+template <class S>
+SinCos<S> sin_cos(const S& angle) {
+  return Elementary<S>::sin_cos(angle);
+}
+
+/// exp(−x) for x ≥ 0.
+template <class S>
+S decay(const S& x) {
+  return Elementary<S>::decay(x);
+}
+
+/// Angle of the vector (x, y), in (−π, π].
+template <class S>
+S angle_of(const S& y, const S& x) {
+  return Elementary<S>::angle_of(y, x);
+}
+
+/// |x|
+template <class S>
+S size_of(const S& x) {
+  return select(x < S(0.0), S(-x), x);
+}
+
+/// The lesser of two.
+template <class S>
+S lesser(const S& a, const S& b) {
+  return select(b < a, b, a);
+}
+
+/// The greater of two.
+template <class S>
+S greater(const S& a, const S& b) {
+  return select(a < b, b, a);
+}
+
 /// x where positive, else 0.
 template <class Scalar>
 Scalar positive_part(const Scalar& x) {

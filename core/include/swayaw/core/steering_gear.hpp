@@ -5,6 +5,7 @@
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/parameter.hpp"
+#include "swayaw/core/scalar.hpp"
 
 namespace swayaw {
 
@@ -37,31 +38,73 @@ void require_rudder(double angle, const SteeringGear<double>& gear);
 
 /// Rudder angle over time in closed form: at its largest rate at first, then along an exponential, then at rest.
 /// It holds until the next order.
+template <class S = double>
 class RudderMotion {
  public:
   /// From an angle at `time` at that rate, for ever.
-  static RudderMotion moving(double time, double angle, double rate);
+  static RudderMotion moving(const S& time, const S& angle, const S& rate) {
+    RudderMotion motion;
+    motion.start_ = time;
+    motion.angle_ = angle;
+    motion.rate_ = rate;
+    return motion;
+  }
 
   /// From an angle at `time` towards the order, as the steering gear can.
-  static RudderMotion ordered(const SteeringGear<double>& gear, double time, double angle, double order);
+  static RudderMotion ordered(const SteeringGear<S>& gear, const S& time, const S& angle, const S& order) {
+    const S error = order - angle, band = gear.dead_band;
+    const S side = select(error < S(0.0), S(-1.0), S(1.0)), size = size_of(error);
+    const Mask<S> stays = size <= band;
+    auto motion = moving(time, angle, select(stays, S(0.0), S(side * gear.rate)));
+    // |e|/T reaches the rate when |e| = T rate; the rudder may come to rest before
+    const S slow = lesser(greater(S(gear.lag * gear.rate), band), greater(band, size));
+    // T ln(|e|/b) until |e| = b; without a dead band the rudder never quite arrives
+    const Mask<S> settles = slow > band;
+    S settling = S(0.0);
+    if (any(settles)) settling = select(settles, select(band > S(0.0), S(gear.lag * log(slow / band)), S(never)), settling);
+    motion.slowing_ = select(stays, S(never), S(time + (size - slow) / gear.rate));
+    motion.rest_ = motion.slowing_ + settling;
+    motion.order_ = order;
+    motion.error_ = side * slow;
+    motion.lag_ = gear.lag;
+    motion.final_ = order - side * band;
+    return motion;
+  }
 
-  double at(double time) const;
+  S at(const S& time) const {
+    const S ramp = angle_ + rate_ * (time - start_);
+    const Mask<S> on_ramp = time <= slowing_ && time < rest_;
+    if (all(on_ramp)) return ramp;
+    const Mask<S> fading = time > slowing_ && time < rest_;
+    S end = final_;
+    if (any(fading)) end = select(fading, S(order_ - error_ * decay(S((time - slowing_) / lag_))), end);
+    return select(on_ramp, ramp, end);
+  }
 
   /// First time after `time` at which the rate jumps or begins to fall; infinity if there is none.
-  double next_kink(double time) const;
+  S next_kink(const S& time) const { return select(time < slowing_, slowing_, select(time < rest_, rest_, S(never))); }
+
+  /// One or the other motion, lane by lane.
+  friend RudderMotion select(const Mask<S>& condition, const RudderMotion& a, const RudderMotion& b) {
+    RudderMotion c;
+    for (const auto member : {&RudderMotion::start_, &RudderMotion::angle_, &RudderMotion::rate_, &RudderMotion::slowing_, &RudderMotion::order_,
+                              &RudderMotion::error_, &RudderMotion::lag_, &RudderMotion::rest_, &RudderMotion::final_})
+      c.*member = select(condition, a.*member, b.*member);
+    return c;
+  }
 
  private:
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  double start_ = 0.0;      ///< [s]
-  double angle_ = 0.0;      ///< at start [rad]
-  double rate_ = 0.0;       ///< until slowing [rad/s]
-  double slowing_ = never;  ///< when the exponential begins [s]
-  double order_ = 0.0;      ///< delta_c [rad]
-  double error_ = 0.0;      ///< delta_c − delta when slowing begins [rad]
-  double lag_ = 0.0;        ///< T [s]
-  double rest_ = never;     ///< when the rudder stops [s]
-  double final_ = 0.0;      ///< angle at rest [rad]
+  S start_ = S(0.0);      ///< [s]
+  S angle_ = S(0.0);      ///< at start [rad]
+  S rate_ = S(0.0);       ///< until slowing [rad/s]
+  S slowing_ = S(never);  ///< when the exponential begins [s]
+  S order_ = S(0.0);      ///< delta_c [rad]
+  S error_ = S(0.0);      ///< delta_c − delta when slowing begins [rad]
+  S lag_ = S(0.0);        ///< T [s]
+  S rest_ = S(never);     ///< when the rudder stops [s]
+  S final_ = S(0.0);      ///< angle at rest [rad]
 };
 
 }  // namespace swayaw

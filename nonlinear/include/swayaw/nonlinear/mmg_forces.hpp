@@ -38,7 +38,7 @@ template <class S>
 S propeller_inflow(const MmgPropeller<S>& p, const S& u, const S& beta_P, const Mask<S>& from_starboard) {
   const S C_2 = select(from_starboard, p.C_2_positive, p.C_2_negative);
   const S size = select(from_starboard, beta_P, S(-beta_P));  // |beta_P|
-  return u * (1.0 - p.w_P0) * (1.0 + (1.0 - exp(-p.C_1 * size)) * (C_2 - 1.0));
+  return u * (1.0 - p.w_P0) * (1.0 + (1.0 - decay(S(p.C_1 * size))) * (C_2 - 1.0));
 }
 
 /// Propeller torque Q = ρ n² D⁵ K_Q(J) = ρ D³ (q_0 n²D² + q_1 nD u_P + q_2 u_P²) [N m].
@@ -157,8 +157,8 @@ PlanarForce<S> rudder_force(const MmgShip<S>& ship, const PlanarMotion<S>& motio
   const S eta = D / k.H_R;
   const S u_R = k.epsilon * sqrt(eta * u_behind * u_behind + (1.0 - eta) * u_P * u_P);
   const S v_R = speed(motion) * select(from_starboard, k.gamma_R_positive, k.gamma_R_negative) * beta_R;
-  const S sin_delta = -sin(delta_to_port);
-  const S cos_delta = cos(delta_to_port);
+  const auto [sin_to_port, cos_delta] = sin_cos(delta_to_port);
+  const S sin_delta = -sin_to_port;
   const S U_R = sqrt(u_R * u_R + v_R * v_R);
   const S F_N = 0.5 * ship.water.rho * k.A_R * k.f_alpha * U_R * (u_R * sin_delta - v_R * cos_delta);
   const S lever = ship.particulars.L * (k.x_R + k.a_H * k.x_H);

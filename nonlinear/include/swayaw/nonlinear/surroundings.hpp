@@ -64,7 +64,7 @@ StateVector<S> rates_of(const Model<S>& ship, const Surroundings<S>& around, con
   auto force = forces(ship, m, controls, branch).total();
   if (around.windy) force = force + wind_load(around, state);
   const auto a = acceleration(ship, m, force);
-  const S c = cos(state.psi), s = sin(state.psi);
+  const auto [s, c] = sin_cos(state.psi);
   const auto& [V_c, psi_c] = around.current;
   return {m.u * c - m.v * s + V_c * cos(psi_c), m.u * s + m.v * c + V_c * sin(psi_c), m.r, a.u, a.v, a.r};
 }

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-/// Independent parts of a work on all cores. Not installed.
+/// Independent parts of a work on all cores. Whoever calls it links the threads of the platform.
 namespace swayaw {
 
 /// Calls work(0) … work(parts − 1), each once, in any order; the calling thread works too.

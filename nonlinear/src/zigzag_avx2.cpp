@@ -1,0 +1,7 @@
+#include "zigzag_lanes.hpp"
+
+namespace swayaw::mmg_batch {
+
+ZigzagKernel avx2_zigzags() { return sail_lanes<xsimd::fma3<xsimd::avx2>>; }
+
+}  // namespace swayaw::mmg_batch

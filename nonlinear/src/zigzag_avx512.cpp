@@ -1,0 +1,7 @@
+#include "zigzag_lanes.hpp"
+
+namespace swayaw::mmg_batch {
+
+ZigzagKernel avx512_zigzags() { return sail_lanes<xsimd::avx512bw>; }
+
+}  // namespace swayaw::mmg_batch
