@@ -10,8 +10,8 @@
 /// The zigzag of MMG ships over packs. Only for the units of the batch kernels; see zigzag_kernel.hpp.
 ///
 /// Each lane sails its own ship as Voyage does (docs/simulation.md), with its own time and its own Dormand–Prince step. All lanes
-/// try one step in every pass. A lane whose error is too large tries a shorter one in the next pass; a lane that runs over an
-/// event tries one that ends there; a lane that has finished takes the next ship.
+/// try a step at once. A lane whose error is too large tries a shorter one next time; a lane that runs over an event tries
+/// one that ends there; a lane that has finished takes the next ship.
 namespace swayaw::mmg_batch {
 
 /// Dormand–Prince 5(4). Source: [Dormand1980]; the dense output: [Hairer1993] II.6
@@ -36,7 +36,8 @@ class ZigzagLanes {
   using Tableau = DormandPrince;
 
  public:
-  explicit ZigzagLanes(const ZigzagJob& job) : job_(job) {
+  /// @param next  the ship of the job that boards next; shared by packs that sail side by side
+  ZigzagLanes(const ZigzagJob& job, std::size_t& next) : job_(job), next_(next) {
     for (std::size_t lane = 0; lane < lanes; ++lane) ship_of_[lane] = nobody;
     ship_.added_mass.surge_coupling.index = job.surge_coupling;
     ship_.engine.kind.index = job.engine;
@@ -44,8 +45,18 @@ class ZigzagLanes {
     board(M(true));
   }
 
-  void sail() {
-    while (sailing_ > 0) pass();
+  /// Sails two packs side by side: each waits for its own results only, so the processor works on both at once.
+  static void sail(ZigzagLanes& x, ZigzagLanes& y) {
+    while (x.sailing_ + y.sailing_ > 0) {
+      x.begin_step();
+      y.begin_step();
+      for (int s = 1; s < 7; ++s) {
+        x.stage(s);
+        y.stage(s);
+      }
+      x.end_step();
+      y.end_step();
+    }
   }
 
  private:
@@ -142,25 +153,28 @@ class ZigzagLanes {
   /// What is waited for: the heading, less where the rudder is reversed, or the yaw rate.
   P watch(const State& y) const { return select(to_heading_, turn_ * y[0] - P(job_.heading), y[3] * time_unit_); }
 
-  void pass() {
+  void begin_step() {
     const P room = xsimd::min(kink_, end_) - t_;
-    const M redone = pending_ > P(0.0);
-    const M arrives = ~redone & (h_ >= room);
-    step_ = select(redone, cut_, xsimd::min(h_, room));
-    for (int s = 1; s < 7; ++s) {
-      end_state_ = y_;
-      for (std::size_t i = 0; i < 4; ++i) {
-        P sum = k_[0][i] * P(Tableau::a[s][0]);
-        for (int j = 1; j < s; ++j) sum = xsimd::fma(k_[j][i], P(Tableau::a[s][j]), sum);
-        end_state_[i] = xsimd::fma(step_, sum, y_[i]);
-      }
-      k_[s] = rates(xsimd::fma(step_, P(Tableau::c[s]), t_), end_state_);
+    redone_ = pending_ > P(0.0);
+    arrives_ = ~redone_ & (h_ >= room);
+    step_ = select(redone_, cut_, xsimd::min(h_, room));
+  }
+
+  void stage(int s) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      P sum = k_[0][i] * P(Tableau::a[s][0]);
+      for (int j = 1; j < s; ++j) sum = xsimd::fma(k_[j][i], P(Tableau::a[s][j]), sum);
+      end_state_[i] = xsimd::fma(step_, sum, y_[i]);
     }
+    k_[s] = rates(xsimd::fma(step_, P(Tableau::c[s]), t_), end_state_);
+  }
+
+  void end_step() {
     const P error = error_of_step();
-    const M good = (error <= P(1.0)) | redone;
-    adapt(error, good, redone, arrives);
+    const M good = (error <= P(1.0)) | redone_;
+    adapt(error, good);
     const M settled = good & ~change_of_branch(good);
-    accept(settled & ~event(settled), arrives);
+    accept(settled & ~event(settled));
   }
 
   P error_of_step() const {
@@ -186,11 +200,11 @@ class ZigzagLanes {
   }
 
   /// h ← h min(5, max(0.2, 0.9 error^(−1/5))); a step that was cut short does not make the next one shorter.
-  void adapt(const P& error, const M& good, const M& redone, const M& arrives) {
+  void adapt(const P& error, const M& good) {
     const P bounded = select(error < P(1e10), xsimd::max(error, P(1e-10)), P(1e10));
     const P above = P(0.2) * coarse_log(bounded) + coarse_log(P(5.0 / 0.9));
     const P next = step_ * xsimd::max(P(0.2), P(5.0) * decay(xsimd::max(above, P(0.0))));
-    h_ = select(redone, h_, select(good & arrives, xsimd::max(h_, next), next));
+    h_ = select(redone_, h_, select(good & arrives_, xsimd::max(h_, next), next));
   }
 
   // ---------------------------------------------------------------- events
@@ -218,7 +232,7 @@ class ZigzagLanes {
     return xsimd::fma(s, xsimd::fma(rest, xsimd::fma(s, xsimd::fma(rest, p.fourth[i], p.third[i]), p.bend[i]), p.rise[i]), y_[i]);
   }
 
-  /// Root of a function on [0, 1], by false position with the scaling of Anderson and Björck.
+  /// Root of a function on [0, 1], by false position. Source: [Anderson1973]
   struct Bracket {
     P a, fa, b, fb;
 
@@ -322,8 +336,8 @@ class ZigzagLanes {
 
   // ---------------------------------------------------------------- after a step
 
-  void accept(const M& taken, const M& arrives) {
-    const M to_end = taken & arrives;
+  void accept(const M& taken) {
+    const M to_end = taken & arrives_;
     t_ = select(to_end, xsimd::min(kink_, end_), select(taken, t_ + step_, t_));
     y_ = select(taken, end_state_, y_);
     k_[0] = select(taken, k_[6], k_[0]);
@@ -402,7 +416,8 @@ class ZigzagLanes {
   }
 
   const ZigzagJob& job_;
-  std::size_t next_ = 0, sailing_ = 0;
+  std::size_t& next_;
+  std::size_t sailing_ = 0;  ///< lanes with a ship
   std::size_t ship_of_[lanes];
   std::array<Numbers, numbers> number_;
   Numbers speed_, rev_of_, end_of_;
@@ -419,12 +434,16 @@ class ZigzagLanes {
   RudderMotion<P> rudder_;
   // the step
   P step_, cut_ = P(0.0), pending_ = P(0.0);  ///< the event at which the step is to end, 0 for none
+  M redone_, arrives_;       ///< it ends at that event; it ends at a kink of the rudder's motion or at the end
   State end_state_, k_[7];
 };
 
 template <class Arch>
 void sail_lanes(const ZigzagJob& job) {
-  if (job.count > 0) ZigzagLanes<Arch>(job).sail();
+  if (job.count == 0) return;
+  std::size_t next = 0;
+  ZigzagLanes<Arch> x(job, next), y(job, next);
+  ZigzagLanes<Arch>::sail(x, y);
 }
 
 }  // namespace swayaw::mmg_batch
