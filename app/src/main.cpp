@@ -34,8 +34,8 @@ void add_ship(CLI::App& command, std::filesystem::path& ship) {
   command.add_option("SHIP", ship, "ship file (TOML)")->required();
 }
 
-void add_svg(CLI::App& command, std::filesystem::path& svg, const std::string& what) {
-  command.add_option("--svg", svg, "plot to this file (SVG, drawn by gnuplot): " + what);
+CLI::Option& add_svg(CLI::App& command, std::filesystem::path& svg, const std::string& what) {
+  return *command.add_option("--svg", svg, "plot to this file (SVG, drawn by gnuplot): " + what);
 }
 
 void add_shaft(CLI::App& command, std::string& shaft) {
@@ -79,7 +79,7 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
       ->capture_default_str();
   auto* out = command.add_option("--out", a.out, "time series to this file (CSV)")->excludes(reverse_spiral)->excludes(imo);
   command.add_flag("--forces", a.forces, "forces by part in the time series")->needs(out);
-  add_svg(command, a.svg, "heading and rudder of a zigzag, track of a turn");
+  add_svg(command, a.svg, "heading and rudder, or the track of a turn").excludes(spiral)->excludes(reverse_spiral)->excludes(imo);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a, step] {
     require_sense(a, step->count() > 0);

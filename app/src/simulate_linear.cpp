@@ -5,6 +5,7 @@
 #include "input.hpp"
 #include "linear_output.hpp"
 #include "simulate_files.hpp"
+#include "simulate_output.hpp"
 
 namespace swayaw::app {
 namespace {
