@@ -195,12 +195,26 @@ class Voyage {
     return {from, until, state_, dense(until), false};
   }
 
-  /// @throws Refusal  when the motion grows so fast that no step can follow it
+  /// @throws Refusal  when the ship comes to a stop, or her motion grows so fast, that no step can follow it
   void require_bounded(double time) const {
     const auto& s = stepper_.current_state();
     const bool finite = std::isfinite(s[0] + s[1] + s[2] + s[3] + s[4] + s[5]);
     if (finite && stepper_.current_time_step() > 1e-8 * time_unit_) return;
+    require_way(time);
     throw Refusal(fmt::format("the simulated motion grows without bound at {:.6g} s", time));
+  }
+
+  /// The steps end where u would pass zero.
+  /// @throws Refusal  when the little way that the ship has is about to end
+  void require_way(double time) const {
+    StateVector<double> rate;
+    rates()(state_, rate, time);
+    const double u = state_[3], approach = ship_.particulars.L / time_unit_;
+    const double left = u / -rate[3];  // until u = 0, at that deceleration
+    const bool stops = u <= 0.1 * approach && left >= 0.0 && left <= 0.1 * time_unit_;
+    if (!stops) return;
+    throw Refusal(fmt::format("the ship loses her way at {:.4g} s, adrift with u = {:.2g}, v = {:.2g} m/s: the model holds for way ahead only",
+                              time + left, u, state_[4]));
   }
 
   StateVector<double> dense(double time) const {

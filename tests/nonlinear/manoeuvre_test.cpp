@@ -206,6 +206,17 @@ TEST_CASE("senseless orders are refused in words", "[nonlinear][refusal]") {
   CHECK_THROWS_WITH(turning_circle(ship, {.rudder = radians(20)}, {.duration = 0.0}), "duration [s] must be positive, got 0");
 }
 
+TEST_CASE("a ship that turns until she stops is refused with the loss of her way", "[nonlinear][refusal]") {
+  // at 35 deg the published gap factor turns the lift round; she turns to the wrong side, ever more across her course
+  auto ship = read_ship(test::ships / "wpcc_pi.toml");
+  const TurnOrder hard{.rudder = radians(35)};
+  CHECK_THROWS_WITH(turning_circle(ship, hard), ContainsSubstring("the ship loses her way at 14.9") && ContainsSubstring("for way ahead only"));
+  // where the lift ends at zero, the rudder's drag stops her, but much later
+  std::get<PiShip<double>>(ship.model).rudder.gap_factor.index = 1;
+  CHECK_THROWS_WITH(turning_circle(ship, hard), ContainsSubstring("the ship loses her way at 5"));
+  CHECK(turning_circle(ship, {.rudder = radians(30)}).steady.has_value());
+}
+
 TEST_CASE("a motion without bound is refused, not tabled", "[nonlinear][refusal]") {
   auto model = test::mmg(test::kvlcc2_l7());
   for (double* derivative : {&model.hull.N_rrr, &model.hull.Y_vvv, &model.hull.X_vvvv}) *derivative = 50.0;
