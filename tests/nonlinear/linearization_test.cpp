@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "catch.hpp"
-#include "random_ships.hpp"
+#include "model_ships.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/linear/response.hpp"
 #include "swayaw/nonlinear/equilibria.hpp"
@@ -12,7 +12,7 @@
 namespace swayaw {
 namespace {
 
-Ship ship_of(const MmgShip<double>& model) { return {.name = "random", .model = model, .confidence = {}, .surroundings = {}}; }
+using test::ship_of;
 
 OperatingPoint straight(const Ship& ship) { return straight_course(ship, service_speed(ship)); }
 
@@ -50,33 +50,45 @@ TEST_CASE("the parts of a linearization add up, and equal extrapolated differenc
   }
 }
 
-TEST_CASE("errors of the linear response to a small rudder fall with its square", "[nonlinear][second-route]") {
-  // a stable ship without kinks; a wake that changes with |beta| would change the speed at first order
-  auto model = test::mmg(test::kvlcc2_l7());
-  model.rudder.gamma_R_positive = model.rudder.gamma_R_negative = 0.9;
-  model.propeller.C_1 = 0.0;
-  model.hull.N_r *= 1.5;
-  model.steering_gear.rate = 1e3;
-  const Ship ship = ship_of(model);
-  const auto point = straight(ship);
-  const auto linear = linearize(ship, point);
+/// Largest difference of a step response of the rudder and of the linear ship over five ship lengths, in U and U/L.
+double error_of_linear_response(const Ship& ship, double delta) {
+  const auto linear = linearize(ship, straight(ship));
   const auto equations = sway_yaw(linear.whole, linear.scale);
   REQUIRE(is_stable(equations));
-  const double time_unit = linear.scale.L / linear.scale.U, end = 5.0 * time_unit;
   const LinearResponse<double> answer(equations);
-  std::vector<double> errors;
-  for (const double delta : {0.04, 0.02, 0.01, 0.005}) {
-    const auto circle = turning_circle(ship, {.rudder = delta, .side = Side::port}, {.duration = end, .step = 0.05 * time_unit, .tolerance = 1e-12});
-    double worst = 0.0;
-    for (std::size_t i = 0; i < circle.run.samples(); ++i) {
-      const auto linear_state = state_after(answer, {0.0, 0.0, 0.0}, {delta, 0.0}, circle.run.time[i] / time_unit);
-      const double U = linear.scale.U, L = linear.scale.L;
-      worst = std::max({worst, std::abs(circle.run[Channel::u][i] / U - 1.0), std::abs(-circle.run[Channel::v][i] / U - linear_state.beta),
-                        std::abs(circle.run[Channel::r][i] * L / U - linear_state.omega)});
-    }
-    errors.push_back(worst);
+  const auto [L, U] = linear.scale;
+  const auto circle = turning_circle(ship, {.rudder = delta, .side = Side::port}, {.duration = 5.0 * L / U, .step = 0.05 * L / U, .tolerance = 1e-12});
+  double worst = 0.0;
+  for (std::size_t i = 0; i < circle.run.samples(); ++i) {
+    const auto small = state_after(answer, {0.0, 0.0, 0.0}, {delta, 0.0}, circle.run.time[i] * U / L);
+    worst = std::max({worst, std::abs(circle.run[Channel::u][i] / U - 1.0), std::abs(-circle.run[Channel::v][i] / U - small.beta),
+                      std::abs(circle.run[Channel::r][i] * L / U - small.omega)});
   }
-  for (std::size_t i = 1; i < errors.size(); ++i) CHECK(std::log2(errors[i - 1] / errors[i]) == Approx(2.0).margin(0.05));
+  return worst;
+}
+
+void check_second_order(ShipModel model) {
+  std::visit([](auto& m) { m.steering_gear.rate = 1e3, m.steering_gear.lag = 0.0; }, model);
+  const Ship ship = test::ship_of(model);
+  double before = error_of_linear_response(ship, 0.02);
+  for (const double delta : {0.01, 0.005, 0.0025}) {
+    const double error = error_of_linear_response(ship, delta);
+    INFO("delta " << delta);
+    CHECK(std::log2(before / error) == Approx(2.0).margin(0.05));
+    before = error;
+  }
+}
+
+TEST_CASE("errors of the linear response to a small rudder fall with its square", "[nonlinear][second-route]") {
+  // a stable tanker without kinks; a wake that changes with |beta| would change the speed at first order
+  auto tanker = test::mmg(test::kvlcc2_l7());
+  tanker.rudder.gamma_R_positive = tanker.rudder.gamma_R_negative = 0.9;
+  tanker.propeller.C_1 = 0.0;
+  tanker.hull.N_r *= 1.5;
+  check_second_order(tanker);
+  check_second_order(test::pi_ship("wpcc_pi"));
+  check_second_order(test::wpcc_pu());
+  check_second_order(test::symmetric(test::mariner()));
 }
 
 // ---------------------------------------------------------------- limits and symmetry
