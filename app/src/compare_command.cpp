@@ -223,7 +223,7 @@ void print_text(const Ship& ship, const CompareArguments& a, const std::vector<C
 }  // namespace
 
 void compare(const CompareArguments& a) {
-  const Ship ship = read_ship(a.ship);
+  const Ship ship = parse_ship(ship_text(a.ship), a.ship);
   const CompareOptions options{.window_lengths = a.window_lengths, .replay = {.shaft = shaft_named(a.shaft)}};
   std::vector<Recording> runs;
   for (const auto& file : a.runs) runs.push_back(load_run(file));

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "spelling.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/parts_reader.hpp"
@@ -18,6 +19,7 @@
 #include "swayaw/core/side.hpp"
 #include "swayaw/linear/linear_ship_file.hpp"
 #include "swayaw/nonlinear/linearization.hpp"
+#include "swayaw/nonlinear/published_ships.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
@@ -33,8 +35,25 @@ inline Recording load_run(const std::filesystem::path& file) {
 /// A ship of any model.
 using AnyShip = std::variant<LinearShip, Ship>;
 
+[[noreturn]] inline void refuse_ship_name(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const auto& ship : published_ships()) names.push_back(ship.name);
+  const auto nearest = nearest_word(name, names);
+  throw Refusal(nearest.empty() ? fmt::format("there is no file and no published ship \"{}\"; published are {}", name, fmt::join(names, ", "))
+                                : fmt::format("there is no file and no published ship \"{}\"; did you mean \"{}\"?", name, nearest));
+}
+
+/// The text of a ship file. Where no such file is there, a bare name means the published ship, which is told on stderr.
+inline std::string ship_text(const std::filesystem::path& file) {
+  if (std::filesystem::exists(file) || file.has_parent_path() || file.has_extension()) return read_text(file);
+  const auto text = published_text(file.string());
+  if (!text) refuse_ship_name(file.string());
+  fmt::print(stderr, "swayaw: {}: no such file here; the published ship of that name is used\n", file.string());
+  return std::string(*text);
+}
+
 inline AnyShip load_ship(const std::filesystem::path& file) {
-  const auto text = read_text(file);
+  const auto text = ship_text(file);
   if (model_of(text, file) == "linear") return parse_linear_ship(text, file);
   return parse_ship(text, file);
 }

@@ -31,7 +31,7 @@ const CLI::Validator zigzag_form(
 const CLI::Validator side_name = CLI::IsMember({"port", "starboard"});
 
 void add_ship(CLI::App& command, std::filesystem::path& ship) {
-  command.add_option("SHIP", ship, "ship file (TOML)")->required();
+  command.add_option("SHIP", ship, "ship file (TOML), or the name of a published ship, such as kvlcc2")->required();
 }
 
 CLI::Option& add_svg(CLI::App& command, std::filesystem::path& svg, const std::string& what) {

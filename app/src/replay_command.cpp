@@ -9,7 +9,7 @@
 namespace swayaw::app {
 
 void replay(const ReplayArguments& a) {
-  const Ship ship = read_ship(a.ship);
+  const Ship ship = parse_ship(ship_text(a.ship), a.ship);
   const Recording run = load_run(a.run);
   const Shaft shaft = shaft_named(a.shaft);
   tell_shaft(run, shaft);

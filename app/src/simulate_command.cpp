@@ -91,10 +91,8 @@ void print_circle(const Ship& ship, const TurningCircle& c) {
   print_length("way to 10 deg", c.initial_turning, L);
   if (c.time_90) fmt::print("  {:<20}{:>12.2f} s\n", "time to 90 deg", *c.time_90);
   if (c.time_180) fmt::print("  {:<20}{:>12.2f} s\n", "time to 180 deg", *c.time_180);
-  if (!c.steady) {
-    fmt::print("  no steady turn was found\n");
-    return;
-  }
+  if (c.way_lost) return fmt::print("  no steady turn: the ship no longer moves ahead at {:.1f} s\n", *c.way_lost);
+  if (!c.steady) return fmt::print("  no steady turn was found\n");
   print_length("final diameter", c.final_diameter, L);
   fmt::print("  {:<20}{:>12.4f} m/s, {:.0f} % of the approach\n", "final speed", speed(*c.steady), 100.0 * speed(*c.steady) / c.approach_speed);
   fmt::print("  {:<20}{:>12.2f} deg\n", "final drift angle", degrees(drift_angle(*c.steady)));

@@ -143,7 +143,7 @@ std::vector<SteadyTurn> curve_of(const Model& model, const Controls<double>& pro
 }
 
 void add_if_new(std::vector<SteadyMotion>& found, const std::optional<SteadyMotion>& steady, double U, double L) {
-  if (!steady || steady->motion.u < slowest * U) return;
+  if (!steady) return;
   const auto same = [&](const SteadyMotion& other) {
     const auto &a = steady->motion, &b = other.motion;
     return std::abs(a.u - b.u) + std::abs(a.v - b.v) + std::abs(a.r - b.r) * L < 1e-6 * U;
@@ -173,7 +173,7 @@ std::vector<SteadyMotion> steady_turns(const Ship& ship, const Controls<double>&
   const auto curve = steady_turn_curve(ship, controls, std::abs(delta) + 0.05);
   for (std::size_t i = 1; i < curve.size(); ++i)
     if ((curve[i - 1].delta - delta) * (curve[i].delta - delta) <= 0.0) add_if_new(found, steady_motion(ship, controls, curve[i].motion), U, L);
-  for (const double u : {0.9, 0.6, 0.3})
+  for (const double u : {0.9, 0.6, 0.3, 0.05})
     for (const double v : {-0.4, -0.15, 0.15, 0.4})
       for (const double r : {-0.9, -0.3, 0.3, 0.9}) add_if_new(found, steady_motion(ship, controls, {u * U, v * U, r * U / L}), U, L);
   std::ranges::sort(found, {}, [](const SteadyMotion& s) { return s.motion.r; });

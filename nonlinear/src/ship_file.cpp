@@ -8,6 +8,7 @@
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/parts_reader.hpp"
+#include "swayaw/nonlinear/mmg_labels.hpp"
 #include "swayaw/nonlinear/windage_sources.hpp"
 
 namespace swayaw {
@@ -36,6 +37,18 @@ void require_consistent(const PrimeShip& ship, const PartsReader& file) {
 }
 
 void require_consistent(const AbkowitzShip<double>&, const PartsReader&) {}
+
+// ---------------------------------------------------------------- names of a source
+
+/// Puts each number, and the trust in it, under its own name.
+void apply_labels(MmgShip<double>& ship, Confidence& confidence) {
+  if (ship.hull.labels.index != 0)
+    for (auto& [key, deviation] : confidence.named) key = meant_by(key);
+  ship.hull = relabelled(ship.hull);
+}
+
+template <class Model>
+void apply_labels(Model&, Confidence&) {}
 
 // ---------------------------------------------------------------- effects
 
@@ -143,6 +156,7 @@ Ship read_as(const PartsReader& file) {
   const bool own_windage = file.has("windage");
   if (own_windage) add_keys(keys, table);
   auto head = file.read(keys);
+  apply_labels(model, head.confidence);
   require_consistent(model, file);
   Surroundings<double> around{.windage = own_windage ? windage_of(table, file) : windage_of(model), .wind = {}, .current = {}};
   read_effects(around, file);

@@ -22,6 +22,13 @@ void measure_first_half(Voyage<Model>& voyage, TurningCircle& circle, double tur
   circle.tactical_diameter = turn * voyage.state().y;
 }
 
+/// Sails on until the heading has changed by 540 deg, or the ship no longer moves ahead.
+template <class Model>
+void sail_towards_steady(Voyage<Model>& voyage, TurningCircle& circle, double turn, double end) {
+  const auto watch = [&](const auto& s) { return std::min(radians(540.0) - turn * s.psi, s.motion.u / circle.approach_speed); };
+  if (voyage.sail(end, watch) && turn * voyage.state().psi < radians(539.0)) circle.way_lost = voyage.time();
+}
+
 /// The stable steady turn that the ship is about to settle in.
 void measure_steady_turn(const Ship& ship, TurningCircle& circle, const Moment& last) {
   const auto& m = last.state.motion;
@@ -43,8 +50,8 @@ TurningCircle sail_circle(const Ship& ship, const Model& model, const TurnOrder&
   const double turn = yaw_sign(order.side);
   measure_first_half(voyage, circle, turn, end);
   if (options.duration) voyage.sail(end);
-  else sail_round(voyage, turn, radians(540.0), end);
-  measure_steady_turn(ship, circle, {voyage.time(), voyage.state(), voyage.controls()});
+  else sail_towards_steady(voyage, circle, turn, end);
+  if (!circle.way_lost) measure_steady_turn(ship, circle, {voyage.time(), voyage.state(), voyage.controls()});
   if (options.sampled) circle.run = recording_of(voyage.samples(), model);
   return circle;
 }

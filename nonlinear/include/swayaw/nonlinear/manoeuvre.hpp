@@ -73,12 +73,14 @@ struct TurningCircle {
   std::optional<double> initial_turning;    ///< way made at 10 deg change of heading [m]
   std::optional<double> final_diameter;     ///< 2U/|r| of the steady turn [m]
   std::optional<PlanarMotion<double>> steady;  ///< the steady turn, if the ship settles in one
+  std::optional<double> way_lost;           ///< when the ship ceased to move ahead, which ended the turn [s]
   double approach_speed;                    ///< [m/s]
   Controls<double> propulsion;              ///< held during the manoeuvre
   Recording run;
 };
 
-/// Turning circle with the rudder held at the ordered angle. Ends after 540 deg unless a duration is given.
+/// Turning circle with the rudder held at the ordered angle. Ends after 540 deg, or where the ship no longer moves ahead, unless
+/// a duration is given.
 /// @throws as zigzag does
 TurningCircle turning_circle(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options = {});
 

@@ -80,6 +80,7 @@ struct MmgHull {
   S X_vv, X_vr, X_rr, X_vvvv;                ///< surge derivatives
   S Y_v, Y_r, Y_vvv, Y_vvr, Y_vrr, Y_rrr;    ///< sway derivatives
   S N_v, N_r, N_vvv, N_vvr, N_vrr, N_rrr;    ///< yaw derivatives, about midship
+  Selection labels;                          ///< under which names a ship file gives them; see relabelled
 
   static constexpr auto parameters() {
     constexpr auto derivative = [](std::string_view key, S MmgHull::*member) {
@@ -104,6 +105,10 @@ struct MmgHull {
         derivative("N_vrr", &MmgHull::N_vrr),
         derivative("N_rrr", &MmgHull::N_rrr),
     };
+  }
+
+  static constexpr auto choices() {
+    return std::array{Choice<MmgHull>{"labels", &MmgHull::labels, {"standard", "kulbiej2021"}}};
   }
 };
 
