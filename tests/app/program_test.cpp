@@ -145,5 +145,31 @@ TEST_CASE("unknown columns are named on stderr, not on stdout", "[app]") {
   CHECK_THAT(outcome.err, ContainsSubstring("no shaft speed recorded"));
 }
 
+// ---------------------------------------------------------------- published ships
+
+TEST_CASE("a bare name stands for the published ship, which is told on stderr", "[app]") {
+  const test::Scratch scratch;
+  const auto by_name = test::run(scratch, "simulate nawigator_ym --turn 35 --rev 3.7 --json");
+  const auto by_file = test::run(scratch, "simulate " + test::ship_file("nawigator_ym.toml") + " --turn 35 --rev 3.7 --json");
+  CHECK(by_name.code == 0);
+  CHECK(by_name.out == by_file.out);
+  CHECK(by_name.err == "swayaw: nawigator_ym: no such file here; the published ship of that name is used\n");
+  CHECK(by_file.err.empty());
+  CHECK(test::run(scratch, "indices tanker97 --json").code == 0);
+}
+
+TEST_CASE("a name that is no published ship is refused with the one that was probably meant", "[app][refusal]") {
+  CHECK(test::refusal("simulate nawigator_n8 --turn 35") == "swayaw: there is no file and no published ship \"nawigator_n8\"; did you mean \"nawigator_n7\"?\n");
+  CHECK_THAT(test::refusal("replay titanic run.csv --out o.csv"), ContainsSubstring("no published ship \"titanic\"; published are kvlcc2, kvlcc2_l7"));
+  CHECK_THAT(test::refusal("compare nawigator_n7.toml run.csv"), ContainsSubstring("nawigator_n7.toml:1:1: cannot be read"));
+}
+
+TEST_CASE("a turn in which the ship loses her way says so and keeps the indices reached", "[app]") {
+  const test::Scratch scratch;
+  const auto turn = test::run(scratch, "simulate nawigator_n7 --turn 35 --rev 3.7");
+  CHECK(turn.code == 0);
+  CHECK_THAT(turn.out, ContainsSubstring("1.714 L") && ContainsSubstring("no steady turn: the ship no longer moves ahead at 99.3 s"));
+}
+
 }  // namespace
 }  // namespace swayaw

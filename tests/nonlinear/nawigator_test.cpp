@@ -294,6 +294,35 @@ TEST_CASE("N7 as printed has no steady turn at 35 deg, and with X_vr negative no
   for (const auto* name : {"N7-literal", "N7-Xvrneg"}) CHECK_FALSE(turning_indices(turn(reading(name).ship(), 35), 56.85));
 }
 
+TEST_CASE("N7 as printed turns by 180 deg at 35 deg of rudder and then loses her way", "[nonlinear][limit]") {
+  const auto circle = turn(reading("N7-literal").ship(), 35);
+  REQUIRE(circle.way_lost);
+  CHECK(*circle.way_lost > *circle.time_180);
+  CHECK_THAT(*circle.way_lost, WithinAbs(99.3, 0.1));
+  CHECK_FALSE(turn(reading("N7-mvr").ship(), 35).way_lost);
+}
+
+TEST_CASE("ten per cent more of Y_rrr, N_vvr or N_vrr take the 35 deg turn of N7 away", "[nonlinear][published]") {
+  const Ship ship = reading("N7-mvr").ship();
+  for (const auto member : {&MmgHull<double>::Y_rrr, &MmgHull<double>::N_vvr, &MmgHull<double>::N_vrr}) {
+    auto changed = ship;
+    std::get<MmgShip<double>>(changed.model).hull.*member *= 1.1;
+    for (const auto& steady : steady_turns(changed, paper_controls(35))) CHECK_FALSE((steady.stable && steady.motion.r > 0.0));
+    CHECK_FALSE(turn(changed, 35).steady);
+  }
+}
+
+TEST_CASE("with the labels as printed Nawigator XXI finds no steady 35 deg turn with either set", "[nonlinear][published]") {
+  for (const auto& [name, set] : sets) {
+    auto ship = nawigator_xxi(set);
+    auto& hull = std::get<MmgShip<double>>(ship.model).hull;
+    const double R_0 = hull.R_0;
+    hull = hull_of(golden()["table_3_as_printed"][name]);
+    hull.R_0 = R_0;
+    for (const auto& steady : steady_turns(ship, paper_controls(35))) CHECK_FALSE((steady.stable && steady.motion.r > 0.0));
+  }
+}
+
 // ---------------------------------------------------------------- the printed turn is none
 
 /// What is left of the sway balance of a steady turn, in ½ρLdU², when the yaw balance has told the rudder force.
