@@ -51,7 +51,8 @@ Controls<double> controls_of(const Ship& ship, const Numbers& n) {
   const double delta = value_of_key(n, "delta");
   const bool one = n.contains("thrust"), each = n.contains("thrust_port") || n.contains("thrust_starboard"), rev = n.contains("rev");
   if (one + each + rev > 1) throw Refusal("--state: give one of rev, thrust, and thrust_port with thrust_starboard");
-  if (rev && !takes_shaft_speed(ship)) throw Refusal("--state: this ship file does not tell the thrust at a shaft speed; give thrust");
+  const auto given = [](bool there) { return there ? std::optional(0.0) : std::nullopt; };
+  require_drive(ship.model, given(rev), given(one || each));
   if (rev) return {.delta = delta, .rev = value_of_key(n, "rev")};
   if (each) return {.delta = delta, .thrust = {value_of_key(n, "thrust_port"), value_of_key(n, "thrust_starboard")}, .by_thrust = true};
   const double half = 0.5 * value_of_key(n, "thrust");

@@ -10,7 +10,7 @@ namespace swayaw::app {
 namespace {
 
 Controls<double> propulsion_of(const Ship& ship, const LinearizeArguments& a) {
-  if (a.rev && !takes_shaft_speed(ship)) throw Refusal("this ship file does not tell the thrust at a shaft speed; give --thrust");
+  require_drive(ship.model, a.rev, a.thrust);
   if (a.rev) return {.delta = 0.0, .rev = *a.rev};
   if (!a.thrust) return self_propulsion(ship, a.speed.value_or(service_speed(ship)));
   return {.delta = 0.0, .thrust = {0.5 * *a.thrust, 0.5 * *a.thrust}, .by_thrust = true};

@@ -130,12 +130,12 @@ Linearization linearize(const Ship& ship, const OperatingPoint& point, std::opti
 }
 
 bool has_kink(const Ship& ship, const OperatingPoint& point) {
-  const auto differs = [&](const auto& model) {
-    const double L = model.particulars.L;
-    return branch_at(model, turned(point.motion, Side::port, L), point.controls) !=
-           branch_at(model, turned(point.motion, Side::starboard, L), point.controls);
-  };
-  return std::visit(differs, ship.model);
+  const auto port = linearize(ship, point, Side::port).whole, starboard = linearize(ship, point, Side::starboard).whole;
+  const auto differ = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::max(std::abs(a), std::abs(b)); };
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 4; ++k)
+      if (differ(port.d[i][k], starboard.d[i][k])) return true;
+  return false;
 }
 
 SwayYawCoefficients<double> sway_yaw(const AccelerationDerivatives& a, const PrimeScale& scale) {

@@ -31,12 +31,12 @@ inline std::vector<double> sample_times(double step, double end) {
 /// Shaft speed or thrust of the options, else self-propulsion.
 template <class Model>
 Controls<double> propulsion_of(const Model& ship, double speed, const ManoeuvreOptions& options) {
+  if (options.rev || options.thrust) require_drive(ship, options.rev, options.thrust);
   if (options.thrust) {
     const double half = 0.5 * *options.thrust;
     return {.delta = 0.0, .thrust = {half, half}, .by_thrust = true};
   }
   if (!options.rev) return self_propulsion(ship, speed);
-  if (!takes_shaft_speed(ship)) throw Refusal("this ship file does not tell the thrust at a shaft speed; give a thrust");
   return {.delta = 0.0, .rev = require_positive(*options.rev, "shaft speed [1/s]")};
 }
 

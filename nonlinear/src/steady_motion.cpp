@@ -94,6 +94,13 @@ bool takes_shaft_speed(const Ship& ship) {
   return std::visit([](const auto& model) { return takes_shaft_speed(model); }, ship.model);
 }
 
+void require_drive(const ShipModel& model, const std::optional<double>& rev, const std::optional<double>& thrust) {
+  if ((rev || thrust) && std::holds_alternative<AbkowitzShip<double>>(model))
+    throw Refusal("the propulsion of an abkowitz ship is part of its polynomial: it takes neither shaft speed nor thrust");
+  const bool by_rev = std::visit([](const auto& ship) { return takes_shaft_speed(ship); }, model);
+  if (rev && !by_rev) throw Refusal("this ship file does not tell the thrust at a shaft speed; give a thrust");
+}
+
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,
                                           const PlanarMotion<double>& guess) {
   return std::visit([&](const auto& model) { return newton(model, controls, guess); }, ship.model);

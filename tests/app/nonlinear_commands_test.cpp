@@ -16,6 +16,7 @@ using test::run;
 using test::Scratch;
 
 const std::string tanker = test::ship_file("kvlcc2_l7.toml");
+const std::string wpcc = (test::ships / "wpcc_pi.toml").string();
 const std::string mariner = test::ship_file("mariner.toml");
 
 // ---------------------------------------------------------------- forces
@@ -83,14 +84,16 @@ TEST_CASE("linearize tells both sides where they differ, and their mean", "[app]
   CHECK(found.at("port").at("stable") == false);
   CHECK(found.at("starboard").at("stable") == true);
   CHECK_FALSE(document("linearize " + tanker + " --side port").contains("port"));
-  CHECK_FALSE(document("linearize " + mariner).contains("port"));
+  for (const auto& ship : {mariner, wpcc}) CHECK_FALSE(document("linearize " + ship).contains("port"));
 }
 
 TEST_CASE("a ship is linearized in a steady turn, and refused where she has none or cannot be driven so", "[app]") {
   const auto turn = document("linearize " + tanker + " --rudder -20");
   CHECK(turn.at("operating_point").at("r_rad_s") > 0.0);
   CHECK(turn.at("operating_point").at("delta_rad").get<double>() == Approx(-0.34906585));
-  CHECK_THAT(refusal("linearize " + mariner + " --rev 2"), ContainsSubstring("give --thrust"));
+  CHECK_THAT(refusal("linearize " + mariner + " --rev 2"), ContainsSubstring("neither shaft speed nor thrust"));
+  CHECK_THAT(refusal("simulate " + mariner + " --turn 20 --thrust 1e6"), ContainsSubstring("neither shaft speed nor thrust"));
+  CHECK_THAT(refusal("forces " + wpcc + " --state u=1,rev=2"), ContainsSubstring("give a thrust"));
   CHECK_THAT(refusal("linearize " + mariner + " --speed 2"), ContainsSubstring("and at no other"));
   CHECK_THAT(refusal("linearize " + test::ship_file("tanker97.toml")), ContainsSubstring("this ship is linear"));
 }

@@ -28,6 +28,11 @@ bool takes_shaft_speed(const MmgShip<double>& ship);
 bool takes_shaft_speed(const AbkowitzShip<double>& ship);
 bool takes_shaft_speed(const Ship& ship);
 
+/// Checks that the ship can be driven so.
+/// @throws Refusal  if a shaft speed or a thrust is given to a model whose propulsion is part of its polynomial, or a shaft speed
+///                  to one without an open-water curve
+void require_drive(const ShipModel& model, const std::optional<double>& rev, const std::optional<double>& thrust);
+
 /// A steady motion: nothing changes but the place and the heading.
 struct SteadyMotion {
   PlanarMotion<double> motion;
