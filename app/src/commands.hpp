@@ -20,6 +20,7 @@ struct SimulateArguments {
   bool imo = false;
   std::optional<double> rudder;     ///< of spirals and the Williamson turn [deg]
   double rudder_step = 5.0;         ///< of the spiral [deg]
+  std::optional<double> straight;   ///< course over ground to be kept in the wind of the ship file [deg]
   std::string first = "starboard";  ///< side turned to first
   std::optional<double> speed;      ///< [m/s]
   std::optional<double> rev;        ///< [1/s]

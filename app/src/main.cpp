@@ -62,24 +62,25 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
   auto* pullout = manoeuvre.add_option("--pullout", a.pullout, "pull-out from turns to both sides, rudder in degrees")->check(CLI::PositiveNumber);
   manoeuvre.add_flag("--williamson", a.williamson, "Williamson turn");
   auto* imo = manoeuvre.add_flag("--imo", a.imo, "steering criteria of IMO resolution MSC.137(76), both sides");
+  auto* straight = manoeuvre.add_option("--straight", a.straight, "steady run on this course in degrees, in wind and current of the ship file: drift and helm");
   manoeuvre.require_option(1);
   command.add_option("--rudder", a.rudder, "largest rudder angle in degrees of a spiral (default: 25) or Williamson turn (default: 35), or the ship's largest")
       ->check(CLI::PositiveNumber);
   auto* step = command.add_option("--rudder-step", a.rudder_step, "degrees between the rudder angles of the spiral")->check(CLI::PositiveNumber)->capture_default_str();
   command.add_option("--first", a.first, "side turned to first; of the pull-outs the one that --out writes")
-      ->check(side_name)->capture_default_str()->excludes(reverse_spiral)->excludes(imo);
+      ->check(side_name)->capture_default_str()->excludes(reverse_spiral)->excludes(imo)->excludes(straight);
   command.add_option("--speed", a.speed, "approach speed in m/s (default: service speed)")->check(CLI::PositiveNumber);
   auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s (default: self-propulsion at the approach speed)")->check(CLI::PositiveNumber);
   command.add_option("--thrust", a.thrust, "thrust of all propellers in N, in place of a shaft speed")->check(CLI::PositiveNumber)->excludes(rev);
   command.add_option("--duration", a.duration, "seconds (default: until the indices are known)")
-      ->check(CLI::PositiveNumber)->excludes(spiral)->excludes(reverse_spiral)->excludes(pullout)->excludes(imo);
+      ->check(CLI::PositiveNumber)->excludes(spiral)->excludes(reverse_spiral)->excludes(pullout)->excludes(imo)->excludes(straight);
   command.add_option("--step", a.step, "seconds between samples of the time series")->check(CLI::PositiveNumber);
   command.add_option("--tolerance", a.tolerance, "error of an integration step, relative to ship length and speed")
       ->check(CLI::Range(1e-13, 1e-2))
       ->capture_default_str();
-  auto* out = command.add_option("--out", a.out, "time series to this file (CSV)")->excludes(reverse_spiral)->excludes(imo);
+  auto* out = command.add_option("--out", a.out, "time series to this file (CSV)")->excludes(reverse_spiral)->excludes(imo)->excludes(straight);
   command.add_flag("--forces", a.forces, "forces by part in the time series")->needs(out);
-  add_svg(command, a.svg, "heading and rudder, or the track of a turn").excludes(spiral)->excludes(reverse_spiral)->excludes(imo);
+  add_svg(command, a.svg, "heading and rudder, or the track of a turn").excludes(spiral)->excludes(reverse_spiral)->excludes(imo)->excludes(straight);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a, step] {
     require_sense(a, step->count() > 0);

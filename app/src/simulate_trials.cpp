@@ -12,6 +12,8 @@
 #include "swayaw/nonlinear/imo_criteria.hpp"
 #include "swayaw/nonlinear/pull_out.hpp"
 #include "swayaw/nonlinear/spiral.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
+#include "swayaw/nonlinear/steady_run_in_wind.hpp"
 #include "swayaw/nonlinear/williamson_turn.hpp"
 
 namespace swayaw::app {
@@ -221,6 +223,46 @@ void run_williamson(const Ship& ship, const SimulateArguments& a) {
   if (!result.reciprocal) fmt::print("  the heading had changed by {:.2f} deg at the end\n", degrees(result.heading));
 }
 
+// ---------------------------------------------------------------- straight run in wind
+
+Json straight_json(const Ship& ship, const WindRun& run, const Controls<double>& propulsion) {
+  const auto& f = run.wind_force;
+  Json json{{"manoeuvre", "straight run"},
+            {"course_rad", number(run.course)},
+            {"heading_rad", number(run.psi)},
+            {"drift_rad", number(drift_angle(run.motion))},
+            {"helm_rad", number(run.delta)},
+            {"holds", run.holds},
+            {"speed_m_s", number(speed(run.motion))},
+            {"speed_over_ground_m_s", number(run.speed_over_ground)},
+            {"wind_force", {{"X", number(f.X)}, {"Y", number(f.Y)}, {"N", number(f.N)}}}};
+  add_propulsion(json, ship, propulsion);
+  return json;
+}
+
+void run_straight(const Ship& ship, const SimulateArguments& a) {
+  require_drive(ship.model, a.rev, a.thrust);
+  const auto& around = ship.surroundings;
+  const double approach = a.speed.value_or(service_speed(ship));
+  auto propulsion = a.rev || a.thrust ? Controls<double>{.delta = 0.0} : self_propulsion(ship, approach);
+  if (a.rev) propulsion.rev = *a.rev;
+  if (a.thrust) propulsion = {.delta = 0.0, .thrust = {0.5 * *a.thrust, 0.5 * *a.thrust}, .by_thrust = true};
+  const auto windage = around.windy ? around.windage : Windage<double>{};
+  const auto run = steady_run_in_wind(ship, windage, around.wind, {.direction = radians(*a.straight), .propulsion = propulsion});
+  if (!run) throw Refusal(fmt::format("no drift and helm keep the ship on course {:.6g} deg in this wind and current", *a.straight));
+  if (a.json) {
+    fmt::print("{}\n", straight_json(ship, *run, propulsion).dump(2));
+    return;
+  }
+  print_head(ship, fmt::format("straight run, course {:.6g} deg", *a.straight), approach, propulsion);
+  fmt::print("  {:<20}{:>12.3f} deg\n", "heading", degrees(run->psi));
+  fmt::print("  {:<20}{:>12.3f} deg\n", "drift angle", degrees(drift_angle(run->motion)));
+  fmt::print("  {:<20}{:>12.3f} deg to {}{}\n", "helm", std::abs(degrees(run->delta)), run->delta > 0.0 ? "port" : "starboard",
+             run->holds ? "" : ", beyond the ship's largest: she cannot hold this course");
+  fmt::print("  {:<20}{:>12.4f} m/s through the water, {:.4f} m/s over ground\n", "speed", speed(run->motion), run->speed_over_ground);
+  fmt::print("  {:<20}X {:.5g} N, Y {:.5g} N, N {:.5g} N m\n", "wind", run->wind_force.X, run->wind_force.Y, run->wind_force.N);
+}
+
 // ---------------------------------------------------------------- IMO criteria
 
 constexpr double smallest_ship = 100.0;  // m
@@ -251,6 +293,7 @@ void run_trial(const Ship& ship, const SimulateArguments& a) {
   if (a.spiral) return run_spiral(ship, a);
   if (a.reverse_spiral) return run_reverse_spiral(ship, a);
   if (a.pullout) return run_pull_out(ship, a);
+  if (a.straight) return run_straight(ship, a);
   if (a.williamson) return run_williamson(ship, a);
   return run_imo(ship, a);
 }

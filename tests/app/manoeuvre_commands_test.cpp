@@ -4,6 +4,7 @@
 
 #include "files.hpp"
 #include "program.hpp"
+#include "swayaw/core/angle.hpp"
 #include "swayaw/core/recording_csv.hpp"
 
 /// `swayaw simulate` with spirals, pull-outs, the Williamson turn and the IMO criteria, from the outside.
@@ -117,6 +118,26 @@ TEST_CASE("zigzag and turning circle judge themselves by the criteria they conce
   CHECK(linear.at("criteria")[1].at("value") == linear.at("overshoot_deg")[0]);
 }
 
+TEST_CASE("a straight run tells the drift and the helm that keep a course in the wind of the ship file", "[app][symmetry]") {
+  const Scratch scratch;
+  const auto windy = [&](const std::string& name, double from) {
+    const auto file = scratch / name;
+    write_text(file, read_text(test::ships / "kvlcc2.toml") + "\n[windage]\nfrontal_area_m2 = 1200\nlateral_area_m2 = 3700\nlength_over_all_m = 333\n" +
+                         "\n[[effect]]\nkind = \"steady_wind\"\nwind_speed_m_s = 20\nwind_from_rad = " + std::to_string(from) + "\n");
+    return json::parse(run(scratch, "simulate " + file.string() + " --straight 0 --json").out);
+  };
+  const auto starboard = windy("s.toml", 1.0), port = windy("p.toml", -1.0);
+  CHECK(starboard.at("wind_force").at("Y") < 0.0);
+  CHECK(starboard.at("holds") == true);
+  CHECK(starboard.at("heading_rad") > 0.0);
+  CHECK(std::abs(starboard.at("course_rad").get<double>()) < 1e-9);
+  CHECK(std::abs(starboard.at("helm_rad").get<double>()) > 1e-3);
+  CHECK(std::signbit(starboard.at("helm_rad").get<double>()) != std::signbit(port.at("helm_rad").get<double>()));
+  const auto calm = json::parse(run(scratch, ship + " --straight 30 --json").out);
+  CHECK(std::abs(calm.at("helm_rad").get<double>()) < 1e-9);
+  CHECK(calm.at("heading_rad").get<double>() == Approx(radians(30)));
+}
+
 TEST_CASE("options that do not go together are wrong usage, told in one line", "[app][refusal]") {
   const Scratch scratch;
   const std::pair<std::string, std::string> cases[] = {
@@ -124,6 +145,7 @@ TEST_CASE("options that do not go together are wrong usage, told in one line", "
       {"--spiral --duration 100", "--duration excludes --spiral"},
       {"--reverse-spiral --out f.csv", "--out excludes --reverse-spiral"},
       {"--imo --first port", "--first excludes --imo"},
+      {"--straight 10 --duration 100", "--duration excludes --straight"},
       {"--pullout 20 --duration 60", "--duration excludes --pullout"},
       {"--pullout 0", "--pullout"},
       {"--turn 35 --rudder 20", "--rudder: goes with --spiral"},
