@@ -11,7 +11,7 @@
 /// Source: [Alexandersson2024] section 2.2, appendix B.2
 namespace swayaw {
 
-/// Water that meets one rudder.
+/// Water that meets one rudder, from ahead.
 template <class S>
 struct RudderInflow {
   S V_RxC;  ///< axial, in the race [m/s]
@@ -37,10 +37,10 @@ template <class S>
 RudderInflow<S> rudder_inflow(const LiftingLineRudder<S>& k, const PlanarMotion<S>& m, const PropellerRace<S>& race, const S& y_R,
                               const Mask<S>& gamma_g_positive) {
   const S V_RxC = race.V_corr - m.r * y_R;
-  const S gamma_g = atan(geometric_crossflow(k, m) / V_RxC);
+  const S gamma_g = angle_of(geometric_crossflow(k, m), V_RxC);
   const S size = select(gamma_g_positive, gamma_g, S(-gamma_g));  // |gamma_g|
   const S V_Ry = -(k.kappa_r + k.kappa_r_gamma * size) * m.r * k.x_R - (k.kappa_v + k.kappa_v_gamma * size) * m.v;
-  return {.V_RxC = V_RxC, .V_RxU = race.V_A - m.r * y_R, .V_Ry = V_Ry, .gamma = atan(V_Ry / V_RxC)};
+  return {.V_RxC = V_RxC, .V_RxU = race.V_A - m.r * y_R, .V_Ry = V_Ry, .gamma = angle_of(V_Ry, V_RxC)};
 }
 
 /// What the gap between rudder and horn leaves of the lift: 1 while it is closed, 1 + s (|delta| − delta_lim)² when open;
@@ -133,7 +133,7 @@ LiftAndDrag<S> lift_and_drag(const LiftingLineRudder<S>& k, const S& rho, const 
 /// Source: [Alexandersson2024] eqs (14)–(16), (22), which lacks −y_R X_R
 template <class S>
 PlanarForce<S> turned_to_ship(const LiftAndDrag<S>& f, const S& alpha_f, const S& x_R, const S& y_R) {
-  const S sine = sin(alpha_f), cosine = cos(alpha_f);
+  const auto [sine, cosine] = sin_cos(alpha_f);
   const S X = f.lift * sine - f.drag * cosine;
   const S Y = f.drag * sine + f.lift * cosine;
   return {.X = X, .Y = Y, .N = x_R * Y - y_R * X};
