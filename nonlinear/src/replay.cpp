@@ -32,6 +32,13 @@ Neighbourhood neighbourhood(const Recording& run, double time, double time_unit)
   return {time, time, std::min(rudder_moves(run), time + 0.5 * time_unit), 1};
 }
 
+/// The same for rates of change: a rudder that moves at once leaves too few samples of the straight course to tell one.
+Neighbourhood rate_neighbourhood(const Recording& run, const Neighbourhood& near, double time_unit) {
+  constexpr std::ptrdiff_t enough = 4;
+  const auto samples = std::ranges::upper_bound(run.time, near.to) - std::ranges::lower_bound(run.time, near.from);
+  return samples >= enough ? near : Neighbourhood{near.time, near.from, near.from + 0.25 * time_unit, 2};
+}
+
 std::optional<ValueAndRate> fit(const Recording& run, Channel channel, const Neighbourhood& near) {
   const auto [time, from, to, degree] = near;
   return local_fit(run, channel, time, from, to, degree);
@@ -54,11 +61,14 @@ std::optional<double> first_value(const Recording& run, const Neighbourhood& nea
 }  // namespace
 
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time) {
-  const auto near = neighbourhood(run, time, length(ship) / service_speed(ship));
+  const double time_unit = length(ship) / service_speed(ship);
+  const auto near = neighbourhood(run, time, time_unit);
+  const auto wide = rate_neighbourhood(run, near, time_unit);
   const auto psi = fit(run, Channel::psi, near);
   const double heading = psi ? psi->value : Interpolant(run, Channel::psi)(time);
-  const double r = first_value(run, near, {Channel::r}).value_or(psi ? psi->rate : 0.0);
-  const auto track = velocity_from_track(run, near, heading, r);
+  const auto turning = fit(run, Channel::psi, wide);
+  const double r = first_value(run, near, {Channel::r}).value_or(turning ? turning->rate : 0.0);
+  const auto track = velocity_from_track(run, wide, heading, r);
   auto u = first_value(run, near, {Channel::u, Channel::speed_through_water, Channel::u_ground});
   auto v = first_value(run, near, {Channel::v, Channel::v_ground});
   if (!u && track) u = track->u;
