@@ -9,16 +9,4 @@ numbers=$(mktemp -d)
 trap 'rm -rf "$numbers"' EXIT
 /usr/bin/python3 "$here/tables.py" "$program" "$here/../../.." "$numbers"
 /usr/bin/python3 "$here/draw.py" "$numbers/curves.json" "$here"
-
-# each table between <!-- table: NAME --> and <!-- end --> is replaced by the computed one
-page=$here/../alexandersson2024.md
-awk -v folder="$numbers" '
-  /^<!-- end -->$/ { inside = 0 }
-  !inside { print }
-  /^<!-- table: .* -->$/ {
-    inside = 1
-    file = folder "/" $3 ".md"
-    while ((getline line < file) > 0) print line
-    close(file)
-  }' "$page" > "$page.new"
-mv "$page.new" "$page"
+"$here/../put_tables.sh" "$here/../alexandersson2024.md" "$numbers"

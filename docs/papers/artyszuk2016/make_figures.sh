@@ -10,16 +10,4 @@ trap 'rm -rf "$numbers"' EXIT
 "$programs/example_linear_figures" "$numbers"
 "$programs/artyszuk2016_tables" "$here/../../../tests/golden/artyszuk_linear.json" "$numbers"
 /usr/bin/python3 "$here/draw.py" "$numbers" "$here"
-
-# each table between <!-- table: NAME --> and <!-- end --> is replaced by the computed one
-page=$here/../artyszuk2016.md
-awk -v folder="$numbers" '
-  /^<!-- end -->$/ { inside = 0 }
-  !inside { print }
-  /^<!-- table: .* -->$/ {
-    inside = 1
-    file = folder "/" $3 ".md"
-    while ((getline line < file) > 0) print line
-    close(file)
-  }' "$page" > "$page.new"
-mv "$page.new" "$page"
+"$here/../put_tables.sh" "$here/../artyszuk2016.md" "$numbers"

@@ -8,16 +8,4 @@ program=$(cd "$1" && pwd)/app/swayaw
 numbers=$(mktemp -d)
 trap 'rm -rf "$numbers"' EXIT
 /usr/bin/python3 "$here/compute.py" "$program" "$here/../../.." "$numbers" "$here"
-
-# each table between <!-- table: NAME --> and <!-- end --> is replaced by the computed one
-page=$here/../kulbiej2021.md
-awk -v folder="$numbers" '
-  /^<!-- end -->$/ { inside = 0 }
-  !inside { print }
-  /^<!-- table: .* -->$/ {
-    inside = 1
-    file = folder "/" $3 ".md"
-    while ((getline line < file) > 0) print line
-    close(file)
-  }' "$page" > "$page.new"
-mv "$page.new" "$page"
+"$here/../put_tables.sh" "$here/../kulbiej2021.md" "$numbers"
