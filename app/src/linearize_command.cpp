@@ -9,13 +9,6 @@
 namespace swayaw::app {
 namespace {
 
-Controls<double> propulsion_of(const Ship& ship, const LinearizeArguments& a) {
-  require_drive(ship.model, a.rev, a.thrust);
-  if (a.rev) return {.delta = 0.0, .rev = *a.rev};
-  if (!a.thrust) return self_propulsion(ship, a.speed.value_or(service_speed(ship)));
-  return {.delta = 0.0, .thrust = {0.5 * *a.thrust, 0.5 * *a.thrust}, .by_thrust = true};
-}
-
 /// The fastest stable turn at that rudder angle, or the fastest if none is stable.
 OperatingPoint steady_turn(const Ship& ship, const Controls<double>& controls) {
   const auto turns = steady_turns(ship, controls);
@@ -28,9 +21,9 @@ OperatingPoint steady_turn(const Ship& ship, const Controls<double>& controls) {
 
 /// As asked: straight ahead, or in a steady turn.
 OperatingPoint point_of(const Ship& ship, const LinearizeArguments& a) {
-  const auto propulsion = propulsion_of(ship, a);
-  if (a.rudder) return steady_turn(ship, with_rudder(propulsion, radians(*a.rudder)));
-  return a.rev || a.thrust ? straight_course(ship, propulsion) : straight_course(ship, a.speed.value_or(service_speed(ship)));
+  const auto driven = propulsion(ship.model, a.speed.value_or(service_speed(ship)), a.rev, a.thrust);
+  if (a.rudder) return steady_turn(ship, with_rudder(driven, radians(*a.rudder)));
+  return a.rev || a.thrust ? straight_course(ship, driven) : straight_course(ship, a.speed.value_or(service_speed(ship)));
 }
 
 // ---------------------------------------------------------------- JSON

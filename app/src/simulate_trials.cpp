@@ -241,20 +241,17 @@ Json straight_json(const Ship& ship, const WindRun& run, const Controls<double>&
 }
 
 void run_straight(const Ship& ship, const SimulateArguments& a) {
-  require_drive(ship.model, a.rev, a.thrust);
   const auto& around = ship.surroundings;
   const double approach = a.speed.value_or(service_speed(ship));
-  auto propulsion = a.rev || a.thrust ? Controls<double>{.delta = 0.0} : self_propulsion(ship, approach);
-  if (a.rev) propulsion.rev = *a.rev;
-  if (a.thrust) propulsion = {.delta = 0.0, .thrust = {0.5 * *a.thrust, 0.5 * *a.thrust}, .by_thrust = true};
+  const auto driven = propulsion(ship.model, approach, a.rev, a.thrust);
   const auto windage = around.windy ? around.windage : Windage<double>{};
-  const auto run = steady_run_in_wind(ship, windage, around.wind, {.direction = radians(*a.straight), .propulsion = propulsion});
+  const auto run = steady_run_in_wind(ship, windage, around.wind, {.direction = radians(*a.straight), .propulsion = driven});
   if (!run) throw Refusal(fmt::format("no drift and helm keep the ship on course {:.6g} deg in this wind and current", *a.straight));
   if (a.json) {
-    fmt::print("{}\n", straight_json(ship, *run, propulsion).dump(2));
+    fmt::print("{}\n", straight_json(ship, *run, driven).dump(2));
     return;
   }
-  print_head(ship, fmt::format("straight run, course {:.6g} deg", *a.straight), approach, propulsion);
+  print_head(ship, fmt::format("straight run, course {:.6g} deg", *a.straight), approach, driven);
   fmt::print("  {:<20}{:>12.3f} deg\n", "heading", degrees(run->psi));
   fmt::print("  {:<20}{:>12.3f} deg\n", "drift angle", degrees(drift_angle(run->motion)));
   fmt::print("  {:<20}{:>12.3f} deg to {}{}\n", "helm", std::abs(degrees(run->delta)), run->delta > 0.0 ? "port" : "starboard",

@@ -28,18 +28,6 @@ inline std::vector<double> sample_times(double step, double end) {
   return times;
 }
 
-/// Shaft speed or thrust of the options, else self-propulsion.
-template <class Model>
-Controls<double> propulsion_of(const Model& ship, double speed, const ManoeuvreOptions& options) {
-  if (options.rev || options.thrust) require_drive(ship, options.rev, options.thrust);
-  if (options.thrust) {
-    const double half = 0.5 * *options.thrust;
-    return {.delta = 0.0, .thrust = {half, half}, .by_thrust = true};
-  }
-  if (!options.rev) return self_propulsion(ship, speed);
-  return {.delta = 0.0, .rev = require_positive(*options.rev, "shaft speed [1/s]")};
-}
-
 /// Speed and propulsion of the approach, when to stop at the latest, and when to take samples.
 struct Plan {
   double speed;
@@ -55,7 +43,7 @@ Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest) {
   const double time_unit = ship.particulars.L / speed;
   const double end = require_positive(options.duration.value_or(longest * time_unit), "duration [s]");
   const double step = require_positive(options.step.value_or(round_down(0.02 * time_unit)), "step [s]");
-  return {speed, propulsion_of(ship, speed, options), end, options.sampled ? sample_times(step, end) : std::vector<double>{}};
+  return {speed, propulsion(ship, speed, options.rev, options.thrust), end, options.sampled ? sample_times(step, end) : std::vector<double>{}};
 }
 
 /// Way made until a time, ∫ U dt by the trapezoidal rule over the samples [m]; nothing without samples.

@@ -81,7 +81,7 @@ PullOut pull_out(const Ship& ship, const PullOutOrder& order, const ManoeuvreOpt
   const auto both = [&](const auto& model) {
     const auto from = [&](Side side) { return sail_pull_out(ship, model, {order.rudder, side}, order.settling, options); };
     const double speed = options.speed.value_or(model.particulars.U_0);
-    return PullOut{.sides = {from(Side::port), from(Side::starboard)}, .approach_speed = speed, .propulsion = propulsion_of(model, speed, options)};
+    return PullOut{.sides = {from(Side::port), from(Side::starboard)}, .approach_speed = speed, .propulsion = propulsion(model, speed, options.rev, options.thrust)};
   };
   return std::visit(both, ship.model);
 }

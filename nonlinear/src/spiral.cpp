@@ -98,7 +98,7 @@ ReverseSpiral reverse_spiral(const Ship& ship, const ReverseSpiralOrder& order, 
   require_rudder(order.largest, steering_gear(ship));
   if (order.steps < 1) throw std::domain_error(fmt::format("a reverse spiral needs at least one yaw rate on each side, got {}", order.steps));
   const double speed = require_positive(options.speed.value_or(service_speed(ship)), "approach speed [m/s]");
-  const auto propulsion = std::visit([&](const auto& model) { return propulsion_of(model, speed, options); }, ship.model);
+  const auto propulsion = swayaw::propulsion(ship.model, speed, options.rev, options.thrust);
   const auto curve = steady_turn_curve(ship, propulsion, order.largest);
   const double largest = std::min(end_rate(ship, propulsion, curve.front(), order.largest), end_rate(ship, propulsion, curve.back(), order.largest));
   const auto rates = even_yaw_rates(largest, order.steps);

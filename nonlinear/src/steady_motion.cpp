@@ -101,6 +101,13 @@ void require_drive(const ShipModel& model, const std::optional<double>& rev, con
   if (rev && !by_rev) throw Refusal("this ship file does not tell the thrust at a shaft speed; give a thrust");
 }
 
+Controls<double> propulsion(const ShipModel& model, double speed, const std::optional<double>& rev, const std::optional<double>& thrust) {
+  require_drive(model, rev, thrust);
+  if (thrust) return {.delta = 0.0, .thrust = {0.5 * *thrust, 0.5 * *thrust}, .by_thrust = true};
+  if (rev) return {.delta = 0.0, .rev = require_positive(*rev, "shaft speed [1/s]")};
+  return std::visit([&](const auto& ship) { return self_propulsion(ship, speed); }, model);
+}
+
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,
                                           const PlanarMotion<double>& guess) {
   return std::visit([&](const auto& model) { return newton(model, controls, guess); }, ship.model);

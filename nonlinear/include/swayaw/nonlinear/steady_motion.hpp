@@ -33,6 +33,11 @@ bool takes_shaft_speed(const Ship& ship);
 ///                  to one without an open-water curve
 void require_drive(const ShipModel& model, const std::optional<double>& rev, const std::optional<double>& thrust);
 
+/// Rudder amidships and the thrust [N] or shaft speed [1/s] that is given, else self-propulsion at that speed.
+/// @throws as require_drive and self_propulsion do
+/// @throws std::domain_error  if the shaft speed is not positive
+Controls<double> propulsion(const ShipModel& model, double speed, const std::optional<double>& rev, const std::optional<double>& thrust);
+
 /// A steady motion: nothing changes but the place and the heading.
 struct SteadyMotion {
   PlanarMotion<double> motion;
