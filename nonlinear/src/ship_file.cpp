@@ -8,6 +8,8 @@
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/parts_reader.hpp"
+#include "swayaw/core/parts_writer.hpp"
+#include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/mmg_labels.hpp"
 #include "swayaw/nonlinear/windage_sources.hpp"
 
@@ -175,6 +177,60 @@ Ship parse_ship(std::string_view text, const std::filesystem::path& name) {
   file.require_model("mmg");
   return read_as<MmgShip<double>>(file);
 }
+
+// ---------------------------------------------------------------- writing
+
+namespace {
+
+std::string_view model_name(const MmgShip<double>&) { return "mmg"; }
+std::string_view model_name(const PiShip<double>&) { return "pi"; }
+std::string_view model_name(const PuShip<double>&) { return "pu"; }
+std::string_view model_name(const AbkowitzShip<double>&) { return "abkowitz"; }
+
+/// Coefficients over the angle as the lists they were read from.
+void add_lists(WindageTable& table) {
+  const auto* spline = std::get_if<WindSpline>(&table.windage.given);
+  if (std::holds_alternative<WindSeries<>>(table.windage.given)) throw Refusal("wind coefficients that are a Fourier series cannot be written to a ship file");
+  if (!spline) return;
+  for (std::size_t i = 0; i < spline->X.pieces.size(); ++i) {
+    table.angle.push_back(spline->X.pieces[i].start);
+    table.C_X.push_back(spline->X.pieces[i].c[0]);
+    table.C_Y.push_back(spline->Y.pieces[i].c[0]);
+    table.C_N.push_back(spline->N.pieces[i].c[0]);
+  }
+}
+
+bool same_numbers(const Windage<double>& a, const Windage<double>& b) {
+  const auto list = Windage<double>::parameters();
+  return std::ranges::all_of(list, [&](const auto& p) { return a.*p.member == b.*p.member; });
+}
+
+std::vector<FileEffect> effects_of(const Surroundings<double>& around) {
+  std::vector<FileEffect> effects;
+  const auto& [speed, from] = around.wind;
+  const auto& [drift, to] = around.current;
+  if (around.windy) effects.push_back({"steady_wind", {{"wind_speed_m_s", speed}, {"wind_from_rad", from}}, 0, 0});
+  if (drift != 0.0) effects.push_back({"steady_current", {{"current_speed_m_s", drift}, {"current_to_rad", to}}, 0, 0});
+  return effects;
+}
+
+template <class Model>
+std::string text_as(const Ship& ship, Model model, std::string_view remark) {
+  auto keys = file_keys(model);
+  WindageTable table{.windage = ship.surroundings.windage, .type = {}, .angle = {}, .C_X = {}, .C_Y = {}, .C_N = {}};
+  add_lists(table);
+  const bool own = !table.angle.empty() || !same_numbers(table.windage, windage_of(model));
+  if (own) add_keys(keys, table);
+  return ship_text(model_name(model), {ship.name, ship.confidence}, keys, effects_of(ship.surroundings), remark);
+}
+
+}  // namespace
+
+std::string ship_text(const Ship& ship, std::string_view remark) {
+  return std::visit([&](const auto& model) { return text_as(ship, model, remark); }, ship.model);
+}
+
+void write_ship(const std::filesystem::path& file, const Ship& ship, std::string_view remark) { write_text(file, ship_text(ship, remark)); }
 
 Ship read_ship(const std::filesystem::path& file) { return parse_ship(read_text(file), file); }
 
