@@ -11,6 +11,7 @@
 
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/parts_reader.hpp"
+#include "swayaw/core/parts_writer.hpp"
 
 namespace swayaw {
 namespace {
@@ -98,7 +99,28 @@ LinearShip read_indices(const PartsReader& reader) {
   return products ? read_as<TableFile<SteeringIndices<double>>>(reader) : read_as<TableFile<RealIndices>>(reader);
 }
 
+// ---------------------------------------------------------------- writing
+
+PartsFile file_of(const LinearShip& ship, const LinearParts<double>& parts) { return {ship.particulars, parts.hull, parts.rudder, ship.steering_gear}; }
+
+template <class Numbers>
+TableFile<Numbers> file_of(const LinearShip& ship, const Numbers& numbers) {
+  return {ship.particulars, numbers, ship.steering_gear};
+}
+
 }  // namespace
+
+std::string ship_text(const LinearShip& ship, std::string_view remark) {
+  const auto text_as = [&](const auto& form) {
+    auto file = file_of(ship, form);
+    return ship_text("linear", {ship.name, ship.confidence}, {file_numbers(file), {}, {}}, {}, remark);
+  };
+  return std::visit(text_as, ship.form);
+}
+
+void write_linear_ship(const std::filesystem::path& file, const LinearShip& ship, std::string_view remark) {
+  write_text(file, ship_text(ship, remark));
+}
 
 LinearShip parse_linear_ship(std::string_view text, const std::filesystem::path& name) {
   const PartsReader reader(text, name);

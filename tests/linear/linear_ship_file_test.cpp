@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "files.hpp"
+#include "random_linear_ships.hpp"
 #include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
@@ -226,4 +227,22 @@ TEST_CASE("a damaged file of a linear ship is read or refused in one line", "[li
 }
 
 }  // namespace
+TEST_CASE("a linear ship written to a file and read again is the same in each of her forms", "[linear][round-trip]") {
+  test::RandomLinearShips random(5);
+  const SteeringGear<double> gear{.rate = radians(2.5), .max_angle = radians(35.0), .lag = 0.0, .dead_band = 0.0};
+  for (int i = 0; i < 100; ++i) {
+    const auto coefficients = random.ship();
+    for (const LinearForm& form : {LinearForm(random.parts()), LinearForm(coefficients), LinearForm(steering_indices(coefficients))}) {
+      const LinearShip ship{.name = "a ship", .particulars = {100.0, 7.0}, .steering_gear = gear, .form = form, .confidence = {.coefficients = 0.05, .named = {}}};
+      const auto text = ship_text(ship, "from a fit");
+      const auto back = parse_linear_ship(text, "back.toml");
+      CHECK(back.form.index() == ship.form.index());
+      CHECK(ship_text(back, "from a fit") == text);
+      CHECK(transfer_functions(back).e0 == transfer_functions(ship).e0);
+      CHECK(transfer_functions(back).nw1 == transfer_functions(ship).nw1);
+      CHECK(back.confidence.coefficients == 0.05);
+    }
+  }
+}
+
 }  // namespace swayaw

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "swayaw/linear/linear_ship.hpp"
@@ -17,5 +18,13 @@ LinearShip read_linear_ship(const std::filesystem::path& file);
 
 /// The same from text; `name` stands for the file in messages.
 LinearShip parse_linear_ship(std::string_view text, const std::filesystem::path& name);
+
+/// The text of a ship file that parse_linear_ship reads back to the same ship, in the form that she has.
+/// @throws std::domain_error  if a number is not finite or not in its range
+std::string ship_text(const LinearShip& ship, std::string_view remark = {});
+
+/// Writes that text, whole or not at all.
+/// @throws FileError  if the file cannot be written
+void write_linear_ship(const std::filesystem::path& file, const LinearShip& ship, std::string_view remark = {});
 
 }  // namespace swayaw
