@@ -1,163 +1,30 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <cmath>
 #include <optional>
 
+#include "ship_predictor.hpp"
 #include "swayaw/core/angle.hpp"
-#include "swayaw/core/dual.hpp"
 #include "swayaw/core/recording.hpp"
-#include "swayaw/nonlinear/surroundings.hpp"
 
-/// Extended Kalman filter of a ship, over N = 6 states (x, y, psi, u, v, r) or 9 (and unmodelled accelerations). Not installed.
+/// What a measurement does to the belief about a ship, and what the future of a sample tells of it. Not installed.
 namespace swayaw {
 
-template <int N>
-using FilterVector = Eigen::Matrix<double, N, 1>;
-template <int N>
-using FilterMatrix = Eigen::Matrix<double, N, N>;
+// ---------------------------------------------------------------- channels
 
-template <int N>
-ShipState<double> ship_state(const FilterVector<N>& s) {
-  return {s[0], s[1], s[2], {s[3], s[4], s[5]}};
-}
-
-/// Growth of the state and of small deviations over a step.
-template <int N>
-struct Step {
-  FilterVector<N> state;
-  FilterMatrix<N> Phi;
-};
-
-/// Random accelerations that the filter allows for, with their memory.
-struct FilterNoise {
-  PlanarAcceleration<double> size;  ///< of Imperfection
-  double tau;                       ///< [s]
-};
-
-/// Predicts a ship between samples.
-template <class Model, int N>
-class ShipPredictor {
- public:
-  ShipPredictor(const Model& model, const Surroundings<double>& around, double tau)
-      : ship_(model), dual_(cast<D>(model)), around_(around), dual_around_(in_duals(around)), tau_(tau), longest_(0.04 * model.particulars.L) {}
-
-  /// Over h seconds, with controls that go in a straight line from `begin` to `end`: the classical Runge–Kutta step for the
-  /// state; for deviations Φ = I + A h + ½ A² h², with A at the middle of the step.
-  Step<N> over(const FilterVector<N>& s, const Controls<double>& begin, const Controls<double>& end, double h) const {
-    const Controls<double> middle = between(begin, end, 0.5);
-    const FilterVector<N> k1 = rates(s, begin);
-    const FilterVector<N> half = s + 0.5 * h * k1;
-    FilterMatrix<N> A = FilterMatrix<N>::Zero();
-    const FilterVector<N> k2 = rates(half, middle, &A);
-    const FilterVector<N> k3 = rates(s + 0.5 * h * k2, middle);
-    const FilterVector<N> k4 = rates(s + h * k3, end);
-    const FilterMatrix<N> Ah = A * h;
-    return {s + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4), FilterMatrix<N>::Identity() + Ah + 0.5 * Ah * Ah};
-  }
-
-  /// Into how many steps a time between samples is cut.
-  int steps(double speed, double h) const { return std::max(1, static_cast<int>(std::ceil(h * std::max(speed, 1e-3) / longest_))); }
-
-  static Controls<double> between(const Controls<double>& a, const Controls<double>& b, double share) {
-    const auto mix = [&](double x, double y) { return x + share * (y - x); };
-    return {mix(a.delta, b.delta), mix(a.rev, b.rev), {mix(a.thrust.port, b.thrust.port), mix(a.thrust.starboard, b.thrust.starboard)}, a.by_thrust};
-  }
-
- private:
-  using D = Dual<4>;  // of psi, u, v, r
-
-  static Surroundings<D> in_duals(const Surroundings<double>& around) {
-    return {.windage = cast_part<D>(around.windage), .wind = {D(around.wind.speed), D(around.wind.from)},
-            .current = {D(around.current.speed), D(around.current.to)}, .windy = around.windy};
-  }
-
-  static void add_unmodelled(const FilterVector<N>& s, FilterVector<N>& rate, double tau) {
-    if constexpr (N == 9) {
-      rate.template segment<3>(3) += s.template segment<3>(6);
-      rate.template segment<3>(6) = -s.template segment<3>(6) / tau;
-    }
-  }
-
-  FilterVector<N> rates(const FilterVector<N>& s, const Controls<double>& c) const {
-    const auto state = ship_state<N>(s);
-    const auto r = rates_of(ship_, around_, state, c, branch_at(ship_, state.motion, c));
-    FilterVector<N> rate = FilterVector<N>::Zero();
-    for (int i = 0; i < 6; ++i) rate[i] = r[static_cast<std::size_t>(i)];
-    add_unmodelled(s, rate, tau_);
-    return rate;
-  }
-
-  /// The same, and its derivatives by the state.
-  FilterVector<N> rates(const FilterVector<N>& s, const Controls<double>& c, FilterMatrix<N>* A) const {
-    const ShipState<D> state{D(s[0]), D(s[1]), D(s[2], 0), {D(s[3], 1), D(s[4], 2), D(s[5], 3)}};
-    const auto controls = cast<D>(c);
-    const auto r = rates_of(dual_, dual_around_, state, controls, branch_at(dual_, state.motion, controls));
-    FilterVector<N> rate = FilterVector<N>::Zero();
-    for (int i = 0; i < 6; ++i) {
-      rate[i] = r[static_cast<std::size_t>(i)].a;
-      A->template block<1, 4>(i, 2) = r[static_cast<std::size_t>(i)].v.transpose();
-    }
-    if constexpr (N == 9) {
-      A->template block<3, 3>(3, 6).setIdentity();
-      A->template block<3, 3>(6, 6).diagonal().setConstant(-1.0 / tau_);
-    }
-    add_unmodelled(s, rate, tau_);
-    return rate;
-  }
-
-  Model ship_;
-  decltype(cast<D>(std::declval<Model>())) dual_;
-  Surroundings<double> around_;
-  Surroundings<D> dual_around_;
-  double tau_;      ///< memory of the unmodelled accelerations [s]
-  double longest_;  ///< way made in one step [m]
-};
-
-/// Covariance that random accelerations add over h seconds.
-template <int N>
-FilterMatrix<N> noise_over(const FilterNoise& noise, double h) {
-  const double size[3] = {noise.size.u, noise.size.v, noise.size.r};
-  FilterMatrix<N> Q = FilterMatrix<N>::Zero();
-  for (int i = 0; i < 3; ++i) {
-    if constexpr (N == 9) Q(6 + i, 6 + i) = size[i] * size[i] * -std::expm1(-2.0 * h / noise.tau);
-    else Q(3 + i, 3 + i) = size[i] * size[i] * h;
-  }
-  return Q;
-}
-
-// ---------------------------------------------------------------- measurements
-
-/// What a channel shows of a state, and how it changes with it.
-template <int N>
-struct Expected {
-  double value;
-  FilterVector<N> row;
-};
-
-/// A channel as a function of state and current, for double and dual.
+/// A channel as a function of state and current.
 template <class S>
 S shown(Channel channel, const ShipState<S>& s, const Current<S>& current) {
-  switch (channel) {
-    case Channel::x: return s.x;
-    case Channel::y: return s.y;
-    case Channel::psi: return s.psi;
-    case Channel::r: return s.motion.r;
-    case Channel::v: return s.motion.v;
-    default: break;
-  }
-  if (channel == Channel::u || channel == Channel::speed_through_water) return s.motion.u;
   const auto ground = over_ground(current, s);
   if (channel == Channel::u_ground) return ground.u;
   if (channel == Channel::v_ground) return ground.v;
   if (channel == Channel::speed_over_ground) return speed(ground);
-  return s.psi + atan2(ground.v, ground.u);  // course over ground
+  return s.psi + angle_of(ground.v, ground.u);  // course over ground
 }
 
 inline bool is_direction(Channel channel) { return channel == Channel::psi || channel == Channel::course_over_ground; }
 
-/// The state that a channel shows alone, if it does.
-inline std::optional<int> plain_state(Channel channel) {
+/// The state that a channel shows alone, or −1.
+inline int plain_state(Channel channel) {
   switch (channel) {
     case Channel::x: return 0;
     case Channel::y: return 1;
@@ -165,31 +32,11 @@ inline std::optional<int> plain_state(Channel channel) {
     case Channel::u: case Channel::speed_through_water: return 3;
     case Channel::v: return 4;
     case Channel::r: return 5;
-    default: return std::nullopt;
+    default: return -1;
   }
 }
 
-template <int N>
-Expected<N> expected(Channel channel, const FilterVector<N>& s, const Current<double>& current) {
-  Expected<N> e{0.0, FilterVector<N>::Zero()};
-  if (const auto i = plain_state(channel)) {
-    e.value = s[*i];
-    e.row[*i] = 1.0;
-    return e;
-  }
-  using D = Dual<4>;
-  const ShipState<D> state{D(s[0]), D(s[1]), D(s[2], 0), {D(s[3], 1), D(s[4], 2), D(s[5], 3)}};
-  const auto value = shown(channel, state, Current<D>{D(current.speed), D(current.to)});
-  e.value = value.a;
-  e.row.template segment<4>(2) = value.v;
-  return e;
-}
-
-/// Prediction error of a measurement and its expected variance.
-struct Innovation {
-  double error;
-  double variance;
-};
+// ---------------------------------------------------------------- forward
 
 /// Estimate with its covariance.
 template <int N>
@@ -198,29 +45,98 @@ struct Belief {
   FilterMatrix<N> P;
 };
 
-/// Takes in one measurement. Nonlinear channels are linearized twice, the second time where the first update leads.
-///
-///     S = h P hᵀ + R,   K = P hᵀ/S,   P⁺ = (I − K h) P (I − K h)ᵀ + K R Kᵀ, Joseph's form
+/// What a measurement told: error e and variance S of its prediction, and the gain K.
 template <int N>
-Innovation take_in(Belief<N>& belief, Channel channel, double measured, double variance, const Current<double>& current) {
-  const FilterVector<N> before = belief.mean;
-  Innovation first{};
-  const int passes = plain_state(channel) ? 1 : 2;
-  FilterVector<N> K, Ph;
-  for (int pass = 0; pass < passes; ++pass) {
-    const auto e = expected<N>(channel, belief.mean, current);
-    Ph = belief.P * e.row;
-    const double S = e.row.dot(Ph) + variance;
-    K = Ph / S;
-    double error = measured - e.value - e.row.dot(before - belief.mean);
-    if (is_direction(channel)) error = wrapped(error);
-    if (pass == 0) first = {error, S};
-    belief.mean = before + K * error;
-    if (pass + 1 < passes) continue;
-    const FilterMatrix<N> KPh = K * Ph.transpose();
-    belief.P += K * S * K.transpose() - KPh - KPh.transpose();
-  }
-  return first;
+struct Sighting {
+  Channel channel;
+  double error;
+  double variance;
+  FilterVector<N> K;
+  Eigen::Vector4d slope;  ///< h, by psi, u, v, r; of a channel that shows no state alone
+};
+
+/// The error of a prediction; directions less than half a turn apart.
+inline double compared(Channel channel, double measured, double predicted) {
+  const double error = measured - predicted;
+  return is_direction(channel) && std::abs(error) > pi ? wrapped(error) : error;
 }
+
+/// Takes in one measurement.
+///
+///     S = h P hᵀ + R,   K = P hᵀ/S,   x⁺ = x + K e,   P⁺ = P − K S Kᵀ
+///
+/// of one scalar, P⁺ is symmetric by construction, and positive since R is not below rounding of h P hᵀ.
+template <int N>
+Sighting<N> taken_in(Belief<N>& belief, Channel channel, int state, double measured, double R) {
+  const double error = compared(channel, measured, belief.mean[state]), S = belief.P(state, state) + R;
+  const Sighting<N> seen{.channel = channel, .error = error, .variance = S, .K = belief.P.col(state) / S, .slope = {}};
+  belief.mean += seen.K * error;
+  belief.P.noalias() -= (S * seen.K) * seen.K.transpose();
+  return seen;
+}
+
+/// The same for a nonlinear channel, linearized again where the first update leads.
+template <int N>
+Sighting<N> taken_in(Belief<N>& belief, Channel channel, const Current<double>& current, double measured, double R) {
+  using D = Dual<4>;
+  Sighting<N> seen{.channel = channel};
+  FilterVector<N> x = belief.mean;
+  for (int pass = 0; pass < 2; ++pass) {
+    const D h = shown(channel, in_duals<N>(x), Current<D>{D(current.speed), D(current.to)});
+    seen.slope = h.v;
+    const FilterVector<N> Ph = belief.P.template middleCols<4>(2) * h.v;
+    seen.variance = h.v.dot(Ph.template segment<4>(2)) + R;
+    seen.K = Ph / seen.variance;
+    seen.error = compared(channel, measured, h.a) - h.v.dot((belief.mean - x).template segment<4>(2));
+    x = belief.mean + seen.K * seen.error;
+  }
+  belief.mean = x;
+  belief.P.noalias() -= (seen.variance * seen.K) * seen.K.transpose();
+  return seen;
+}
+
+// ---------------------------------------------------------------- backward
+
+/// What the future tells of a moment: the smoothed state is x + P r, its covariance P − P M P.
+///
+/// The form of Rauch, Tung and Striebel's smoother that inverts no covariance, so that a ship without any imperfection is
+/// nothing special. Sources: [Bryson1969], [DeJong1989]
+template <int N>
+struct Future {
+  FilterVector<N> r = FilterVector<N>::Zero();
+  FilterMatrix<N> M = FilterMatrix<N>::Zero();
+
+  /// ∂(log likelihood)/∂q of a variance q that state i gains here.
+  double slope(int i) const { return 0.5 * (r[i] * r[i] - M(i, i)); }
+
+  /// Before a step.
+  void step_back(const Transition<N>& t) {
+    r = carried_back<N>(r, t);
+    M = carried_back<N>(M, t);
+  }
+
+  /// Before a measurement. With the smoothed error e_s of the measurement over its variance R, and its variance D,
+  ///
+  ///     e_s = e/S − Kᵀr,   D = 1/S + KᵀMK,   r⁻ = r + hᵀe_s,   M⁻ = (1 − Kh)ᵀ M (1 − Kh) + hᵀh/S
+  ///
+  /// @return ½ (e_s² − D), the slope of the log likelihood by R. Source: [Koopman1992]
+  double step_back(const Sighting<N>& seen) {
+    const FilterVector<N> MK = M * seen.K;
+    const double e_s = seen.error / seen.variance - seen.K.dot(r), D = 1.0 / seen.variance + seen.K.dot(MK);
+    if (const int i = plain_state(seen.channel); i >= 0) {
+      r[i] += e_s;
+      M.row(i) -= MK.transpose();
+      M.col(i) -= MK;
+      M(i, i) += D;
+    } else {
+      const auto& h = seen.slope;
+      r.template segment<4>(2) += h * e_s;
+      M.template middleRows<4>(2) -= h * MK.transpose();
+      M.template middleCols<4>(2) -= MK * h.transpose();
+      M.template block<4, 4>(2, 2) += D * h * h.transpose();
+    }
+    return 0.5 * (e_s * e_s - D);
+  }
+};
 
 }  // namespace swayaw

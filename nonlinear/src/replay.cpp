@@ -32,11 +32,13 @@ Neighbourhood neighbourhood(const Recording& run, double time, double time_unit)
   return {time, time, std::min(rudder_moves(run), time + 0.5 * time_unit), 1};
 }
 
-/// The same for rates of change: a rudder that moves at once leaves too few samples of the straight course to tell one.
+/// The same for rates of change: a rudder that moves at once, or sparse samples, leave too few of them to tell one.
 Neighbourhood rate_neighbourhood(const Recording& run, const Neighbourhood& near, double time_unit) {
   constexpr std::ptrdiff_t enough = 4;
-  const auto samples = std::ranges::upper_bound(run.time, near.to) - std::ranges::lower_bound(run.time, near.from);
-  return samples >= enough ? near : Neighbourhood{near.time, near.from, near.from + 0.25 * time_unit, 2};
+  const auto first = std::ranges::lower_bound(run.time, near.from);
+  if (std::ranges::upper_bound(run.time, near.to) - first >= enough) return near;
+  const double fourth = run.time.end() - first >= enough ? first[enough - 1] : run.time.back();
+  return {near.time, near.from, std::max(near.from + 0.25 * time_unit, fourth), 2};
 }
 
 std::optional<ValueAndRate> fit(const Recording& run, Channel channel, const Neighbourhood& near) {

@@ -1,0 +1,54 @@
+#include "noise_ascent.hpp"
+
+#include <optional>
+
+namespace swayaw {
+namespace {
+
+struct Place {
+  Eigen::VectorXd p;
+  Slope slope;
+};
+
+/// The first place on the way that keeps a part of the promise: the whole way, half of it, …
+std::optional<Place> climbed(const std::function<Slope(const Eigen::VectorXd&)>& at, const Place& from, const Eigen::VectorXd& way) {
+  const double promise = way.dot(from.slope.by_place);
+  for (double share = 1.0; share > 1e-3; share *= 0.5) {
+    const Eigen::VectorXd p = from.p + share * way;
+    if (auto slope = at(p); slope.value > from.slope.value + 1e-4 * share * promise) return Place{p, std::move(slope)};
+  }
+  return std::nullopt;
+}
+
+/// H⁺ = (1 − s yᵀ/yᵀs) H (1 − y sᵀ/yᵀs) + s sᵀ/yᵀs, with the step s and the loss of slope y; H stays positive.
+void learn(Eigen::MatrixXd& H, const Place& from, const Place& to) {
+  const Eigen::VectorXd s = to.p - from.p, y = from.slope.by_place - to.slope.by_place;
+  const double ys = y.dot(s);
+  if (ys <= 1e-12 * y.norm() * s.norm()) return;
+  const Eigen::VectorXd Hy = H * y;
+  H += (1.0 + y.dot(Hy) / ys) / ys * s * s.transpose() - (Hy * s.transpose() + s * Hy.transpose()) / ys;
+}
+
+}  // namespace
+
+NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const Eigen::VectorXd& start, const Eigen::VectorXd& curvature, int most_iterations) {
+  const Eigen::MatrixXd first = curvature.cwiseInverse().asDiagonal();
+  Eigen::MatrixXd H = first;
+  Place here{start, at(start)};
+  for (int iteration = 0;; ++iteration) {
+    Eigen::VectorXd way = H * here.slope.by_place;
+    const double promise = 0.5 * way.dot(here.slope.by_place);
+    if (promise < 1e-3 || iteration == most_iterations) return {here.p, here.slope.value, iteration, promise < 1e-3};
+    way *= std::min(1.0, 2.0 / way.cwiseAbs().maxCoeff());  // no noise changes by more than a factor of 7 at once
+    const auto next = climbed(at, here, way);
+    if (!next && H == first) return {here.p, here.slope.value, iteration, promise < 0.1};
+    if (!next) {
+      H = first;
+      continue;
+    }
+    learn(H, here, *next);
+    here = *next;
+  }
+}
+
+}  // namespace swayaw
