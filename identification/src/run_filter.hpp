@@ -38,41 +38,47 @@ class RunFilter {
  public:
   RunFilter(const Ship& ship, const Model& model, const Recording& run, std::span<const Channel> channels, double tau)
       : run_(run), channels_(channels), current_(ship.surroundings.current), predictor_(model, ship.surroundings, tau), tau_(tau),
-        start_(recorded_state(ship, run, run.time.front())), L_(model.particulars.L), filtered_(run.samples()), passed_(run.samples()) {
+        start_(recorded_state(ship, run, run.time.front())), L_(model.particulars.L), passed_(run.samples()) {
     const RecordedControls controls(ship, run);
     controls_.reserve(run.samples());
     for (const double time : run.time) controls_.push_back(controls.at(time));
+    steps_.reserve(run.samples());
+    sightings_.reserve(run.samples() * channels.size());
   }
 
-  /// Filters the run. @return log likelihood
-  double forward(const FilterNoise& noise) {
+  /// Filters the run: tell(k, belief) after the measurements of each sample. @return log likelihood
+  template <class Tell>
+  double forward(const FilterNoise& noise, Tell&& tell) {
     log_likelihood_ = 0.0;
     sums_ = {};
     steps_.clear();
     sightings_.clear();
+    slopes_.clear();
     Belief<N> belief = start(noise);
-    for (std::size_t k = 0; k < filtered_.size(); ++k) {
+    for (std::size_t k = 0; k < passed_.size(); ++k) {
       if (k > 0) sail(belief, k, noise);
       passed_[k].steps = steps_.size();
       measure(belief, k, noise);
       passed_[k].sightings = sightings_.size();
-      filtered_[k] = belief;
+      tell(k, belief);
     }
     return log_likelihood_;
   }
 
-  /// What of the run comes after each sample, from the last to the first: tell(k, filtered belief, future).
+  /// What comes after each sample, from the last to the first: tell(k, future).
   /// @return slopes of the log likelihood by the logarithms of the variances
   template <class Tell>
   FilterNoise backward(const FilterNoise& noise, Tell&& tell) const {
     FilterNoise slope = FilterNoise::Zero();
     Future<N> future;
-    for (std::size_t k = filtered_.size(); k-- > 0;) {
-      tell(k, filtered_[k], future);
+    std::size_t slope_count = slopes_.size();
+    for (std::size_t k = passed_.size(); k-- > 0;) {
+      tell(k, future);
       const auto [first_step, first_sighting] = k == 0 ? Passed{} : passed_[k - 1];
       for (std::size_t i = passed_[k].sightings; i-- > first_sighting;) {
-        const int c = place_of(sightings_[i].channel);
-        slope[c] += noise[c] * future.step_back(sightings_[i]);
+        const auto& seen = sightings_[i];
+        const bool plain = plain_state(seen.channel) >= 0;
+        slope[place_of(seen.channel)] += noise[place_of(seen.channel)] * future.step_back(seen, plain ? ChannelSlope() : slopes_[--slope_count]);
       }
       for (std::size_t i = passed_[k].steps; i-- > first_step;) {
         add_slope(slope, noise, steps_[i].share, future);
@@ -84,7 +90,6 @@ class RunFilter {
     return slope;
   }
 
-  std::span<const Belief<N>> filtered() const { return filtered_; }
   std::size_t steps() const { return steps_.size(); }
   const ChannelSums& sums(Channel channel) const { return sums_[index_of(channel)]; }
 
@@ -124,16 +129,19 @@ class RunFilter {
   }
 
   void measure(Belief<N>& belief, std::size_t k, const FilterNoise& noise) {
+    double product = 1.0;  // of variances, whose logarithm is slow
     for (const Channel channel : channels_) {
       const double value = run_[channel][k], R = noise[place_of(channel)];
       if (std::isnan(value)) continue;
       const int state = plain_state(channel);
-      sightings_.push_back(state >= 0 ? taken_in<N>(belief, channel, state, value, R) : taken_in<N>(belief, channel, current_, value, R));
+      sightings_.push_back(state >= 0 ? taken_in<N>(belief, channel, state, value, R) : taken_in<N>(belief, channel, current_, value, R, slopes_.emplace_back()));
       const auto& seen = sightings_.back();
       const double square = seen.error * seen.error / seen.variance;
-      log_likelihood_ -= 0.5 * (square + std::log(2.0 * pi * seen.variance));
+      log_likelihood_ -= 0.5 * square;
+      product *= 2.0 * pi * seen.variance;
       sums_[index_of(channel)].add(std::copysign(std::sqrt(square), seen.error));
     }
+    log_likelihood_ -= 0.5 * std::log(product);
   }
 
   static void add_slope(FilterNoise& slope, const FilterNoise& noise, double share, const Future<N>& future) {
@@ -148,10 +156,10 @@ class RunFilter {
   ShipState<double> start_;
   double L_;
   std::vector<Controls<double>> controls_;
-  std::vector<Belief<N>> filtered_;
   std::vector<Passed> passed_;
   std::vector<Transition<N>> steps_;
   std::vector<Sighting<N>> sightings_;
+  std::vector<ChannelSlope> slopes_;  ///< of the nonlinear ones
   std::array<ChannelSums, channel_count> sums_{};
   double log_likelihood_ = 0.0;
 };

@@ -52,8 +52,10 @@ struct Sighting {
   double error;
   double variance;
   FilterVector<N> K;
-  Eigen::Vector4d slope;  ///< h, by psi, u, v, r; of a channel that shows no state alone
 };
+
+/// h of a channel that shows no state alone, by psi, u, v, r.
+using ChannelSlope = Eigen::Vector4d;
 
 /// The error of a prediction; directions less than half a turn apart.
 inline double compared(Channel channel, double measured, double predicted) {
@@ -69,7 +71,7 @@ inline double compared(Channel channel, double measured, double predicted) {
 template <int N>
 Sighting<N> taken_in(Belief<N>& belief, Channel channel, int state, double measured, double R) {
   const double error = compared(channel, measured, belief.mean[state]), S = belief.P(state, state) + R;
-  const Sighting<N> seen{.channel = channel, .error = error, .variance = S, .K = belief.P.col(state) / S, .slope = {}};
+  const Sighting<N> seen{.channel = channel, .error = error, .variance = S, .K = belief.P.col(state) / S};
   belief.mean += seen.K * error;
   belief.P.noalias() -= (S * seen.K) * seen.K.transpose();
   return seen;
@@ -77,13 +79,13 @@ Sighting<N> taken_in(Belief<N>& belief, Channel channel, int state, double measu
 
 /// The same for a nonlinear channel, linearized again where the first update leads.
 template <int N>
-Sighting<N> taken_in(Belief<N>& belief, Channel channel, const Current<double>& current, double measured, double R) {
+Sighting<N> taken_in(Belief<N>& belief, Channel channel, const Current<double>& current, double measured, double R, ChannelSlope& slope) {
   using D = Dual<4>;
   Sighting<N> seen{.channel = channel};
   FilterVector<N> x = belief.mean;
   for (int pass = 0; pass < 2; ++pass) {
-    const D h = shown(channel, in_duals<N>(x), Current<D>{D(current.speed), D(current.to)});
-    seen.slope = h.v;
+    const D h = shown(channel, in_duals(ship_state<N>(x)), Current<D>{D(current.speed), D(current.to)});
+    slope = h.v;
     const FilterVector<N> Ph = belief.P.template middleCols<4>(2) * h.v;
     seen.variance = h.v.dot(Ph.template segment<4>(2)) + R;
     seen.K = Ph / seen.variance;
@@ -120,7 +122,7 @@ struct Future {
   ///     e_s = e/S − Kᵀr,   D = 1/S + KᵀMK,   r⁻ = r + hᵀe_s,   M⁻ = (1 − Kh)ᵀ M (1 − Kh) + hᵀh/S
   ///
   /// @return ½ (e_s² − D), the slope of the log likelihood by R. Source: [Koopman1992]
-  double step_back(const Sighting<N>& seen) {
+  double step_back(const Sighting<N>& seen, const ChannelSlope& h) {
     const FilterVector<N> MK = M * seen.K;
     const double e_s = seen.error / seen.variance - seen.K.dot(r), D = 1.0 / seen.variance + seen.K.dot(MK);
     if (const int i = plain_state(seen.channel); i >= 0) {
@@ -129,7 +131,6 @@ struct Future {
       M.col(i) -= MK;
       M(i, i) += D;
     } else {
-      const auto& h = seen.slope;
       r.template segment<4>(2) += h * e_s;
       M.template middleRows<4>(2) -= h * MK.transpose();
       M.template middleCols<4>(2) -= MK * h.transpose();

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "swayaw/core/dual.hpp"
-#include "swayaw/nonlinear/surroundings.hpp"
+#include "linearized_ship.hpp"
 
 /// Prediction of a ship and of small deviations from her way, over N = 6 states (x, y, psi, u, v, r) or 9 (and unmodelled
 /// accelerations). Not installed.
@@ -73,26 +72,13 @@ inline Controls<double> between(const Controls<double>& a, const Controls<double
   return {mix(a.delta, b.delta), mix(a.rev, b.rev), {mix(a.thrust.port, b.thrust.port), mix(a.thrust.starboard, b.thrust.starboard)}, a.by_thrust};
 }
 
-inline Surroundings<Dual<4>> in_duals(const Surroundings<double>& around) {
-  using D = Dual<4>;
-  return {.windage = cast_part<D>(around.windage), .wind = {D(around.wind.speed), D(around.wind.from)},
-          .current = {D(around.current.speed), D(around.current.to)}, .windy = around.windy};
-}
-
-/// The state with derivatives by psi, u, v and r, on which alone the rates depend.
-template <int N>
-ShipState<Dual<4>> in_duals(const FilterVector<N>& s) {
-  using D = Dual<4>;
-  return {D(s[0]), D(s[1]), D(s[2], 0), {D(s[3], 1), D(s[4], 2), D(s[5], 3)}};
-}
-
 /// Predicts a ship between samples.
 template <class Model, int N>
 class ShipPredictor {
  public:
   /// @param tau  memory of the unmodelled accelerations [s], or infinity
   ShipPredictor(const Model& model, const Surroundings<double>& around, double tau)
-      : ship_(model), dual_(cast<D>(model)), around_(in_duals(around)), tau_(tau), longest_(0.02 * model.particulars.L) {}
+      : ship_(model, around), tau_(tau), longest_(0.02 * model.particulars.L) {}
 
   /// Into how many steps a time between samples is cut: one is 0.02 ship lengths and a fifth of the memory, or less.
   int steps(double speed, double h) const { return std::max(1, static_cast<int>(std::ceil(h * std::max(speed / longest_, 5.0 / tau_)))); }
@@ -104,9 +90,17 @@ class ShipPredictor {
   /// the exponential method of Rosenbrock and Euler, of second order; exact to third where f is linear.
   Transition<N> sail(FilterVector<N>& x, const Controls<double>& controls, double h) const {
     Eigen::Matrix<double, 6, N - 2> hA;
-    Eigen::Matrix<double, N, 1> gain = h * rates(x, controls, hA);
-    hA *= h;
+    FilterVector<N> gain;
+    const auto there = ship_.at(ship_state<N>(x), controls);
+    gain.template head<6>() = h * there.rate;
+    hA.template leftCols<4>() = h * there.A;
     const double fading = h / tau_;
+    if constexpr (N == 9) {
+      gain.template segment<3>(3) += h * x.template tail<3>();
+      gain.template tail<3>() = -fading * x.template tail<3>();
+      hA.template rightCols<3>().setZero();
+      hA.template bottomRightCorner<3, 3>().diagonal().setConstant(h);
+    }
     FilterVector<N> term = gain;
     for (int order = 2; order <= 3; ++order) {
       FilterVector<N> next;
@@ -125,29 +119,7 @@ class ShipPredictor {
   }
 
  private:
-  using D = Dual<4>;
-
-  /// dx/dt, and in A its derivatives by psi, u, v, r and the unmodelled accelerations.
-  FilterVector<N> rates(const FilterVector<N>& x, const Controls<double>& controls, Eigen::Matrix<double, 6, N - 2>& A) const {
-    const auto branch = branch_at(ship_, ship_state<N>(x).motion, controls);
-    const auto f = rates_of(dual_, around_, in_duals<N>(x), cast<D>(controls), branch);
-    FilterVector<N> rate;
-    for (int i = 0; i < 6; ++i) {
-      rate[i] = f[static_cast<std::size_t>(i)].a;
-      A.template block<1, 4>(i, 0) = f[static_cast<std::size_t>(i)].v.transpose();
-    }
-    if constexpr (N == 9) {
-      A.template rightCols<3>().setZero();
-      A.template bottomRightCorner<3, 3>().setIdentity();
-      rate.template segment<3>(3) += x.template tail<3>();
-      rate.template tail<3>() = -x.template tail<3>() / tau_;
-    }
-    return rate;
-  }
-
-  Model ship_;
-  decltype(cast<D>(std::declval<Model>())) dual_;
-  Surroundings<D> around_;
+  LinearizedShip<Model> ship_;
   double tau_;
   double longest_;  ///< way made in one step [m]
 };

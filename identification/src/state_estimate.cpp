@@ -129,29 +129,19 @@ class Estimator {
     }
   }
 
-  /// Afterwards the filters have passed the runs with the noise found.
   NoiseEstimate noise() {
-    noise_ = places_.noise(places_.start());
-    double value = forward();
-    NoiseAscent found{.place = {}, .value = value, .iterations = 0, .converged = true};
-    if (places_.free() > 0) {
-      found = climb([&](const Eigen::VectorXd& p) { return slope(p); }, places_.start(), places_.curvature(counts()), options_.most_iterations);
-      noise_ = places_.noise(found.place);
-      value = forward();
-    }
-    NoiseEstimate result{.noise = {}, .imperfection = {{deviation(place_of_imperfection(0)), deviation(place_of_imperfection(1)), deviation(place_of_imperfection(2))}},
-                         .log_likelihood = value, .iterations = found.iterations, .converged = found.converged};
-    for (const Channel c : channels_) result.noise[index_of(c)] = deviation(place_of(c));
+    auto result = search();
+    if (places_.free() == 0) result.log_likelihood = forward();
     return result;
   }
 
   /// Of the only run.
   StateEstimate states(const Recording& run) {
-    StateEstimate result{.states = std::vector<EstimatedState>(run.samples()), .innovations = {}, .noise = noise()};
-    const auto tell = [&](std::size_t k, const Belief<N>& belief, const Future<N>& future) { estimate(result.states[k], run.time, k, belief, future); };
-    const auto& filter = filters_.front();
-    if (options_.smooth) filter.backward(noise_, tell);
-    else for (std::size_t k = 0; k < run.samples(); ++k) tell(k, filter.filtered()[k], Future<N>{});
+    StateEstimate result{.states = {}, .innovations = {}, .noise = search()};
+    result.states.reserve(run.samples());
+    auto& filter = filters_.front();
+    result.noise.log_likelihood = filter.forward(noise_, [&](std::size_t k, const Belief<N>& belief) { result.states.push_back(filtered(run.time, k, belief)); });
+    if (options_.smooth) filter.backward(noise_, [&](std::size_t k, const Future<N>& future) { smooth(result.states[k], future); });
     for (const Channel c : channels_) {
       const auto& sums = filter.sums(c);
       result.innovations.push_back({.channel = c, .noise = deviation(place_of(c)), .rms = std::sqrt(sums.square / static_cast<double>(sums.count)),
@@ -161,11 +151,27 @@ class Estimator {
   }
 
  private:
+  /// Finds the noise that is not known.
+  NoiseEstimate search() {
+    const auto start = places_.start();
+    noise_ = places_.noise(start);
+    NoiseAscent found{.place = start, .value = 0.0, .iterations = 0, .converged = true};
+    if (places_.free() > 0) {
+      forward();
+      found = climb([&](const Eigen::VectorXd& p) { return slope(p); }, start, places_.curvature(counts()), options_.most_iterations);
+    }
+    noise_ = places_.noise(found.place);
+    const auto size = [&](int i) { return deviation(place_of_imperfection(i)); };
+    NoiseEstimate result{.noise = {}, .imperfection = {{size(0), size(1), size(2)}}, .log_likelihood = found.value, .iterations = found.iterations, .converged = found.converged};
+    for (const Channel c : channels_) result.noise[index_of(c)] = deviation(place_of(c));
+    return result;
+  }
+
   double deviation(int place) const { return std::sqrt(noise_[place]); }
 
   double forward() {
     double sum = 0.0;
-    for (auto& filter : filters_) sum += filter.forward(noise_);
+    for (auto& filter : filters_) sum += filter.forward(noise_, [](auto&&...) {});
     return sum;
   }
 
@@ -187,23 +193,38 @@ class Estimator {
     return count;
   }
 
-  /// x + P r and P − P M P. The mean of a white acceleration until the next sample, h later, is seen through the velocity alone:
-  /// with its variance W = σ²/h until then, σ² r, covariance −P M σ² with the state, and σ²/h − σ² M σ² of its own.
-  void estimate(EstimatedState& result, std::span<const double> time, std::size_t k, const Belief<N>& belief, const Future<N>& future) const {
-    const FilterVector<N> x = belief.mean + belief.P * future.r;
-    const FilterMatrix<N> MP = future.M.lazyProduct(belief.P);
-    result.time = time[k];
-    result.state = ship_state<N>(x);
+  /// The mean of a white acceleration until the next sample, h later, has the variance σ²/h.
+  EstimatedState filtered(std::span<const double> time, std::size_t k, const Belief<N>& belief) const {
+    const auto& x = belief.mean;
+    EstimatedState result{.time = time[k], .state = ship_state<N>(x), .unmodelled = {0.0, 0.0, 0.0}, .covariance = {}};
     for (int i = 0; i < N; ++i)
-      for (int j = 0; j <= i; ++j) at(result.covariance, i, j) = belief.P(i, j) - belief.P.col(i).dot(MP.col(j));
+      for (int j = 0; j <= i; ++j) at(result.covariance, i, j) = belief.P(i, j);
+    const double h = k + 1 < time.size() ? time[k + 1] - time[k] : time[k] - time[k - 1];
     if constexpr (N == 9) result.unmodelled = {x[6], x[7], x[8]};
+    else for (int i = 0; i < 3; ++i) at(result.covariance, 6 + i, 6 + i) = noise_[place_of_imperfection(i)] / h;
+    return result;
+  }
+
+  /// x + P r and P − P M P. A white acceleration is seen through the velocity: its mean σ² r, its covariance −P M σ² with the
+  /// state and σ²/h − σ² M σ² of its own.
+  void smooth(EstimatedState& estimate, const Future<N>& future) const {
+    auto& P_s = estimate.covariance;
+    FilterMatrix<N> P;
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j <= i; ++j) P(i, j) = P(j, i) = at(P_s, i, j);
+    const FilterVector<N> gain = P * future.r;
+    const FilterMatrix<N> MP = future.M.lazyProduct(P);
+    for (int i = 0; i < N; ++i)
+      for (int j = 0; j <= i; ++j) at(P_s, i, j) -= P.col(i).dot(MP.col(j));
+    auto& [time, s, a, covariance] = estimate;
+    s = {s.x + gain[0], s.y + gain[1], s.psi + gain[2], {s.motion.u + gain[3], s.motion.v + gain[4], s.motion.r + gain[5]}};
+    if constexpr (N == 9) a = {a.u + gain[6], a.v + gain[7], a.r + gain[8]};
     else {
-      const Eigen::Vector3d W = noise_.template tail<3>(), a = W.cwiseProduct(future.r.template tail<3>());
-      const double h = k + 1 < time.size() ? time[k + 1] - time[k] : time[k] - time[k - 1];
-      result.unmodelled = {a[0], a[1], a[2]};
+      const Eigen::Vector3d W = noise_.template tail<3>(), mean = W.cwiseProduct(future.r.template tail<3>());
+      a = {mean[0], mean[1], mean[2]};
       for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 6; ++j) at(result.covariance, 6 + i, j) = -MP(3 + i, j) * W[i];
-        for (int j = 0; j <= i; ++j) at(result.covariance, 6 + i, 6 + j) = (i == j ? W[i] / h : 0.0) - W[i] * future.M(3 + i, 3 + j) * W[j];
+        for (int j = 0; j < 6; ++j) at(P_s, 6 + i, j) = -W[i] * MP(3 + i, j);
+        for (int j = 0; j <= i; ++j) at(P_s, 6 + i, 6 + j) -= W[i] * future.M(3 + i, 3 + j) * W[j];
       }
     }
   }

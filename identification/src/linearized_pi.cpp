@@ -1,0 +1,3 @@
+#include "linearized_ship.hpp"
+
+template class swayaw::LinearizedShip<swayaw::PiShip<double>>;
