@@ -8,8 +8,8 @@
 /// Rates of a ship and their derivatives by the state. Not installed.
 namespace swayaw {
 
-inline Surroundings<Dual<4>> in_duals(const Surroundings<double>& around) {
-  using D = Dual<4>;
+template <class D>
+Surroundings<D> cast_around(const Surroundings<double>& around) {
   return {.windage = cast_part<D>(around.windage), .wind = {D(around.wind.speed), D(around.wind.from)},
           .current = {D(around.current.speed), D(around.current.to)}, .windy = around.windy};
 }
@@ -24,7 +24,7 @@ inline ShipState<Dual<4>> in_duals(const ShipState<double>& s) {
 template <class Model>
 class LinearizedShip {
  public:
-  LinearizedShip(const Model& ship, const Surroundings<double>& around) : ship_(ship), dual_(cast<D>(ship)), around_(in_duals(around)) {}
+  LinearizedShip(const Model& ship, const Surroundings<double>& around) : ship_(ship), dual_(cast<D>(ship)), around_(cast_around<D>(around)) {}
 
   struct At {
     Eigen::Matrix<double, 6, 1> rate;  ///< of x, y, psi, u, v, r

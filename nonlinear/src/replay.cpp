@@ -110,7 +110,8 @@ RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const
   const bool recorded = options.shaft == Shaft::recorded;
   if (recorded && run.has(Channel::rev) && takes_shaft_speed(ship)) rev_.emplace(run, Channel::rev);
   else if (recorded && run.has(Channel::thrust)) thrust_.emplace(run, Channel::thrust);
-  else constant_ = self_propulsion(ship, speed(recorded_state(ship, run, run.time.front()).motion));
+  else if (!std::holds_alternative<AbkowitzShip<double>>(ship.model))  // whose polynomial holds her propulsion
+    constant_ = self_propulsion(ship, speed(recorded_state(ship, run, run.time.front()).motion));
   const auto& propulsion = rev_ ? rev_ : thrust_;
   const auto propulsion_times = propulsion ? propulsion->times() : std::span<const double>{};
   std::ranges::set_union(rudder_.times(), propulsion_times, std::back_inserter(knots_));

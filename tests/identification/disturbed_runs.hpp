@@ -30,9 +30,9 @@ struct DisturbedRun {
   MeasurementNoise noise{};
 };
 
-/// Rudder that goes to and fro in ramps between samples: `swing` seconds to a side, 3 s on the way.
+/// Rudder that goes to and fro: `swing` seconds to a side, a fifth of them on the way.
 inline double swinging_rudder(double t, double angle, double swing) {
-  const double phase = std::fmod(t, 2.0 * swing), ramp = std::min(3.0, swing);
+  const double phase = std::fmod(t, 2.0 * swing), ramp = 0.2 * swing;
   const double up = std::min(phase / ramp, 1.0), down = std::clamp((phase - swing) / ramp, 0.0, 1.0);
   return angle * (2.0 * (up - down) - 1.0);
 }

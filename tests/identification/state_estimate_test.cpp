@@ -54,36 +54,6 @@ TEST_CASE("a known ship in noise is found far closer than her measurements, and 
   CHECK(rms(smooth, truth, Channel::v, sway) < rms(filtered, truth, Channel::v, sway));
 }
 
-TEST_CASE("errors of the estimate are as large as its covariance says", "[identification][second-route]") {
-  const Ship ship = test::kvlcc2_l7();
-  double sums[6] = {};
-  std::size_t count = 0;
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    const auto [truth, run, noise] = noisy_zigzag(ship, seed, 0.5);
-    const auto estimate = estimate_states(ship, run, {.noise = noise, .imperfection = Imperfection{{1e-6, 1e-6, 1e-7}}});
-    const Channel channels[] = {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r};
-    for (std::size_t i = 0; i < truth.samples(); ++i, ++count) {
-      const auto& s = estimate.states[i].state;
-      const double values[] = {s.x, s.y, s.psi, s.motion.u, s.motion.v, s.motion.r};
-      for (std::size_t c = 0; c < 6; ++c) sums[c] += std::pow(values[c] - truth[channels[c]][i], 2) / estimate.states[i].covariance[c][c];
-    }
-  }
-  // runs of one seed share their start, so 20 seeds tell the ratio to about 0.3
-  for (const double sum : sums) CHECK_THAT(std::sqrt(sum / static_cast<double>(count)), WithinAbs(1.0, 0.35));
-}
-
-TEST_CASE("unknown noise is found from the run", "[identification][second-route]") {
-  const Ship ship = test::kvlcc2_l7();
-  const auto [truth, run, noise] = noisy_zigzag(ship, 3);
-  const auto estimate = estimate_states(ship, run);
-  CHECK(estimate.converged);
-  for (const auto& channel : estimate.innovations) {
-    CHECK_THAT(channel.noise, WithinRel(*noise[index_of(channel.channel)], 0.1));
-    CHECK_THAT(channel.rms, WithinAbs(1.0, 0.1));
-    CHECK(std::abs(channel.autocorrelation) < 0.1);
-  }
-}
-
 TEST_CASE("a force that the model lacks comes out over time", "[identification][second-route]") {
   Ship truth_ship = test::kvlcc2_l7();
   std::get<MmgShip<double>>(truth_ship.model).rudder.f_alpha *= 0.7;

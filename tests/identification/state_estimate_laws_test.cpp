@@ -1,0 +1,160 @@
+#include <Eigen/Cholesky>
+
+#include "catch.hpp"
+#include "disturbed_runs.hpp"
+
+namespace swayaw {
+namespace {
+
+constexpr Channel state_channels[] = {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r};
+
+/// Squared error of an estimate over its covariance, eᵀ P⁻¹ e: chi-square of as many degrees as there are states.
+double normalized_error(const EstimatedState& estimate, const test::DisturbedRun& d, std::size_t k, int states) {
+  const auto& [u, v, r] = estimate.unmodelled;
+  const auto& a = d.unmodelled[k];
+  const auto s = vector_of(estimate.state);
+  Eigen::VectorXd e(9);
+  for (int i = 0; i < 6; ++i) e[i] = s[static_cast<std::size_t>(i)] - d.truth[state_channels[i]][k];
+  e.tail<3>() << u - a.u, v - a.v, r - a.r;
+  Eigen::MatrixXd P(states, states);
+  for (int i = 0; i < states; ++i)
+    for (int j = 0; j < states; ++j) P(i, j) = estimate.covariance(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+  return e.head(states).dot(P.ldlt().solve(e.head(states)));
+}
+
+/// Means over seeded runs.
+struct Consistency {
+  double error = 0.0;  ///< eᵀ P⁻¹ e over the number of states
+  double innovation = 0.0;
+  double autocorrelation = 0.0;
+  double errors = 0.0, innovations = 0.0;  ///< how many independent numbers these are
+};
+
+Consistency consistency(const Ship& ship, const test::Disturbance& by, bool smooth) {
+  constexpr unsigned seeds = 40;
+  const int states = by.coloured ? 9 : 6;
+  const std::size_t moments[] = {25, 60, 99};  // far enough from each other to be almost independent
+  Consistency mean;
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    const auto d = test::disturbed_run(ship, by, seed, {.samples = 100});
+    const double memory = by.tau * service_speed(ship) / length(ship);
+    const auto estimate = estimate_states(ship, d.run, {.noise = d.noise, .imperfection = by.imperfection, .coloured = by.coloured, .memory = by.coloured ? memory : 1.0, .smooth = smooth});
+    for (const std::size_t k : moments) mean.error += normalized_error(estimate.states[k], d, k, states) / (states * 3.0 * seeds);
+    for (const auto& i : estimate.innovations) {
+      const double channels = static_cast<double>(estimate.innovations.size());
+      mean.innovation += i.rms * i.rms / (channels * seeds);
+      mean.autocorrelation += i.autocorrelation / (channels * seeds);
+      mean.innovations += static_cast<double>(i.count);
+    }
+  }
+  mean.errors = states * 3.0 * seeds;
+  return mean;
+}
+
+/// The mean of n squares of normal numbers lies within 3.5 of its standard deviations √(2/n) of 1.
+void check(const Consistency& c) {
+  CHECK_THAT(c.error, WithinAbs(1.0, 3.5 * std::sqrt(2.0 / c.errors)));
+  CHECK_THAT(c.innovation, WithinAbs(1.0, 3.5 * std::sqrt(2.0 / c.innovations)));
+  CHECK_THAT(c.autocorrelation, WithinAbs(0.0, 3.5 / std::sqrt(c.innovations)));
+}
+
+test::Disturbance random_walk(const Ship& ship) {
+  auto by = test::ordinary(ship, 0.007);
+  by.tau = std::numeric_limits<double>::infinity();
+  return by;
+}
+
+test::Disturbance white(const Ship& ship) {
+  auto by = test::ordinary(ship);
+  by.coloured = false;
+  return by;
+}
+
+TEST_CASE("errors are as large as their covariance and innovations are white where the truth is disturbed as assumed", "[identification][second-route]") {
+  for (const auto& ship : {test::kvlcc2_l7(), read_ship(test::ships / "wpcc_pi.toml")})
+    for (const auto& by : {test::ordinary(ship), random_walk(ship), white(ship)})
+      for (const bool smooth : {false, true}) check(consistency(ship, by, smooth));
+}
+
+// ---------------------------------------------------------------- noise from the run
+
+/// ln of estimated over true noise: four sensors and three accelerations.
+std::array<double, 7> noise_errors(const NoiseEstimate& found, const test::DisturbedRun& d, const Imperfection& truth) {
+  std::array<double, 7> e{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto c = index_of(test::good_sensors[i].first);
+    e[i] = std::log(*found.noise[c] / *d.noise[c]);
+  }
+  const auto &f = found.imperfection.size, &t = truth.size;
+  e[4] = std::log(f.u / t.u), e[5] = std::log(f.v / t.v), e[6] = std::log(f.r / t.r);
+  return e;
+}
+
+TEST_CASE("noise of sensors and size of the imperfection come back within their sampling error", "[identification][second-route]") {
+  const Ship ship = test::kvlcc2_l7();
+  for (const auto& by : {test::ordinary(ship), white(ship)}) {
+    constexpr unsigned seeds = 12;
+    std::array<double, 7> mean{}, square{};
+    for (unsigned seed = 1; seed <= seeds; ++seed) {
+      const auto d = test::disturbed_run(ship, by, seed, {.samples = 1000});
+      const auto found = estimate_noise(ship, {&d.run, 1}, {.coloured = by.coloured});
+      CHECK(found.converged);
+      CHECK(found.iterations <= 30);
+      const auto e = noise_errors(found, d, by.imperfection);
+      for (std::size_t i = 0; i < 7; ++i) mean[i] += e[i] / seeds, square[i] += e[i] * e[i] / seeds;
+    }
+    // 1,000 white numbers tell the logarithm of their size to 1/√2000 = 0.022; accelerations are seen less directly
+    for (std::size_t i = 0; i < 7; ++i) {
+      const double deviation = i < 4 ? 0.022 : 0.1;
+      CHECK_THAT(mean[i], WithinAbs(0.0, 3.5 * deviation / std::sqrt(seeds)));
+      CHECK(std::sqrt(square[i]) < 1.6 * deviation);
+    }
+  }
+}
+
+TEST_CASE("no noise near the estimated one makes the run more likely", "[identification][second-route]") {
+  const Ship ship = test::kvlcc2_l7();
+  const auto d = test::disturbed_run(ship, test::ordinary(ship), 5);
+  const auto best = estimate_noise(ship, {&d.run, 1});
+  const auto changed = [&](auto&& change) {
+    EstimationOptions options{.noise = best.noise, .imperfection = best.imperfection};
+    change(options);
+    return estimate_noise(ship, {&d.run, 1}, options).log_likelihood;
+  };
+  CHECK_THAT(changed([](auto&&) {}), WithinAbs(best.log_likelihood, 1e-6));
+  for (const double factor : {0.85, 1.15}) {
+    for (const auto& [channel, deviation] : test::good_sensors) CHECK(changed([&](auto& o) { *o.noise[index_of(channel)] *= factor; }) < best.log_likelihood);
+    for (const auto member : {&PlanarAcceleration<double>::u, &PlanarAcceleration<double>::v, &PlanarAcceleration<double>::r})
+      CHECK(changed([&](auto& o) { o.imperfection->size.*member *= factor; }) < best.log_likelihood);
+  }
+}
+
+TEST_CASE("several runs tell the noise better than each of them", "[identification][second-route]") {
+  const Ship ship = test::kvlcc2_l7();
+  const auto by = test::ordinary(ship);
+  std::vector<Recording> runs;
+  double alone = 0.0;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    runs.push_back(test::disturbed_run(ship, by, seed).run);
+    alone += std::pow(std::log(estimate_noise(ship, {&runs.back(), 1}).imperfection.size.r / by.imperfection.size.r), 2) / 8.0;
+  }
+  const auto together = estimate_noise(ship, runs);
+  CHECK(together.converged);
+  CHECK(std::abs(std::log(together.imperfection.size.r / by.imperfection.size.r)) < std::sqrt(alone));
+}
+
+TEST_CASE("a ship without imperfection is found to have next to none, and smoothed without trouble", "[identification][limit]") {
+  const Ship ship = test::kvlcc2_l7();
+  const auto d = test::disturbed_run(ship, {}, 3, {.samples = 400});
+  const auto estimate = estimate_states(ship, d.run);
+  const double L = length(ship), U = service_speed(ship);
+  CHECK(estimate.noise.converged);
+  CHECK(estimate.noise.imperfection.size.v < 1e-3 * U * U / L);
+  const auto sure = estimate_states(ship, d.run, {.noise = d.noise, .imperfection = Imperfection{{0.0, 0.0, 0.0}}, .coloured = false});
+  // with no disturbance the smoothed states are one undisturbed way of the ship
+  for (std::size_t k = 1; k < d.truth.samples(); ++k) CHECK_THAT(sure.states[k].state.motion.u, WithinAbs(d.truth[Channel::u][k], 2e-3));
+  CHECK(std::sqrt(sure.states[200].covariance(4, 4)) < 1e-3);
+}
+
+}  // namespace
+}  // namespace swayaw
