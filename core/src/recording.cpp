@@ -21,6 +21,8 @@ std::span<double> Recording::fill(Channel channel) {
 
 Interpolant::Interpolant(const Recording& recording, Channel channel) {
   const auto values = recording[channel];
+  time_.reserve(values.size());
+  value_.reserve(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (std::isnan(values[i])) continue;
     time_.push_back(recording.time[i]);

@@ -42,7 +42,7 @@ class LinearizedShip {
 };
 
 template <class Model>
-auto LinearizedShip<Model>::at(const ShipState<double>& state, const Controls<double>& controls) const -> At {
+[[gnu::flatten]] auto LinearizedShip<Model>::at(const ShipState<double>& state, const Controls<double>& controls) const -> At {
   const auto f = rates_of(dual_, around_, in_duals(state), cast<D>(controls), branch_at(ship_, state.motion, controls));
   At at;
   for (int i = 0; i < 6; ++i) {

@@ -102,7 +102,7 @@ Sighting<N> taken_in(Belief<N>& belief, Channel channel, const Current<double>& 
 /// What the future tells of a moment: the smoothed state is x + P r, its covariance P − P M P.
 ///
 /// The form of Rauch, Tung and Striebel's smoother that inverts no covariance, so that a ship without any imperfection is
-/// nothing special. Sources: [Bryson1969], [DeJong1989]
+/// nothing special. Sources: [Rauch1965], [DeJong1989]
 template <int N>
 struct Future {
   FilterVector<N> r = FilterVector<N>::Zero();
