@@ -156,5 +156,41 @@ TEST_CASE("a ship without imperfection is found to have next to none, and smooth
   CHECK(std::sqrt(sure.states[200].covariance(4, 4)) < 1e-3);
 }
 
+/// Without about a third of the samples.
+Recording thinned(Recording run, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  std::vector<std::size_t> kept;
+  for (std::size_t k = 0; k < run.samples(); ++k)
+    if (engine() % 3 != 0 || k == 0) kept.push_back(k);
+  const auto thin = [&](std::vector<double>& column) {
+    for (std::size_t i = 0; i < kept.size() && !column.empty(); ++i) column[i] = column[kept[i]];
+    if (!column.empty()) column.resize(kept.size());
+  };
+  thin(run.time);
+  for (auto& column : run.channels) thin(column);
+  return run;
+}
+
+TEST_CASE("irregular samples are as good as regular ones", "[identification][limit]") {
+  const Ship ship = test::kvlcc2_l7();
+  const auto by = test::ordinary(ship);
+  const auto d = test::disturbed_run(ship, by, 2, {.samples = 900, .step = 0.25});
+  const auto run = thinned(d.run, 1), truth = thinned(d.truth, 1);
+  const auto estimate = estimate_states(ship, run, {.noise = d.noise, .imperfection = by.imperfection});
+  for (const auto& i : estimate.innovations) CHECK_THAT(i.rms, WithinAbs(1.0, 0.1));
+  double error = 0.0;
+  for (std::size_t k = 0; k < run.samples(); ++k) error += std::pow(estimate.states[k].state.motion.v - truth[Channel::v][k], 2) / estimate.states[k].covariance(4, 4);
+  CHECK_THAT(error / static_cast<double>(run.samples()), WithinAbs(1.0, 0.4));
+}
+
+TEST_CASE("an imperfection without memory and sensors without noise are refused", "[identification][refusal]") {
+  const Ship ship = test::kvlcc2_l7();
+  const auto d = test::disturbed_run(ship, {}, 1, {.samples = 20});
+  CHECK_THROWS_WITH(estimate_states(ship, d.run, {.memory = 0.0}), "memory of the imperfection must be positive, got 0");
+  auto noise = d.noise;
+  noise[index_of(Channel::psi)] = 0.0;
+  CHECK_THROWS_WITH(estimate_states(ship, d.run, {.noise = noise}), "noise of psi_rad must be positive, got 0");
+}
+
 }  // namespace
 }  // namespace swayaw

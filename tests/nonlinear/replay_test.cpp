@@ -73,6 +73,23 @@ TEST_CASE("a track alone tells the speed at the start, even where the rudder mov
   CHECK_THAT(state.motion.v, WithinAbs(0.0, 0.01 * service_speed(ship)));
 }
 
+TEST_CASE("samples a third of a ship length apart tell the speed at the start", "[nonlinear][regression]") {
+  // 2026-11-21: one sample within a quarter of a ship length gave the speed 0
+  const Ship ship = test::kvlcc2_l7();
+  const auto run = zigzag_run(ship, 2.0);
+  const auto start = recorded_state(ship, without(run, {Channel::u, Channel::v}), 0.0);
+  CHECK_THAT(start.motion.u, WithinRel(run[Channel::u].front(), 0.05));
+}
+
+TEST_CASE("a ship whose polynomial holds her propulsion replays a start at another speed", "[nonlinear][regression]") {
+  // 2026-11-21: refused, as if the speed had been asked for
+  const Ship ship = read_ship(test::ships / "mariner.toml");
+  auto run = zigzag(ship, {.rudder = radians(10), .heading = radians(10)}, {.duration = 60.0, .step = 0.5}).run;
+  for (double& u : run.fill(Channel::u)) u *= 0.98;
+  const auto replayed = replay(ship, run);
+  CHECK_THAT(replayed[Channel::u].front(), WithinRel(run[Channel::u].front(), 1e-2));
+}
+
 TEST_CASE("missing samples do not stop a replay", "[nonlinear][limit]") {
   const Ship ship = test::kvlcc2_l7();
   const auto whole = zigzag_run(ship, 0.05);
