@@ -69,20 +69,6 @@ void tell_coefficients(const FittedConstants& constants, LinearFit& fit) {
 
 }  // namespace
 
-std::string_view in_words(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::determined: return "determined";
-    case Verdict::weakly_determined: return "weakly determined";
-    case Verdict::not_determined: return "not determined";
-  }
-  return "";
-}
-
-Verdict Estimate::verdict() const {
-  const double size = std::abs(value) / standard_error;
-  return size >= 10.0 ? Verdict::determined : size >= 2.0 ? Verdict::weakly_determined : Verdict::not_determined;
-}
-
 void tell_constants(const FittedConstants& constants, LinearFit& fit) {
   tell_coefficients(constants, fit);
   tell_combinations(constants, fit);

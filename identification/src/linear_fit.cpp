@@ -270,7 +270,7 @@ LinearFit report(LinearProblem problem, const LinearFitOptions& options, const L
   const auto model = model_of(problem, end.p);
   const int n = problem.constant_count();
   LinearFit fit{};
-  fit.status = !C.full_rank ? LinearFitStatus::rank_deficient : end.converged ? LinearFitStatus::converged : LinearFitStatus::iteration_limit;
+  fit.status = !C.full_rank ? FitStatus::rank_deficient : end.converged ? FitStatus::converged : FitStatus::iteration_limit;
   fit.scale = {options.L, problem.mean_rate * options.L};
   tell_constants({end.p.head(n), C.of_free.topLeftCorner(n, n)}, fit);
   fit.rudder_offset = estimate_at(problem, C, end.p, rudder_offset, options.rudder_offset);

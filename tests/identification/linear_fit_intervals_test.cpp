@@ -64,7 +64,7 @@ TEST_CASE("of 200 ships, 0.1 deg of noise on heading and 2 % on yaw rate, each c
   unsigned seed = 0;
   for (const auto& [ship, clean] : test::random_zigzags(200)) {
     const auto fit = fit_linear(noisy(clean, ++seed), {.L = test::ship_length});
-    REQUIRE(fit.status == LinearFitStatus::converged);
+    REQUIRE(fit.status == FitStatus::converged);
     coefficients.add(listed(fit.coefficients), listed(ship));
     indices.add(listed(fit.indices), listed(steering_indices(ship)));
     (is_stable(ship) ? stable : unstable).add(listed(fit.coefficients), listed(ship));
@@ -82,7 +82,7 @@ TEST_CASE("heading and yaw rate alone do the same for the four constants of yaw"
   unsigned seed = 0;
   for (const auto& [ship, clean] : test::random_zigzags(200)) {
     const auto fit = fit_linear(noisy(clean, ++seed), {.L = test::ship_length, .use_drift = false});
-    REQUIRE(fit.status == LinearFitStatus::converged);
+    REQUIRE(fit.status == FitStatus::converged);
     coverage.add(of_yaw(fit.transfer), of_yaw(transfer_functions(ship)));
   }
   check("yaw", coverage, 0.90, 0.99);

@@ -5,10 +5,10 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "swayaw/core/recording.hpp"
+#include "swayaw/identification/fit_report.hpp"
 #include "swayaw/linear/dimensional.hpp"
 #include "swayaw/linear/indices.hpp"
 #include "swayaw/linear/response.hpp"
@@ -16,24 +16,6 @@
 /// The linear sway–yaw equations that explain a recording, and what the recording tells about them.
 /// docs/linear_identification.md describes the method.
 namespace swayaw {
-
-/// Does the recording tell a constant?
-enum class Verdict {
-  determined,         ///< the value is at least 10 standard errors
-  weakly_determined,  ///< at least 2: the sign is known
-  not_determined,     ///< less than 2, or the recording has nothing that depends on it
-};
-
-/// "determined", "weakly determined", "not determined"
-std::string_view in_words(Verdict verdict);
-
-/// A number with its standard error. Not a number, with infinite error, where the recording does not tell it.
-struct Estimate {
-  double value = std::numeric_limits<double>::quiet_NaN();
-  double standard_error = std::numeric_limits<double>::infinity();
-
-  Verdict verdict() const;
-};
 
 /// Standard deviations of white measurement noise.
 struct ChannelNoise {
@@ -59,12 +41,6 @@ struct LinearFitOptions {
   bool drift_offset = false;          ///< so has the recorded drift angle
 };
 
-enum class LinearFitStatus {
-  converged,
-  iteration_limit,  ///< the numbers are the best found
-  rank_deficient,   ///< some combination of the constants does not show in the recording at all
-};
-
 /// Random forces, as growth of the standard deviation of an undisturbed state with the root of time.
 struct Disturbance {
   double beta;   ///< rad per root of a ship length
@@ -86,7 +62,7 @@ struct LinearAmplitude {
 /// Result of a fit. Where drift was not recorded, the transfer function of yaw (e0, e1, nw0, nw1) and its indices are given;
 /// nb0, nb1, Kb, T3b and all of a1 … c2 are not determined.
 struct LinearFit {
-  LinearFitStatus status;
+  FitStatus status;
   PrimeScale scale;  ///< L and the mean speed, to give the indices dimension
   SwayYawCoefficients<Estimate> coefficients;
   SwayYawTransfer<Estimate> transfer;

@@ -1,0 +1,7 @@
+#include "gram_packs.hpp"
+
+namespace swayaw::gram {
+
+GramKernel avx2_gram() { return gram_packs<xsimd::fma3<xsimd::avx2>>; }
+
+}  // namespace swayaw::gram
