@@ -11,7 +11,7 @@ namespace swayaw::gram {
 inline constexpr std::size_t few = 3, many = 4;
 
 /// Rows whose columns stay in the second cache while all products are made.
-inline constexpr std::size_t rows_at_once = 256;
+inline constexpr std::size_t rows_at_once = 1024;
 
 template <class Pack>
 double sum_of_lanes(const Pack& pack) {

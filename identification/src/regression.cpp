@@ -47,7 +47,6 @@ void check(const Design& d, const RegressionOptions& options) {
   require(covariance.size() <= 1 || static_cast<Index>(covariance.size()) == n, "covariances of features are one, or one for each row");
   for (const auto& c : covariance) require(c.rows() == p + 1 && c.cols() == p + 1, "covariances of features are of (x, y)");
   require(covariance.empty() || options.residuals == Residuals::independent, "errors in features go with independent residuals");
-  if (!d.X.allFinite() || !d.y.allFinite()) throw Refusal("the regression has numbers that are not finite");
 }
 
 std::vector<RowRange> runs_of(const Design& design) {
@@ -112,6 +111,7 @@ Penalty penalty_of(const Design& design, const RegressionOptions& options, const
 /// Coefficients with what belongs to them.
 struct Found {
   Solution solution;
+  VectorXd squares;       ///< of the columns that were solved
   VectorXd white;         ///< residuals of the rows that were solved
   double freedom;         ///< rows less coefficients that the data determine
   double noise_variance;  ///< of the white residuals
@@ -123,16 +123,16 @@ struct Found {
 /// Least squares of rows with equal and independent residuals. Priors need the size of the noise, so that both are found in turns.
 Found found(const Design& design, const RegressionOptions& options, const MatrixXd& X, const VectorXd& y, const MatrixXd& errors, const Freedom& free) {
   Moments moments{gram_of(X, y), errors};
+  if (!moments.rows.diagonal().allFinite()) throw Refusal("the regression has numbers that are not finite");
   Found f{};
-  f.error_size = 1.0;
   if (errors.size() > 0 && !options.feature_errors.size_known) {
     f.error_size = largest_errors(moments, free);
     moments.errors *= f.error_size;
   }
-  const VectorXd squares = moments.rows.diagonal().head(X.cols());
+  f.squares = moments.rows.diagonal().head(X.cols());
   f.noise_variance = options.variance_known ? 1.0 : 0.0;
   for (f.iterations = 1;; ++f.iterations) {
-    f.solution = solve(X, y, moments, free, penalty_of(design, options, squares, f.noise_variance));
+    f.solution = solve(X, y, moments, free, penalty_of(design, options, f.squares, f.noise_variance));
     f.white = y - X * f.solution.b;
     f.freedom = static_cast<double>(X.rows()) - f.solution.used;
     if (options.variance_known) return f;
@@ -301,7 +301,7 @@ Regression regress(const Design& design, const RegressionOptions& options) {
   fit.status = s.null.cols() > 0 ? FitStatus::rank_deficient : f.settled ? FitStatus::converged : FitStatus::iteration_limit;
   fit.solver = s.solver;
   fit.covariance = covariance_of(s.inverse, X, f, options, weights, runs);
-  fit.residuals = design.y - design.X * s.b;
+  fit.residuals = as_given ? f.white : VectorXd(design.y - design.X * s.b);
   fit.residual_rms = std::sqrt(fit.residuals.squaredNorm() / static_cast<double>(design.y.size()));
   fit.R2 = R2(design.y, fit.residuals);
   fit.degrees_of_freedom = options.variance_known ? infinite : f.freedom;
@@ -310,7 +310,8 @@ Regression regress(const Design& design, const RegressionOptions& options) {
   fit.error_size = f.error_size;
   fit.iterations = f.iterations;
 
-  const VectorXd size = (design.X.colwise().squaredNorm() / static_cast<double>(design.X.rows())).cwiseSqrt().transpose();
+  const VectorXd squares = as_given ? f.squares : VectorXd(design.X.colwise().squaredNorm());
+  const VectorXd size = (squares / static_cast<double>(design.X.rows())).cwiseSqrt();
   const bool alone = options.priors.empty() && options.ridge == 0.0;
   const MatrixXd by_data = alone ? fit.covariance : covariance_of(s.by_data, X, f, options, weights, runs);
   fit.undetermined = undetermined(design, size, s.null_of_data, by_data);
