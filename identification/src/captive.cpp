@@ -1,0 +1,173 @@
+#include "swayaw/identification/captive.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "captive_force.hpp"
+#include "swayaw/core/refusal.hpp"
+
+namespace swayaw {
+namespace {
+
+using Eigen::Index;
+
+double component_of(const PlanarForce<double>& force, ForceComponent component) {
+  return component == ForceComponent::X ? force.X : component == ForceComponent::Y ? force.Y : force.N;
+}
+
+double& component_of(PlanarForce<double>& force, ForceComponent component) {
+  return component == ForceComponent::X ? force.X : component == ForceComponent::Y ? force.Y : force.N;
+}
+
+constexpr std::array components{ForceComponent::X, ForceComponent::Y, ForceComponent::N};
+
+double density(const Ship& ship) {
+  return std::visit([](const auto& model) { return model.water.rho; }, ship.model);
+}
+
+/// ½ρL²U², with L once more for the moment.
+double unit_of(const Ship& ship, const CaptivePoint& point, ForceComponent component) {
+  const double L = length(ship), U = speed(point.moments.front().motion);
+  return 0.5 * density(ship) * L * L * U * U * (component == ForceComponent::N ? L : 1.0);
+}
+
+bool of_kind(const CaptivePoint& point, const std::vector<std::string>& tests) {
+  return tests.empty() || std::ranges::any_of(tests, [&](const auto& test) { return std::ranges::count(point.tests, test) > 0; });
+}
+
+bool chosen(const CaptivePoint& point, const CaptiveSelection& s) {
+  constexpr double rounding = 1e-9;
+  const auto& first = point.moments.front();
+  return of_kind(point, s.tests) && std::abs(drift_angle(first.motion)) <= s.max_drift + rounding &&
+         std::abs(first.controls.delta) <= s.max_rudder + rounding && speed(first.motion) >= s.min_speed - rounding &&
+         std::ranges::count(s.without_runs, point.run) == 0;
+}
+
+/// d(force)/d(coefficients) of a point, a row in primes.
+Eigen::VectorXd features(const Ship& ship, const CaptivePoint& point, std::span<const ShipNumber> numbers, ForceComponent component) {
+  using D = Dual<1>;
+  Eigen::VectorXd row(static_cast<Index>(numbers.size()));
+  const auto derivative = [&](const auto& model) {
+    for (std::size_t j = 0; j < numbers.size(); ++j) {
+      const auto force = captive_force(seeded<1>(model, numbers.subspan(j, 1)), rigid_body(model), point);
+      const D& F = component == ForceComponent::X ? force.X : component == ForceComponent::Y ? force.Y : force.N;
+      row[static_cast<Index>(j)] = F.v[0] / unit_of(ship, point, component);
+    }
+  };
+  std::visit(derivative, ship.model);
+  return row;
+}
+
+Ship with_zeros(const Ship& ship, std::span<const ShipNumber> numbers) {
+  return with_values(ship, numbers, std::vector<double>(numbers.size(), 0.0));
+}
+
+/// The force is linear: at ones it is what it is at zeros and the sum of its derivatives there.
+void require_linear(const Ship& at_zero, std::span<const ShipNumber> numbers, const CaptiveStep& step, const CaptivePoint& point, const Eigen::VectorXd& row) {
+  const double unit = unit_of(at_zero, point, step.component);
+  const double zero = component_of(captive_force(at_zero, point), step.component) / unit;
+  const auto ones = with_values(at_zero, numbers, std::vector<double>(numbers.size(), 1.0));
+  const double one = component_of(captive_force(ones, point), step.component) / unit;
+  if (std::abs(one - zero - row.sum()) > 1e-8 * (std::abs(one) + std::abs(zero) + row.cwiseAbs().sum()))
+    throw Refusal(fmt::format("{}: {} is not linear in {}", at_zero.name, in_words(step.component), fmt::join(step.coefficients, ", ")));
+}
+
+/// y = measured − what the ship does without the coefficients of the step.
+Design design_of(const Ship& at_zero, std::span<const CaptivePoint> points, const CaptiveStep& step, std::span<const ShipNumber> numbers) {
+  Design design{.names = step.coefficients, .X = {}, .y = {}};
+  design.X.resize(static_cast<Index>(points.size()), static_cast<Index>(numbers.size()));
+  design.y.resize(design.X.rows());
+  Index i = 0;
+  for (const auto& point : points) {
+    const double known = component_of(captive_force(at_zero, point), step.component);
+    design.X.row(i) = features(at_zero, point, numbers, step.component).transpose();
+    design.y[i] = (component_of(point.measured, step.component) - known) / unit_of(at_zero, point, step.component);
+    require_linear(at_zero, numbers, step, point, design.X.row(i++).transpose());
+  }
+  return design;
+}
+
+std::vector<CaptivePoint> points_of(const CaptiveStep& step, std::span<const CaptivePoint> points) {
+  auto mine = selected(points, step.points);
+  std::erase_if(mine, [&](const CaptivePoint& point) { return std::isnan(component_of(point.measured, step.component)); });
+  if (mine.empty())
+    throw Refusal(fmt::format("no {} was measured in {}", in_words(step.component), fmt::join(step.points.tests, ", ")));
+  return mine;
+}
+
+void require_apart(const CaptiveStep& step, std::span<const CaptivePoint> points, const CaptiveSelection& validation) {
+  if (validation.tests.empty()) return;
+  for (const auto& point : points)
+    if (chosen(point, validation))
+      throw Refusal(fmt::format("run {} is kept for validation and may not be used for {}", point.run, fmt::join(step.coefficients, ", ")));
+}
+
+std::vector<ShipNumber> all_found(const Ship& ship, const CaptivePlan& plan) {
+  std::vector<std::string> names;
+  for (const auto& step : plan.steps) names.insert(names.end(), step.coefficients.begin(), step.coefficients.end());
+  return ship_numbers(ship, names);
+}
+
+}  // namespace
+
+std::string_view in_words(ForceComponent component) {
+  return component == ForceComponent::X ? "X" : component == ForceComponent::Y ? "Y" : "N";
+}
+
+std::vector<CaptivePoint> selected(std::span<const CaptivePoint> points, const CaptiveSelection& selection) {
+  std::vector<CaptivePoint> result;
+  std::ranges::copy_if(points, std::back_inserter(result), [&](const auto& point) { return chosen(point, selection); });
+  return result;
+}
+
+PlanarForce<double> captive_force(const Ship& ship, const CaptivePoint& point) {
+  return std::visit([&](const auto& model) { return captive_force(model, rigid_body(model), point); }, ship.model);
+}
+
+PlanarForce<double> CaptiveError::relative() const { return {rms.X / measured.X, rms.Y / measured.Y, rms.N / measured.N}; }
+
+CaptiveError captive_error(const Ship& ship, std::span<const CaptivePoint> points, const CaptiveSelection& selection) {
+  const auto mine = selected(points, selection);
+  CaptiveError error{.points = mine.size(), .rms = {}, .measured = {}};
+  for (const auto component : components) {
+    double squares = 0.0, of_measured = 0.0;
+    std::size_t count = 0;
+    for (const auto& point : mine) {
+      const double unit = unit_of(ship, point, component), y = component_of(point.measured, component) / unit;
+      if (std::isnan(y)) continue;
+      const double e = component_of(captive_force(ship, point), component) / unit - y;
+      squares += e * e;
+      of_measured += y * y;
+      ++count;
+    }
+    component_of(error.rms, component) = std::sqrt(squares / static_cast<double>(count));
+    component_of(error.measured, component) = std::sqrt(of_measured / static_cast<double>(count));
+  }
+  return error;
+}
+
+PlanarForce<double> captive_error(const Ship& ship, std::span<const CaptivePoint> points, double max_drift) {
+  return captive_error(ship, points, {.tests = {"static_drift"}, .max_drift = max_drift, .max_rudder = 0.0}).relative();
+}
+
+CaptiveFit fit_captive(const Ship& ship, std::span<const CaptivePoint> points, const CaptivePlan& plan, const RegressionOptions& options) {
+  CaptiveFit result{.ship = with_zeros(ship, all_found(ship, plan)), .steps = {}, .validation = {}};
+  for (const auto& step : plan.steps) {
+    const auto numbers = ship_numbers(result.ship, step.coefficients);
+    const auto mine = points_of(step, points);
+    require_apart(step, mine, plan.validation);
+    const auto fit = regress(design_of(with_zeros(result.ship, numbers), mine, step, numbers), options);
+    std::vector<double> values;
+    for (const auto& c : fit.coefficients) values.push_back(std::isfinite(c.estimate.value) ? c.estimate.value : 0.0);
+    result.ship = with_values(result.ship, numbers, values);
+    result.steps.push_back({step, mine.size(), fit});
+  }
+  result.validation = captive_error(result.ship, points, plan.validation);
+  return result;
+}
+
+}  // namespace swayaw

@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cmath>
+
+#include "swayaw/identification/captive.hpp"
+#include "swayaw/nonlinear/coefficients.hpp"
+
+namespace swayaw {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// A step as the table below has it: coefficients of a linear hull, and those that a cubic one has besides.
+struct StandardStep {
+  Names tests;
+  ForceComponent component;
+  Names linear, cubic;
+  bool of_rudder = false;
+};
+
+/// [Alexandersson2024] table 3, with the sway force of yawing, cubic terms, oscillating tests beside circles, and acceleration.
+const std::vector<StandardStep>& standard_steps() {
+  using enum ForceComponent;
+  static const Names resistance{"resistance", "self_propulsion"}, rudder{"static_rudder"}, drift{"static_drift"}, circle{"circle", "pure_yaw:velocity"},
+      circle_drift{"circle_drift", "yaw_drift:velocity"}, second{"yaw_drift:second"}, sway{"pure_sway:acceleration"}, yaw{"pure_yaw:acceleration"};
+  static const std::vector<StandardStep> steps{
+      {rudder, Y, {"a_H"}, {}, true},
+      {rudder, N, {"x_H", "x_H_prime"}, {}, true},
+      {resistance, X, {"X_0", "X_u", "R_0"}, {}},
+      {drift, X, {"X_vv"}, {"X_vvvv"}},
+      {drift, Y, {"Y_v"}, {"Y_vvv"}},
+      {drift, N, {"N_v"}, {"N_vvv"}},
+      {circle, X, {"X_rr"}, {}},
+      {circle, Y, {"Y_r"}, {"Y_rrr"}},
+      {circle, N, {"N_r"}, {"N_rrr"}},
+      {circle_drift, X, {"X_vr"}, {}},
+      {circle_drift, Y, {}, {"Y_vvr"}},
+      {circle_drift, N, {}, {"N_vvr"}},
+      {second, Y, {}, {"Y_vrr"}},
+      {second, N, {}, {"N_vrr"}},
+      {sway, Y, {"Y_vdot", "m_y"}, {}},
+      {sway, N, {"N_vdot"}, {}},
+      {yaw, Y, {"Y_rdot"}, {}},
+      {yaw, N, {"N_rdot", "J_z"}, {}},
+  };
+  return steps;
+}
+
+/// Those that the model has and that may be fitted.
+Names known(const Ship& ship, const Names& names) {
+  Names result;
+  const auto numbers = ship_numbers(ship);
+  for (const auto& name : names)
+    if (std::ranges::any_of(numbers, [&](const ShipNumber& n) { return n.name == name && n.role == Role::coefficient; })) result.push_back(name);
+  return result;
+}
+
+bool measured(const CaptivePoint& point, ForceComponent component) {
+  const auto& f = point.measured;
+  return !std::isnan(component == ForceComponent::X ? f.X : component == ForceComponent::Y ? f.Y : f.N);
+}
+
+/// Least speed of the drift tests: rudder tests at lower speeds have a propeller that is loaded more.
+double speed_of_drift_tests(std::span<const CaptivePoint> points) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& point : selected(points, {.tests = {"static_drift"}})) least = std::min(least, speed(point.moments.front().motion));
+  return std::isfinite(least) ? least : 0.0;
+}
+
+}  // namespace
+
+CaptivePlan captive_plan(const Ship& ship, std::span<const CaptivePoint> points, HullTerms terms, double max_drift) {
+  CaptivePlan plan{.steps = {}, .validation = {.tests = {"static_drift_rudder"}, .max_drift = max_drift}};
+  for (const auto& s : standard_steps()) {
+    auto names = known(ship, s.linear);
+    if (terms == HullTerms::cubic) std::ranges::copy(known(ship, s.cubic), std::back_inserter(names));
+    CaptiveSelection selection{.tests = s.tests, .max_drift = max_drift};
+    if (s.of_rudder) selection.min_speed = speed_of_drift_tests(points);
+    const auto mine = selected(points, selection);
+    const auto tell = std::ranges::count_if(mine, [&](const CaptivePoint& point) { return measured(point, s.component); });
+    if (!names.empty() && tell > static_cast<std::ptrdiff_t>(names.size())) plan.steps.push_back({selection, s.component, names});
+  }
+  return plan;
+}
+
+}  // namespace swayaw
