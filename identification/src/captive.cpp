@@ -43,7 +43,7 @@ bool chosen(const CaptivePoint& point, const CaptiveSelection& s) {
   constexpr double rounding = 1e-9;
   const auto& first = point.moments.front();
   return of_kind(point, s.tests) && std::abs(drift_angle(first.motion)) <= s.max_drift + rounding &&
-         std::abs(first.controls.delta) <= s.max_rudder + rounding && speed(first.motion) >= s.min_speed - rounding &&
+         std::abs(first.controls.delta) <= s.max_rudder + rounding && std::abs(first.controls.delta) >= s.min_rudder - rounding && speed(first.motion) >= s.min_speed - rounding &&
          std::ranges::count(s.without_runs, point.run) == 0;
 }
 
@@ -72,7 +72,7 @@ void require_linear(const Ship& at_zero, std::span<const ShipNumber> numbers, co
   const double zero = component_of(captive_force(at_zero, point), step.component) / unit;
   const auto ones = with_values(at_zero, numbers, std::vector<double>(numbers.size(), 1.0));
   const double one = component_of(captive_force(ones, point), step.component) / unit;
-  if (std::abs(one - zero - row.sum()) > 1e-8 * (std::abs(one) + std::abs(zero) + row.cwiseAbs().sum()))
+  if (!(std::abs(one - zero - row.sum()) <= 1e-8 * (std::abs(one) + std::abs(zero) + row.cwiseAbs().sum())))
     throw Refusal(fmt::format("{}: {} is not linear in {}", at_zero.name, in_words(step.component), fmt::join(step.coefficients, ", ")));
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swayaw/core/angle.hpp"
 #include "swayaw/identification/captive.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
 
@@ -17,12 +18,17 @@ struct StandardStep {
   bool of_rudder = false;
 };
 
-/// [Alexandersson2024] table 3, with the sway force of yawing, cubic terms, oscillating tests beside circles, and acceleration.
+/// [Alexandersson2024] table 3, with the sway force of yawing, cubic terms and oscillating tests beside circles. Added mass comes first, for it
+/// stands in the forces of a turn; in an oscillation it is apart from all that depends on velocity.
 const std::vector<StandardStep>& standard_steps() {
   using enum ForceComponent;
   static const Names resistance{"resistance", "self_propulsion"}, rudder{"static_rudder"}, drift{"static_drift"}, circle{"circle", "pure_yaw:velocity"},
-      circle_drift{"circle_drift", "yaw_drift:velocity"}, second{"yaw_drift:second"}, sway{"pure_sway:acceleration"}, yaw{"pure_yaw:acceleration"};
+      circle_drift{"circle_drift", "yaw_drift:velocity", "yaw_drift:second"}, sway{"pure_sway:acceleration"}, yaw{"pure_yaw:acceleration"};
   static const std::vector<StandardStep> steps{
+      {sway, Y, {"Y_vdot", "m_y"}, {}},
+      {sway, N, {"N_vdot"}, {}},
+      {yaw, Y, {"Y_rdot"}, {}},
+      {yaw, N, {"N_rdot", "J_z"}, {}},
       {rudder, Y, {"a_H"}, {}, true},
       {rudder, N, {"x_H", "x_H_prime"}, {}, true},
       {resistance, X, {"X_0", "X_u", "R_0"}, {}},
@@ -33,14 +39,8 @@ const std::vector<StandardStep>& standard_steps() {
       {circle, Y, {"Y_r"}, {"Y_rrr"}},
       {circle, N, {"N_r"}, {"N_rrr"}},
       {circle_drift, X, {"X_vr"}, {}},
-      {circle_drift, Y, {}, {"Y_vvr"}},
-      {circle_drift, N, {}, {"N_vvr"}},
-      {second, Y, {}, {"Y_vrr"}},
-      {second, N, {}, {"N_vrr"}},
-      {sway, Y, {"Y_vdot", "m_y"}, {}},
-      {sway, N, {"N_vdot"}, {}},
-      {yaw, Y, {"Y_rdot"}, {}},
-      {yaw, N, {"N_rdot", "J_z"}, {}},
+      {circle_drift, Y, {}, {"Y_vvr", "Y_vrr"}},
+      {circle_drift, N, {}, {"N_vvr", "N_vrr"}},
   };
   return steps;
 }
@@ -69,7 +69,7 @@ double speed_of_drift_tests(std::span<const CaptivePoint> points) {
 }  // namespace
 
 CaptivePlan captive_plan(const Ship& ship, std::span<const CaptivePoint> points, HullTerms terms, double max_drift) {
-  CaptivePlan plan{.steps = {}, .validation = {.tests = {"static_drift_rudder"}, .max_drift = max_drift}};
+  CaptivePlan plan{.steps = {}, .validation = {.tests = {"static_drift_rudder"}, .max_drift = max_drift, .min_rudder = radians(0.5)}};
   for (const auto& s : standard_steps()) {
     auto names = known(ship, s.linear);
     if (terms == HullTerms::cubic) std::ranges::copy(known(ship, s.cubic), std::back_inserter(names));

@@ -65,6 +65,7 @@ struct CaptiveSelection {
   std::vector<std::string> tests = {};  ///< of one of these kinds; empty: of every kind
   double max_drift = std::numeric_limits<double>::infinity();     ///< |beta| [rad]
   double max_rudder = std::numeric_limits<double>::infinity();    ///< |delta| [rad]
+  double min_rudder = 0.0;                                        ///< [rad]
   double min_speed = 0.0;                                         ///< [m/s]
   std::vector<std::string> without_runs = {};
 };
