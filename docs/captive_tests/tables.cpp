@@ -2,7 +2,9 @@
 //   captive_tables SHIPS_FOLDER FOLDER_WITH_HMRI_TESTS FOLDER_FOR_TABLES
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -36,6 +38,14 @@ Points hmri(const std::filesystem::path& folder, const Ship& ship) {
   return points;
 }
 
+/// The same where the moments of oscillating tests were about the centre of gravity: N + x_G Y about midship.
+Points about_centre_of_gravity(Points points, const Ship& ship) {
+  const double x_G = ship_numbers(ship, std::array<std::string, 1>{"x_g_m"})[0].value;
+  for (auto& point : points)
+    if (point.with_inertia) point.measured.N += x_G * point.measured.Y;
+  return points;
+}
+
 std::string per_cent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
 
 /// A line of the table of errors.
@@ -47,12 +57,14 @@ std::string error_line(const std::string& name, const Ship& ship, const Points& 
                      per_cent(rudder.Y), per_cent(rudder.N), per_cent(yaw.Y), per_cent(yaw.N));
 }
 
-/// Value and standard error of hull and mass numbers in thousandths.
+/// Value and standard error, two digits of the latter.
 std::string text(const Coefficient& c, double scale) {
-  const auto& [value, error] = c.estimate;
-  return fmt::format("{:.3f} ± {:.3f}{}", scale * value, scale * error, c.undetermined ? " (undetermined)" : "");
+  const double value = scale * c.estimate.value, error = scale * c.estimate.standard_error;
+  const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 9);
+  return fmt::format("{:.{}f} ± {:.{}f}{}", value, decimals, error, decimals, c.undetermined ? " (undetermined)" : "");
 }
 
+/// Rudder factors are no primes.
 double scale_of(const std::string& name, double thousandths) { return name == "a_H" || name.starts_with("x_H") ? 1.0 : thousandths; }
 
 std::string step_table(const CaptiveFit& fit, double thousandths) {
@@ -84,11 +96,12 @@ std::string cell(const Ship& ship, const std::string& name) {
   return value == 0.0 ? "-" : fmt::format("{:.3f}", scale_of(name, 1000.0) * value);
 }
 
-std::string comparison_table(const CaptiveFit& linear, const CaptiveFit& cubic, const Ship& zigzags, const Ship& zigzags_vvr) {
-  std::string table = "| | HMRI, linear | HMRI, cubic | zigzags, with Y_r | zigzags, with Y_r and v'²r' |\n| --- | ---: | ---: | ---: | ---: |\n";
+std::string comparison_table(const CaptiveFit& linear, const CaptiveFit& cubic, const CaptiveFit& about_G, const Ship& zigzags, const Ship& zigzags_vvr) {
+  std::string table = "| | HMRI, linear | HMRI, cubic | HMRI, cubic, if oscillating moments are about G | zigzags, with Y_r | zigzags, with Y_r and v'²r' |\n"
+                      "| --- | ---: | ---: | ---: | ---: | ---: |\n";
   for (const std::string name : {"X_0", "X_u", "X_vv", "Y_v", "Y_r", "Y_vvv", "Y_vvr", "Y_vrr", "Y_rrr", "N_v", "N_r", "N_vvv", "N_vvr", "N_vrr", "N_rrr", "a_H", "x_H", "Y_vdot",
                                  "N_vdot", "Y_rdot", "N_rdot"})
-    table += fmt::format("| {} | {} | {} | {} | {} |\n", name, cell(linear, name), cell(cubic, name), cell(zigzags, name), cell(zigzags_vvr, name));
+    table += fmt::format("| {} | {} | {} | {} | {} | {} |\n", name, cell(linear, name), cell(cubic, name), cell(about_G, name), cell(zigzags, name), cell(zigzags_vvr, name));
   return table;
 }
 
@@ -105,10 +118,12 @@ int make_tables(const std::filesystem::path& ships, const std::filesystem::path&
   const auto plan = captive_plan(pi, points, HullTerms::cubic, radians(12));
   const auto cubic = fit_captive(pi, points, plan);
   const auto cubic_mmg = fit_captive(mmg, of_mmg, captive_plan(mmg, of_mmg, HullTerms::cubic, radians(12)));
+  const auto of_G = about_centre_of_gravity(points, pi);
   const auto wide = fit_captive(pi, points, captive_plan(pi, points, HullTerms::cubic, radians(30)));
   const auto wide_mmg = fit_captive(mmg, of_mmg, captive_plan(mmg, of_mmg, HullTerms::cubic, radians(30)));
   write_text(out / "errors.md", error_table({{"PI, zigzags, with Y_r (`kvlcc2_pi`)", {pi, points}},
                                              {"PI, zigzags, with Y_r and v'²r' (`kvlcc2_pi_vvr`)", {vvr, points}},
+                                             {"the same, if oscillating moments are about G", {vvr, of_G}},
                                              {"MMG, Yasukawa & Yoshimura 2015 (`kvlcc2_l7`)", {mmg, of_mmg}},
                                              {"PI, HMRI to 12°, linear hull", {linear.ship, points}},
                                              {"PI, HMRI to 12°, cubic hull", {cubic.ship, points}},
@@ -117,7 +132,7 @@ int make_tables(const std::filesystem::path& ships, const std::filesystem::path&
                                              {"MMG, HMRI to 30°, cubic hull", {wide_mmg.ship, of_mmg}}}));
   write_text(out / "steps_pi.md", step_table(cubic, 1000.0));
   write_text(out / "steps_mmg.md", step_table(cubic_mmg, 1.0));
-  write_text(out / "comparison.md", comparison_table(linear, cubic, pi, vvr));
+  write_text(out / "comparison.md", comparison_table(linear, cubic, fit_captive(pi, of_G, plan), pi, vvr));
   return 0;
 }
 

@@ -68,6 +68,21 @@ TEST_CASE("sets that were identified on zigzags of KVLCC2 have the captive error
   }
 }
 
+TEST_CASE("the primes of HMRI are over the square of the speed once: thrust less resistance is the force straight ahead", "[identification][second-route]") {
+  const auto folder = test::benchmark_recordings("kvlcc2/captive");
+  if (!folder) return;
+  const auto ship = read_ship(test::ships / "kvlcc2_pi.toml");
+  const auto points = hmri(*folder, ship);
+  const auto ahead = selected(points, {.tests = {"static_drift"}, .max_drift = 0.0});
+  REQUIRE(ahead.size() == 1);
+  double R = 0.0;
+  for (const auto& point : selected(points, {.tests = {"resistance"}}))
+    if (std::abs(point.moments[0].motion.u - 1.17) < 0.001) R = -point.measured.X;
+  const double T = 2.0 * ahead[0].moments[0].controls.thrust.port, t = 0.233;  // thrust deduction of HMRI's self-propulsion test
+  CHECK(R > 30.0);
+  CHECK_THAT((1.0 - t) * T - R, WithinAbs(ahead[0].measured.X, 0.05 * R));
+}
+
 TEST_CASE("the derivatives that HMRI's own tests give predict drift with rudder, which they have not seen", "[identification][published]") {
   const auto folder = test::benchmark_recordings("kvlcc2/captive");
   if (!folder) return;
