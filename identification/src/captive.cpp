@@ -164,9 +164,9 @@ CaptiveFit fit_captive(const Ship& ship, std::span<const CaptivePoint> points, c
     std::vector<double> values;
     for (const auto& c : fit.coefficients) values.push_back(std::isfinite(c.estimate.value) ? c.estimate.value : 0.0);
     result.ship = with_values(result.ship, numbers, values);
-    result.steps.push_back({step, mine.size(), fit});
+    result.validation = captive_error(result.ship, points, plan.validation);
+    result.steps.push_back({step, mine.size(), fit, result.validation});
   }
-  result.validation = captive_error(result.ship, points, plan.validation);
   return result;
 }
 

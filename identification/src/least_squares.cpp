@@ -160,6 +160,7 @@ Freedom freedom(const MatrixXd& C, const VectorXd& d, Index count) {
   const Eigen::JacobiSVD<MatrixXd> svd(C, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const VectorXd b_0 = svd.solve(d);
   if ((C * b_0 - d).norm() > 1e-9 * (C.norm() * b_0.norm() + d.norm())) throw Refusal("the constraints of the regression contradict each other");
+  if (svd.rank() == count) throw Refusal("the constraints of the regression leave no coefficient to be found");
   return {b_0, svd.matrixV().rightCols(count - svd.rank())};
 }
 

@@ -14,7 +14,7 @@ struct Freedom {
 };
 
 /// Coefficients with C b = d.
-/// @throws Refusal  if the constraints contradict each other
+/// @throws Refusal  if the constraints contradict each other or leave nothing free
 Freedom freedom(const Eigen::MatrixXd& C, const Eigen::VectorXd& d, Eigen::Index count);
 
 /// Σ weight (b − centre)², added to the sum of squares.

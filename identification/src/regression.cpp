@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "gram.hpp"
@@ -41,7 +42,9 @@ void check(const Design& d, const RegressionOptions& options) {
   require(d.y.size() == n, "a regression needs a y for each row");
   require(d.variance.size() == 0 || d.variance.size() == n, "a regression needs a variance for each row, or none");
   require(d.variance.size() == 0 || d.variance.minCoeff() > 0.0, "variances must be positive");
-  require(d.runs.empty() || (d.runs.front() == 0 && std::ranges::is_sorted(d.runs) && d.runs.back() < n), "runs begin at row 0 and ascend");
+  require(d.runs.empty() || (d.runs.front() == 0 && std::ranges::adjacent_find(d.runs, std::greater_equal<>{}) == d.runs.end() && d.runs.back() < n),
+          "runs begin at row 0 and ascend");
+  for (const auto& prior : options.priors) require_positive(prior.deviation, "standard deviation of a prior");
   require(options.order > 0 && options.ridge >= 0.0, "order of autoregression must be positive, ridge not negative");
   const auto& covariance = options.feature_errors.covariance;
   require(covariance.size() <= 1 || static_cast<Index>(covariance.size()) == n, "covariances of features are one, or one for each row");

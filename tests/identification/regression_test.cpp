@@ -246,7 +246,12 @@ TEST_CASE("senseless regressions are refused in words", "[identification][refusa
   CHECK_THROWS_WITH(regress(design, {.priors = {{"c", 0.0, 1.0}}}), ContainsSubstring("no coefficient c"));
   CHECK_THROWS_WITH(regress({design.names, design.X.topRows(3), design.y.head(3)}), ContainsSubstring("3 samples do not tell 3 coefficients"));
   CHECK_THROWS_WITH(regress(design, {.constraints = {{{{"b0", 1.0}}, 1.0}, {{{"b0", 2.0}}, 1.0}}}), ContainsSubstring("contradict"));
+  CHECK_THROWS_WITH(regress({{"b0"}, design.X.leftCols(1), design.y}, {.constraints = {{{{"b0", 1.0}}, 1.0}}}), ContainsSubstring("leave no coefficient"));
+  CHECK_THROWS_AS(regress(design, {.priors = {{"b0", 1.0, 0.0}}}), std::domain_error);
   auto bad = design;
+  bad.runs = {0, 5, 5};
+  CHECK_THROWS_AS(regress(bad), std::domain_error);
+  bad = design;
   bad.y[3] = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_WITH(regress(bad), ContainsSubstring("not finite"));
   bad = design;

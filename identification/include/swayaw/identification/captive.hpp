@@ -76,7 +76,8 @@ std::vector<CaptivePoint> selected(std::span<const CaptivePoint> points, const C
 /// what accelerates the ship herself where that is in the measurement.
 PlanarForce<double> captive_force(const Ship& ship, const CaptivePoint& point);
 
-/// Model less measurement, over points that have been measured. Forces count as primes, over ½ρL²U² and ½ρL³U².
+/// Model less measurement, over points that have been measured; not a number where there are none. Forces count as primes, over
+/// ½ρL²U² and ½ρL³U².
 struct CaptiveError {
   std::size_t points;
   PlanarForce<double> rms;       ///< of model less measured
@@ -112,13 +113,14 @@ struct CaptivePlan {
 struct CaptiveStepReport {
   CaptiveStep step;
   std::size_t points;
-  Regression fit;  ///< of primes; coefficients in the unit of the ship file
+  Regression fit;           ///< of primes; coefficients in SI or as the primes they are
+  CaptiveError validation;  ///< of the ship with what is found so far
 };
 
 struct CaptiveFit {
   Ship ship;                               ///< with the coefficients found
   std::vector<CaptiveStepReport> steps;
-  CaptiveError validation;
+  CaptiveError validation;                 ///< after the last step
 };
 
 /// Step by step. Coefficients that the plan finds count as 0 until they are found; a step that does not determine one leaves it 0.

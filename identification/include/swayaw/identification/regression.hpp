@@ -126,7 +126,8 @@ Eigen::MatrixXd correlation(const Regression& fit);
 ///
 /// Source: [Prais1954], [Newey1994], [Andrews1992], [Fuller1987]
 ///
-/// @throws Refusal            if a name is not known, a number is not finite, or there are not more samples than coefficients
+/// @throws Refusal            if a name is not known, a number is not finite, constraints contradict each other, or there are not more samples
+///                            than coefficients
 /// @throws std::domain_error  if sizes do not fit, a variance or deviation is not positive, or correlated residuals are asked
 ///                            for together with errors in features
 Regression regress(const Design& design, const RegressionOptions& options = {});
