@@ -46,18 +46,23 @@ Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest) {
   return {speed, propulsion(ship, speed, options.rev, options.thrust), end, options.sampled ? sample_times(step, end) : std::vector<double>{}};
 }
 
-/// Way made until a time, ∫ U dt by the trapezoidal rule over the samples [m]; nothing without samples.
-inline std::optional<double> way_made(const std::vector<Moment>& samples, double until) {
+template <class Model>
+Moment now(const Voyage<Model>& voyage) {
+  return {voyage.time(), voyage.state(), voyage.controls()};
+}
+
+/// Way made until a time, ∫ U dt by the trapezoidal rule over the samples and the moment `last` after them [m]; nothing without samples.
+inline std::optional<double> way_made(const std::vector<Moment>& samples, const Moment& last, double until) {
   if (samples.size() < 2) return std::nullopt;
   double way = 0.0;
-  for (std::size_t i = 1; i < samples.size() && samples[i - 1].time < until; ++i) {
-    const double U0 = speed(samples[i - 1].state.motion), U1 = speed(samples[i].state.motion);
-    const double length = samples[i].time - samples[i - 1].time;
-    const double share = std::min(1.0, (until - samples[i - 1].time) / length);
+  const auto add = [&](const Moment& a, const Moment& b) {
+    const double U0 = speed(a.state.motion), U1 = speed(b.state.motion), length = b.time - a.time;
+    const double share = length > 0.0 ? std::clamp((until - a.time) / length, 0.0, 1.0) : 0.0;
     way += share * length * (U0 + 0.5 * share * (U1 - U0));
-  }
-  const double rest = until - samples.back().time;
-  return way + std::max(0.0, rest) * speed(samples.back().state.motion);
+  };
+  for (std::size_t i = 1; i < samples.size() && samples[i - 1].time < until; ++i) add(samples[i - 1], samples[i]);
+  add(samples.back(), last);
+  return way;
 }
 
 /// States and thrust as a recording.

@@ -12,7 +12,7 @@ bool sail_round(Voyage<Model>& voyage, double turn, double angle, double end) {
 template <class Model>
 void measure_first_half(Voyage<Model>& voyage, TurningCircle& circle, double turn, double end) {
   if (!sail_round(voyage, turn, radians(10.0), end)) return;
-  circle.initial_turning = way_made(voyage.samples(), voyage.time());
+  circle.initial_turning = way_made(voyage.samples(), now(voyage), voyage.time());
   if (!sail_round(voyage, turn, radians(90.0), end)) return;
   circle.time_90 = voyage.time();
   circle.advance = voyage.state().x;
@@ -45,14 +45,16 @@ TurningCircle sail_circle(const Ship& ship, const Model& model, const TurnOrder&
   const auto [speed, propulsion, end, times] = plan(model, options, 100.0);
   Voyage<Model> voyage(model, ship.surroundings, approach(speed, propulsion), options.tolerance);
   voyage.sample_at(times);
+  voyage.trace(options.traced);
   voyage.order(rudder_sign(order.side) * order.rudder);
-  TurningCircle circle{.approach_speed = speed, .propulsion = propulsion, .run = {}};
+  TurningCircle circle{.approach_speed = speed, .propulsion = propulsion, .run = {}, .steps = {}};
   const double turn = yaw_sign(order.side);
   measure_first_half(voyage, circle, turn, end);
   if (options.duration) voyage.sail(end);
   else sail_towards_steady(voyage, circle, turn, end);
-  if (!circle.way_lost) measure_steady_turn(ship, circle, {voyage.time(), voyage.state(), voyage.controls()});
+  if (!circle.way_lost) measure_steady_turn(ship, circle, now(voyage));
   if (options.sampled) circle.run = recording_of(voyage.samples(), model);
+  circle.steps = std::move(voyage.steps());
   return circle;
 }
 

@@ -20,6 +20,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/steering_gear.hpp"
 #include "swayaw/nonlinear/branch.hpp"
+#include "swayaw/nonlinear/manoeuvre_step.hpp"
 #include "swayaw/nonlinear/models.hpp"
 #include "swayaw/nonlinear/surroundings.hpp"
 
@@ -110,6 +111,10 @@ class Voyage {
   void sample_at(std::span<const double> times) { wanted_ = times; }
   std::vector<Moment>& samples() { return samples_; }
 
+  /// From now on the steps are kept, if asked for.
+  void trace(bool wanted) { traced_ = wanted; }
+  std::vector<ManoeuvreStep>& steps() { return steps_; }
+
   /// Sails to `until`, or to the moment at which `watch(state)` passes zero.
   /// @return whether the watch ended it
   template <class Watch>
@@ -124,11 +129,12 @@ class Voyage {
       const BranchChange change = branch_change(stretch);
       const bool branch_first = change.time < event || (change.time == event && !fired);
       advance(stretch, branch_first ? change.time : event);
+      note(branch_first ? StepEnd::branch : fired ? StepEnd::watch : time_ >= rudder_kink_ ? StepEnd::kink : StepEnd::none, change.index);
       if (time_ >= rudder_kink_) pass_rudder_kink();
       if (branch_first) switch_branch(change);
       else if (fired) return true;
       const double now = g(state_, time_);
-      if (passes_zero(before, now)) return true;
+      if (passes_zero(before, now)) return note_watch();
       before = now;
     }
     return false;
@@ -178,6 +184,19 @@ class Voyage {
   void pass_rudder_kink() {
     rudder_kink_ = rudder_.next_kink(time_);
     running_ = false;
+  }
+
+  void note(StepEnd end, std::size_t function) {
+    if (!traced_) return;
+    ManoeuvreStep step{.to = time_, .end = end, .branch = {}, .function = function};
+    std::ranges::copy(branch_, step.branch.begin());
+    steps_.push_back(step);
+  }
+
+  /// The watch was at zero where something else ended the step. @return true
+  bool note_watch() {
+    if (traced_) steps_.back().end = StepEnd::watch;
+    return true;
   }
 
   Stretch next_stretch(double until) {
@@ -300,6 +319,8 @@ class Voyage {
   double rudder_kink_ = never;  ///< when the rudder rate jumps next [s]
   std::span<const double> wanted_;
   std::vector<Moment> samples_;
+  bool traced_ = false;
+  std::vector<ManoeuvreStep> steps_;
 };
 
 }  // namespace swayaw

@@ -39,7 +39,7 @@ WilliamsonTurn sail_williamson(const Ship& ship, const Model& model, const Willi
                         .approach_speed = speed, .propulsion = propulsion, .run = {}};
   const double turn = yaw_sign(order.first);
   sail_orders(voyage, result, order, turn, end);
-  if (result.reciprocal) result.way = way_made(voyage.samples(), result.reciprocal->time);
+  if (result.reciprocal) result.way = way_made(voyage.samples(), now(voyage), result.reciprocal->time);
   if (options.duration) voyage.sail(end);
   result.heading = turn * voyage.state().psi;
   result.yaw_rate = voyage.state().motion.r;

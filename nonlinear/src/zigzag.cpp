@@ -20,8 +20,9 @@ Zigzag sail_zigzag(const Ship& ship, const Model& model, const ZigzagOrder& orde
   const auto [speed, propulsion, end, times] = plan(model, options, 200.0);
   Voyage<Model> voyage(model, ship.surroundings, approach(speed, propulsion), options.tolerance);
   voyage.sample_at(times);
+  voyage.trace(options.traced);
   voyage.order(rudder_sign(order.first) * order.rudder);
-  Zigzag result{.reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = speed, .propulsion = propulsion, .run = {}};
+  Zigzag result{.reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = speed, .propulsion = propulsion, .run = {}, .steps = {}};
   constexpr std::size_t enough = 4;
   double turn = yaw_sign(order.first);
   while (reverse(voyage, result, order, turn, end)) {
@@ -30,8 +31,9 @@ Zigzag sail_zigzag(const Ship& ship, const Model& model, const ZigzagOrder& orde
   }
   const auto& reversals = result.reversals;
   if (reversals.size() >= 3) result.period = reversals.back().time - reversals[reversals.size() - 3].time;
-  if (!reversals.empty()) result.initial_turning = way_made(voyage.samples(), reversals.front().time);
+  if (!reversals.empty()) result.initial_turning = way_made(voyage.samples(), now(voyage), reversals.front().time);
   if (options.sampled) result.run = recording_of(voyage.samples(), model);
+  result.steps = std::move(voyage.steps());
   return result;
 }
 

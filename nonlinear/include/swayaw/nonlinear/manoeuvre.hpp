@@ -6,6 +6,7 @@
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/recording.hpp"
 #include "swayaw/core/side.hpp"
+#include "swayaw/nonlinear/manoeuvre_step.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Standard manoeuvres. Each begins at t = 0, where the first rudder order is given, at the origin on heading 0
@@ -20,6 +21,7 @@ struct ManoeuvreOptions {
   std::optional<double> step;      ///< between samples of the time series [s]; a round number near 0.02 L/U unless given
   double tolerance = 1e-9;         ///< error of an integration step: lengths over L, speeds over U, angles in rad
   bool sampled = true;             ///< keep the time series; without it `run` is empty and no way is measured
+  bool traced = false;             ///< keep the steps, from which index_slopes.hpp takes derivatives
 };
 
 // ---------------------------------------------------------------- zigzag
@@ -46,6 +48,7 @@ struct Zigzag {
   double approach_speed;                  ///< [m/s]
   Controls<double> propulsion;            ///< held during the manoeuvre
   Recording run;
+  std::vector<ManoeuvreStep> steps;       ///< of the integration, if traced
 };
 
 /// Zigzag: the rudder is put to D; whenever the heading reaches H on the side of the turn it is reversed.
@@ -77,6 +80,7 @@ struct TurningCircle {
   double approach_speed;                    ///< [m/s]
   Controls<double> propulsion;              ///< held during the manoeuvre
   Recording run;
+  std::vector<ManoeuvreStep> steps;         ///< of the integration, if traced
 };
 
 /// Turning circle with the rudder held at the ordered angle. Ends after 540 deg, or where the ship no longer moves ahead, unless

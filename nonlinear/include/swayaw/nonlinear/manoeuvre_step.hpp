@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace swayaw {
+
+/// What ended a step of the integration.
+enum class StepEnd {
+  none,    ///< nothing: its length
+  kink,    ///< the rudder rate jumps
+  branch,  ///< the force changes its branch
+  watch,   ///< what the manoeuvre waited for has come
+};
+
+/// A step that was sailed, so that it can be sailed again in another scalar.
+struct ManoeuvreStep {
+  double to;                   ///< its end [s]
+  StepEnd end;
+  std::array<bool, 3> branch;  ///< the branch of the force during the step
+  std::size_t function;        ///< branch function that passed zero at its end
+};
+
+}  // namespace swayaw

@@ -1,0 +1,209 @@
+#include "swayaw/nonlinear/index_slopes.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "settle.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
+#include "voyage_replay.hpp"
+
+namespace swayaw {
+namespace {
+
+constexpr int lanes = static_cast<int>(slopes_at_once) + 1;  // and one for the time
+using D = Dual<lanes>;
+
+template <template <class> class Indices>
+Indices<D> none_of() {
+  Indices<D> indices;
+  for (const auto& p : Indices<D>::parameters()) indices.*p.member = D(missing);
+  return indices;
+}
+
+// ---------------------------------------------------------------- start
+
+/// The ship in duals at her approach speed, and what propels her.
+template <template <class> class Model>
+struct Approach {
+  Model<D> ship;
+  D speed;
+  Controls<D> propulsion;
+};
+
+/// du/dt straight ahead.
+template <class Ship, class S>
+S straight_acceleration(const Ship& ship, const S& speed, const Controls<S>& controls) {
+  const PlanarMotion<S> m{speed, S(0.0), S(0.0)};
+  return acceleration(ship, m, forces(ship, m, controls).total()).u;
+}
+
+/// Shaft speed, or thrust of both propellers, moved by a factor.
+template <class S>
+Controls<S> driven(const Controls<double>& c, const S& factor) {
+  return {S(c.delta), S(c.rev * factor), {S(c.thrust.port * factor), S(c.thrust.starboard * factor)}, c.by_thrust};
+}
+
+/// What keeps the ship at that speed whatever her numbers are: with du/dt = a(theta, factor) = 0 the factor has −(∂a/∂theta)/(∂a/∂factor).
+template <template <class> class Model>
+Controls<D> self_propelled(const Model<double>& model, const Model<D>& ship, const D& speed, const Controls<double>& controls) {
+  using T = Dual<1>;
+  const double by_factor = straight_acceleration(cast<T>(model), T(speed.a), driven(controls, T(1.0, 0))).v[0];
+  D factor(1.0);
+  if (by_factor != 0.0) factor.v = -straight_acceleration(ship, speed, cast<D>(controls)).v / by_factor;
+  return driven(controls, factor);
+}
+
+template <template <class> class Model>
+Approach<Model> approach_of(const Model<double>& model, std::span<const ShipNumber> numbers, const ManoeuvreOptions& options, const Controls<double>& propulsion) {
+  Approach<Model> a{seeded<lanes>(model, numbers), {}, {}};
+  a.speed = options.speed ? D(*options.speed) : a.ship.particulars.U_0;
+  const bool given = options.rev || options.thrust;
+  a.propulsion = given ? cast<D>(propulsion) : self_propelled(model, a.ship, a.speed, propulsion);
+  return a;
+}
+
+template <template <class> class Model>
+VoyageReplay<Model, lanes> replay_of(const Approach<Model>& a, const Ship& ship, std::span<const ManoeuvreStep> steps) {
+  return {a.ship, ship.surroundings.current, a.speed, a.propulsion, steps};
+}
+
+// ---------------------------------------------------------------- steady turn
+
+/// The steady motion in duals.
+template <template <class> class Model>
+PlanarMotion<D> steady_in_duals(const Model<double>& model, const Model<D>& ship, const PlanarMotion<double>& m, const Controls<D>& controls) {
+  using T = Dual<3>;
+  const auto here = cast<T>(model);
+  const PlanarMotion<T> by_motion{T(m.u, 0), T(m.v, 1), T(m.r, 2)};
+  const Controls<T> held{T(controls.delta.a), T(controls.rev.a), {T(controls.thrust.port.a), T(controls.thrust.starboard.a)}, controls.by_thrust};
+  const auto by_m = acceleration(here, by_motion, forces(here, by_motion, held).total());
+  const PlanarMotion<D> fixed{D(m.u), D(m.v), D(m.r)};
+  const auto by_theta = acceleration(ship, fixed, forces(ship, fixed, controls).total());
+  Eigen::Matrix3d J;
+  J << by_m.u.v.transpose(), by_m.v.v.transpose(), by_m.r.v.transpose();
+  Eigen::Matrix<double, 3, lanes> B;
+  B << by_theta.u.v.transpose(), by_theta.v.v.transpose(), by_theta.r.v.transpose();
+  const Eigen::Matrix<double, 3, lanes> slopes = -J.partialPivLu().solve(B);
+  return {D(m.u, slopes.row(0).transpose()), D(m.v, slopes.row(1).transpose()), D(m.r, slopes.row(2).transpose())};
+}
+
+template <class S>
+void put_steady(CircleIndices<S>& i, const PlanarMotion<S>& steady, double turn) {
+  i.u = steady.u;
+  i.v = turn * steady.v;
+  i.r = turn * steady.r;
+  i.U = speed(steady);
+  i.beta = turn * drift_angle(steady);
+  i.D = 2.0 * i.U / i.r;
+}
+
+// ---------------------------------------------------------------- the manoeuvres once more
+
+template <template <class> class Model>
+CircleIndices<D> circle_in_duals(const Ship& ship, const Model<double>& model, const TurnOrder& order, const ManoeuvreOptions& options,
+                                 const TurningCircle& circle, std::span<const ShipNumber> numbers) {
+  const auto start = approach_of(model, numbers, options, circle.propulsion);
+  auto voyage = replay_of(start, ship, circle.steps);
+  auto i = none_of<CircleIndices>();
+  const double turn = yaw_sign(order.side);
+  const auto round = [&](double angle) { return voyage.sail([&](const auto& s) { return turn * s.psi - angle; }); };
+  voyage.order(rudder_sign(order.side) * order.rudder);
+  if (round(radians(10.0)) && circle.initial_turning) i.initial_turning = voyage.way();
+  if (circle.time_90 && round(radians(90.0))) {
+    i.time_90 = voyage.time();
+    i.advance = voyage.state().x;
+    i.transfer = turn * voyage.state().y;
+  }
+  if (circle.time_180 && round(radians(180.0))) {
+    i.time_180 = voyage.time();
+    i.tactical_diameter = turn * voyage.state().y;
+  }
+  if (circle.steady) put_steady(i, steady_in_duals(model, start.ship, *circle.steady, voyage.controls_at(D(circle.steps.back().to))), turn);
+  return i;
+}
+
+template <template <class> class Model>
+ZigzagIndices<D> zigzag_in_duals(const Ship& ship, const Model<double>& model, const ZigzagOrder& order, const ManoeuvreOptions& options,
+                                 const Zigzag& zigzag, std::span<const ShipNumber> numbers) {
+  using I = ZigzagIndices<D>;
+  constexpr std::array overshoots{&I::overshoot_1, &I::overshoot_2, &I::overshoot_3, &I::overshoot_4};
+  auto voyage = replay_of(approach_of(model, numbers, options, zigzag.propulsion), ship, zigzag.steps);
+  auto i = none_of<ZigzagIndices>();
+  std::vector<D> times;
+  double turn = yaw_sign(order.first);
+  voyage.order(-turn * order.rudder);
+  for (const auto& reversal : zigzag.reversals) {
+    voyage.sail([&](const auto& s) { return turn * s.psi - order.heading; });
+    if (times.empty() && zigzag.initial_turning) i.initial_turning = voyage.way();
+    times.push_back(voyage.time());
+    voyage.order(turn * order.rudder);
+    if (!reversal.overshoot || !voyage.sail([](const auto& s) { return s.motion.r; })) break;
+    if (times.size() <= overshoots.size()) i.*overshoots[times.size() - 1] = turn * voyage.state().psi - order.heading;
+    turn = -turn;
+  }
+  if (times.size() >= 3) i.period = times.back() - times[times.size() - 3];
+  return i;
+}
+
+/// Appends the derivatives of a chunk of numbers.
+template <template <class> class Indices>
+void append(Indices<Slopes>& slopes, const Indices<D>& chunk, std::size_t count) {
+  constexpr auto from = Indices<D>::parameters();
+  constexpr auto to = Indices<Slopes>::parameters();
+  for (std::size_t k = 0; k < from.size(); ++k) {
+    const D& index = chunk.*from[k].member;
+    if (!std::isnan(index.a)) (slopes.*to[k].member).insert((slopes.*to[k].member).end(), index.v.data(), index.v.data() + count);
+  }
+}
+
+/// A chunk after the other.
+template <template <class> class Indices, class InDuals>
+Indices<Slopes> in_chunks(const Ship& ship, std::span<const ShipNumber> numbers, const InDuals& in_duals) {
+  require_calm(ship, "exact derivative");
+  Indices<Slopes> slopes;
+  for (; !numbers.empty(); numbers = numbers.subspan(std::min(numbers.size(), slopes_at_once))) {
+    const auto chunk = numbers.first(std::min(numbers.size(), slopes_at_once));
+    append(slopes, std::visit([&](const auto& model) { return in_duals(model, chunk); }, ship.model), chunk.size());
+  }
+  return slopes;
+}
+
+double or_missing(const std::optional<double>& value) { return value.value_or(missing); }
+
+}  // namespace
+
+CircleIndices<> indices_of(const TurningCircle& circle, Side side) {
+  CircleIndices<> i{};
+  for (const auto& p : i.parameters()) i.*p.member = missing;
+  i.advance = or_missing(circle.advance);
+  i.transfer = or_missing(circle.transfer);
+  i.tactical_diameter = or_missing(circle.tactical_diameter);
+  i.time_90 = or_missing(circle.time_90);
+  i.time_180 = or_missing(circle.time_180);
+  i.initial_turning = or_missing(circle.initial_turning);
+  if (circle.steady) put_steady(i, *circle.steady, yaw_sign(side));
+  return i;
+}
+
+ZigzagIndices<> indices_of(const Zigzag& zigzag) {
+  using I = ZigzagIndices<>;
+  constexpr std::array overshoots{&I::overshoot_1, &I::overshoot_2, &I::overshoot_3, &I::overshoot_4};
+  I i{missing, missing, missing, missing, or_missing(zigzag.period), or_missing(zigzag.initial_turning)};
+  for (std::size_t k = 0; k < std::min(overshoots.size(), zigzag.reversals.size()); ++k)
+    i.*overshoots[k] = or_missing(zigzag.reversals[k].overshoot);
+  return i;
+}
+
+CircleIndices<Slopes> index_slopes(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options, const TurningCircle& circle,
+                                   std::span<const ShipNumber> numbers) {
+  return in_chunks<CircleIndices>(ship, numbers, [&](const auto& model, auto chunk) { return circle_in_duals(ship, model, order, options, circle, chunk); });
+}
+
+ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options, const Zigzag& zigzag,
+                                   std::span<const ShipNumber> numbers) {
+  return in_chunks<ZigzagIndices>(ship, numbers, [&](const auto& model, auto chunk) { return zigzag_in_duals(ship, model, order, options, zigzag, chunk); });
+}
+
+}  // namespace swayaw
