@@ -102,4 +102,16 @@ struct LoopArguments {
 };
 void loop(const LoopArguments& arguments);
 
+struct TuneArguments {
+  std::filesystem::path ship;
+  std::filesystem::path indices;
+  std::vector<std::string> numbers;   ///< that may change; empty: those of the hull but for its resistance
+  std::optional<double> prior;        ///< relative standard deviation of each
+  std::optional<double> most_change;  ///< largest relative change of each
+  int most_turns = 300;               ///< turning circles to be sailed at most
+  std::filesystem::path out;
+  bool json = false;
+};
+void tune(const TuneArguments& arguments);
+
 }  // namespace swayaw::app

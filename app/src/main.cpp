@@ -16,7 +16,7 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 8> commands{"compare", "forces", "indices", "invert", "linearize", "loop", "replay", "simulate"};
+constexpr std::array<std::string_view, 9> commands{"compare", "forces", "indices", "invert", "linearize", "loop", "replay", "simulate", "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -165,6 +165,19 @@ void add_loop(CLI::App& app, LoopArguments& a) {
   command.callback([&a] { loop(a); });
 }
 
+void add_tune(CLI::App& app, TuneArguments& a) {
+  auto& command = *app.add_subcommand("tune", "coefficients of a ship from measured indices of her manoeuvres");
+  add_ship(command, a.ship);
+  command.add_option("--indices", a.indices, "measured indices (TOML)")->required();
+  command.add_option("--numbers", a.numbers, "keys of the ship file that may change, N_v,N_r (default: hull derivatives)")->delimiter(',');
+  command.add_option("--prior", a.prior, "relative standard deviation of each number beforehand (default: [confidence] of the ship file)")->check(CLI::PositiveNumber);
+  command.add_option("--bound", a.most_change, "largest relative change of each number (default: none)")->check(CLI::PositiveNumber);
+  command.add_option("--turns", a.most_turns, "turning circles to be sailed at most")->check(CLI::PositiveNumber)->capture_default_str();
+  command.add_option("--out", a.out, "ship file of the tuned ship (TOML)")->required();
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { tune(a); });
+}
+
 /// Says what was probably meant by a command that does not exist. @return whether there was one
 bool refuse_unknown_command(int count, char** words) {
   if (count < 2 || words[1][0] == '-') return false;
@@ -188,6 +201,7 @@ int run(int count, char** words) {
   IndicesArguments indices_arguments;
   InvertArguments invert_arguments;
   LoopArguments loop_arguments;
+  TuneArguments tune_arguments;
   add_simulate(app, simulate_arguments);
   add_replay(app, replay_arguments);
   add_compare(app, compare_arguments);
@@ -196,6 +210,7 @@ int run(int count, char** words) {
   add_indices(app, indices_arguments);
   add_invert(app, invert_arguments);
   add_loop(app, loop_arguments);
+  add_tune(app, tune_arguments);
   try {
     app.parse(count, words);
     return done;
