@@ -18,13 +18,16 @@ struct Findings {
   MeasuredIndices measured;
   std::vector<ShipNumber> numbers;
   IndexSensitivity sensitivity;
-  std::vector<double> relative;  ///< singular values of d ln I / d ln number
+  std::vector<double> relative;  ///< singular values of d (I/I_measured) / d ln number
   Tuning tuning;
 };
 
-std::vector<double> singular_values(const IndexSensitivity& s) {
-  std::vector<double> values;
-  for (const auto& c : determined_combinations(s.exact, std::vector<double>(s.exact.size(), 1.0))) values.push_back(c.singular_value);
+/// Singular values of d (I/I_measured) / d ln number.
+std::vector<double> singular_values(const IndexSensitivity& s, const MeasuredIndices& measured) {
+  std::vector<double> unit, values;
+  for (const auto& trial : measured.trials)
+    for (const auto& i : trial.indices) unit.push_back(std::abs(i.value / s.indices[unit.size()]));
+  for (const auto& c : determined_combinations(s.exact, unit)) values.push_back(c.singular_value);
   return values;
 }
 
@@ -201,7 +204,7 @@ void tune(const TuneArguments& a) {
   auto numbers = tuned_numbers(ship, options);
   auto tuning = tuned(ship, measured, options);
   auto sensitivity = index_sensitivity(ship, measured, numbers);
-  auto relative = singular_values(sensitivity);
+  auto relative = singular_values(sensitivity, measured);
   write_ship(a.out, tuning.ship, remark(tuning, a));
   if (tuning.status == TuningStatus::interrupted) fmt::print(stderr, "swayaw: interrupted; the best ship so far is written to {}\n", a.out.string());
   const Findings f{std::move(measured), std::move(numbers), std::move(sensitivity), std::move(relative), std::move(tuning)};

@@ -188,7 +188,7 @@ class Tuner {
       const Vector g = A.transpose() * residuals(best) + weight_.cwiseProduct(best.z);
       const Vector d = bounded_step(H, g, low_ - best.z, high_ - best.z, radius);
       const double here = cost(best), promised = -2.0 * g.dot(d) - d.dot(H * d);
-      if (promised <= 1e-14 + 1e-7 * here || d.norm() < 1e-10) return TuningStatus::converged;
+      if (promised <= 1e-14 + 1e-6 * here || d.norm() < 1e-10) return TuningStatus::converged;
       if (trials_.voyages().turns + 2 * trials_.turns() > options_.most_turns) return TuningStatus::voyage_limit;
       const auto next = tried(best.z + d, best);
       const double gain = next ? (here - cost(*next)) / promised : -1.0;

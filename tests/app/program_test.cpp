@@ -31,7 +31,7 @@ TEST_CASE("the program tells its version and its commands", "[app]") {
   CHECK(std::regex_match(version.out, std::regex("swayaw \\d+\\.\\d+\\.\\d+\n")));
   const auto help = run(scratch, "--help");
   CHECK(help.code == 0);
-  for (const char* command : {"simulate", "replay", "compare", "forces", "indices", "invert", "linearize", "loop"}) {
+  for (const char* command : {"simulate", "replay", "compare", "forces", "indices", "invert", "linearize", "loop", "tune"}) {
     CHECK_THAT(help.out, ContainsSubstring(command));
     CHECK(run(scratch, std::string(command) + " --help").code == 0);
   }
@@ -56,6 +56,9 @@ TEST_CASE("wrong usage ends with code 2 and one line that helps", "[app][refusal
       {"invert " + ship + " --known a_H", "--known"},
       {"loop " + ship, "--zigzag"},
       {"loop " + ship + " --zigzag ten", "D/H"},
+      {"tune " + ship + " --out new.toml", "--indices"},
+      {"tune " + ship + " --indices f.toml", "--out"},
+      {"tune " + ship + " --indices f.toml --out new.toml --prior 0", "--prior"},
   };
   for (const auto& [arguments, hint] : cases) CHECK_THAT(refusal(arguments, 2), ContainsSubstring(hint));
 }
