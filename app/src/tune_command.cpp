@@ -203,10 +203,10 @@ void tune(const TuneArguments& a) {
   auto measured = read_indices(a.indices, length(ship));
   auto numbers = tuned_numbers(ship, options);
   auto tuning = tuned(ship, measured, options);
-  auto sensitivity = index_sensitivity(ship, measured, numbers);
-  auto relative = singular_values(sensitivity, measured);
   write_ship(a.out, tuning.ship, remark(tuning, a));
   if (tuning.status == TuningStatus::interrupted) fmt::print(stderr, "swayaw: interrupted; the best ship so far is written to {}\n", a.out.string());
+  auto sensitivity = index_sensitivity(ship, measured, numbers);
+  auto relative = singular_values(sensitivity, measured);
   const Findings f{std::move(measured), std::move(numbers), std::move(sensitivity), std::move(relative), std::move(tuning)};
   if (a.json) fmt::print("{}\n", tune_json(f, a).dump(2));
   else print_text(f, a);

@@ -193,6 +193,67 @@ def table_residual():
     write("residual", ["hull set", "left of the sway balance", "over all motions that round to it"], rows)
 
 
+# ---------------------------------------------------------------- tuning
+
+INDICES_OF = PROJECT / "examples/indices"
+
+
+def tuned(indices, prior=1):
+    """The document of a tuning from YM with X_vr negative, and the text of the ship it made."""
+    out = TABLES / "tuned.toml"
+    document = run(SHIPS["ym", "X_vr negative"], "tune", "--indices", indices, "--prior", prior, "--bound", 1, "--out", out)
+    return document, out.read_text()
+
+
+def with_zigzags(printed):
+    """The measured turns, and zigzags whose overshoots count from the second peak."""
+    text = (INDICES_OF / "nawigator_turns.toml").read_text()
+    for name, row in printed.items():
+        rudder, heading = name[:-1].split("/")
+        text += f'[[zigzag]]\nrudder_deg = {rudder}\nheading_deg = {heading}\nfirst = "{"starboard" if name[-1] == "S" else "port"}"\n'
+        text += f"first_peak = 2\novershoot_deg = {row}\n"
+    file = TABLES / "indices.toml"
+    file.write_text(text)
+    return file
+
+
+def zigzag_error(text, printed):
+    """Sum of squares against the second and third heading peak; None if one is missing."""
+    parts = []
+    for name, numbers in printed.items():
+        peaks = zigzag(text, name)["overshoot_deg"][1:3]
+        parts += [1 - p / q for p, q in zip(peaks, numbers)]
+    return sum(p * p for p in parts) if len(parts) == 2 * len(printed) else None
+
+
+def table_tuning(all_turns):
+    measured = {"10/20S": [19, 19]}
+    simulated = {name: row for name, row in PRINTED.items() if name[:5] in ("10/10", "20/20")}
+    by_turns, turns_text = tuned(INDICES_OF / "nawigator_turns.toml")
+    by_both, both_text = tuned(INDICES_OF / "nawigator.toml")
+    by_simulated, simulated_text = tuned(with_zigzags(simulated), 0.5)
+    sets = [("YM, X_vr negative: the start", SHIPS["ym", "X_vr negative"], errors(all_turns["ym", "X_vr negative"])[0], "–"),
+            ("N7, m v r", SHIPS["n7", "m v r"], errors(all_turns["n7", "m v r"])[0], "up to 4.1 million for five numbers"),
+            ("tuned on the turns", turns_text, by_turns["error"]["turns"]["after"], by_turns["voyages"]["turns"]),
+            ("tuned on the turns and the measured zigzag", both_text, by_both["error"]["turns"]["after"], by_both["voyages"]["turns"]),
+            ("tuned on the turns and the simulated zigzags, prior 50 %", simulated_text, by_simulated["error"]["turns"]["after"], by_simulated["voyages"]["turns"])]
+    rows = [[name, cell(turns, 4), cell(zigzag_error(text, measured), 3), cell(zigzag_error(text, simulated), 3), count] for name, text, turns, count in sets]
+    write("tuning", ["hull set", "18 indices of the turns", "measured zigzag", "simulated zigzags", "turning circles sailed"], rows)
+    rows = []
+    for a, b in zip(by_turns["numbers"], by_both["numbers"]):
+        n7 = number(SHIPS["n7", "X_vr negative"], a["name"])
+        rows.append([a["name"], a["before"], n7, f"{a['after']:.4f}", f"{b['after']:.4f}", f"{100 * a['told']:.0f} %", f"{100 * a['standard_error']:.0f} %"])
+    write("tuned_numbers", ["derivative", "YM", "N7", "tuned on the turns", "on turns and zigzag", "told by the turns", "standard error"], rows)
+    rows = []
+    for index_a, index_b in zip(by_turns["indices"], by_both["indices"]):
+        rows.append([index_a["manoeuvre"], index_a["index"], *(f"{x:.4g}" for x in (index_a["measured"], index_a["before"], index_a["after"], index_b["after"]))])
+    for index in by_both["indices"][len(by_turns["indices"]):]:
+        rows.append([index["manoeuvre"], index["index"], f"{index['measured']:.4g}", f"{index['before']:.4g}", "", f"{index['after']:.4g}"])
+    write("tuned_indices", ["manoeuvre", "index", "measured", "YM", "tuned on the turns", "on turns and zigzag"], rows)
+    values = by_turns["relative_singular_values"]
+    write("singular_values", [str(i + 1) for i in range(9)], [[f"{v:.2g}" for v in values[:9]]])
+
+
 # ---------------------------------------------------------------- figures
 
 def save(figure, name):
@@ -249,5 +310,6 @@ if __name__ == "__main__":
     table_sensitivity()
     table_linear()
     table_residual()
+    table_tuning(turns)
     figure_turns()
     figure_zigzags()
