@@ -50,8 +50,8 @@ Json indices_json(const Findings& f) {
   Json list = Json::array();
   for (const auto& i : f.tuning.indices) {
     const double si = i.measured.si;
-    list.push_back({{"manoeuvre", name_of(f.measured.trials[i.trial].manoeuvre)}, {"index", i.measured.name}, {"measured", number(i.measured.value / si)},
-                    {"sd", number(i.measured.deviation / si)}, {"before", number(i.before / si)}, {"after", number(i.after / si)}});
+    list.push_back({{"manoeuvre", name_of(f.measured.trials[i.trial].manoeuvre)}, {"index", i.measured.name},
+                    {"measured", number(i.measured.value / si)}, {"sd", number(i.measured.deviation / si)}, {"before", number(i.before / si)}, {"after", number(i.after / si)}});
   }
   return list;
 }
@@ -61,7 +61,8 @@ Json combinations_json(const Findings& f) {
   for (const auto& c : f.tuning.combinations) {
     Json weights = Json::object();
     for (std::size_t j = 0; j < c.weights.size(); ++j) weights[f.numbers[j].name] = number(c.weights[j]);
-    list.push_back({{"singular_value", number(c.singular_value)}, {"standard_error", number(c.standard_error)}, {"determined", c.determined}, {"weights", weights}});
+    list.push_back({{"singular_value", number(c.singular_value)}, {"standard_error", number(c.standard_error)}, {"determined", c.determined},
+                    {"weights", weights}});
   }
   return list;
 }
@@ -125,18 +126,20 @@ void print_sensitivity(const Findings& f, const MeasuredTrial& trial, std::size_
 void print_indices(const Findings& f) {
   std::size_t trial = f.measured.trials.size();
   for (const auto& i : f.tuning.indices) {
-    if (i.trial != trial) fmt::print("\n{}\n  {:<28}{:>12}{:>10}{:>12}{:>12}\n", name_of(f.measured.trials[i.trial].manoeuvre), "", "measured", "sd", "before", "after");
+    if (i.trial != trial)
+      fmt::print("\n{}\n  {:<28}{:>12}{:>10}{:>12}{:>12}\n", name_of(f.measured.trials[i.trial].manoeuvre), "", "measured", "sd", "before", "after");
     trial = i.trial;
     const double si = i.measured.si;
-    fmt::print("  {:<28}{:>12.5g}{:>10.3g}{:>12.5g}{:>12.5g}\n", i.measured.name, i.measured.value / si, i.measured.deviation / si, i.before / si, i.after / si);
+    fmt::print("  {:<28}{:>12.5g}{:>10.3g}{:>12.5g}{:>12.5g}\n", i.measured.name, i.measured.value / si, i.measured.deviation / si, i.before / si,
+               i.after / si);
   }
 }
 
 void print_numbers(const Tuning& t) {
   fmt::print("\n  {:<12}{:>14}{:>14}{:>10}{:>12}{:>12}   told by the indices\n", "number", "before", "after", "change %", "prior sd %", "sd now %");
   for (const auto& n : t.numbers)
-    fmt::print("  {:<12}{:>14.6g}{:>14.6g}{:>10.1f}{:>12.3g}{:>12.3g}   {:.0f} %{}{}\n", n.number.name, n.number.value / n.number.si, n.value / n.number.si,
-               100.0 * (n.value / n.number.value - 1.0), 100.0 * n.prior, 100.0 * n.deviation, 100.0 * n.told, n.determined() ? "" : ", undetermined",
+    fmt::print("  {:<12}{:>14.6g}{:>14.6g}{:>10.1f}{:>12.3g}{:>12.3g}   {:.0f} %{}{}\n", n.number.name, n.number.value / n.number.si,
+               n.value / n.number.si, 100.0 * (n.value / n.number.value - 1.0), 100.0 * n.prior, 100.0 * n.deviation, 100.0 * n.told, n.determined() ? "" : ", undetermined",
                n.at_bound ? ", at its bound" : "");
 }
 
@@ -171,8 +174,8 @@ void print_text(const Findings& f, const TuneArguments& a) {
   print_indices(f);
   print_numbers(t);
   print_combinations(f);
-  fmt::print("\nsum of squared relative errors: turns {:.4f} before, {:.4f} after; zigzags {:.4f} before, {:.4f} after\n", t.before.turns, t.after.turns,
-             t.before.zigzags, t.after.zigzags);
+  fmt::print("\nsum of squared relative errors: turns {:.4f} before, {:.4f} after; zigzags {:.4f} before, {:.4f} after\n", t.before.turns,
+             t.after.turns, t.before.zigzags, t.after.zigzags);
   fmt::print("{} after {} turning circles and {} zigzags; written to {}\n", in_words(t.status), t.voyages.turns, t.voyages.zigzags, a.out.string());
 }
 
@@ -181,15 +184,16 @@ void print_text(const Findings& f, const TuneArguments& a) {
 std::string remark(const Tuning& t, const TuneArguments& a) {
   return fmt::format("Made by swayaw {} tune from {} and the indices of {}.\n{} numbers changed; {} after {} turning circles and {} zigzags.\n"
                      "Sum of squared relative errors: turns {:.6g} before, {:.6g} after; zigzags {:.6g} before, {:.6g} after.",
-                     version(), a.ship.filename().string(), a.indices.filename().string(), t.numbers.size(), in_words(t.status), t.voyages.turns, t.voyages.zigzags,
-                     t.before.turns, t.after.turns, t.before.zigzags, t.after.zigzags);
+                     version(), a.ship.filename().string(), a.indices.filename().string(), t.numbers.size(), in_words(t.status), t.voyages.turns,
+                     t.voyages.zigzags, t.before.turns, t.after.turns, t.before.zigzags, t.after.zigzags);
 }
 
 Tuning tuned(const Ship& ship, const MeasuredIndices& measured, TuningOptions options) {
   const Interrupt interrupt;
   Progress progress("tune");
   options.watch = [&](const TuningProgress& p) {
-    progress.tell(fmt::format("{} turning circles, {} zigzags, squared errors {:.4f} and {:.4f}", p.voyages.turns, p.voyages.zigzags, p.error.turns, p.error.zigzags));
+    progress.tell(fmt::format("{} turning circles, {} zigzags, squared errors {:.4f} and {:.4f}", p.voyages.turns, p.voyages.zigzags, p.error.turns,
+                              p.error.zigzags));
     return !interrupt.asked();
   };
   return tune(ship, measured, options);

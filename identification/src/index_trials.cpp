@@ -15,7 +15,8 @@ namespace {
 template <class Indices>
 Eigen::VectorXd picked(const Indices& indices, const MeasuredTrial& trial) {
   Eigen::VectorXd result(static_cast<Eigen::Index>(trial.indices.size()));
-  for (std::size_t k = 0; k < trial.indices.size(); ++k) result[static_cast<Eigen::Index>(k)] = indices.*Indices::parameters()[trial.indices[k].place].member;
+  for (std::size_t k = 0; k < trial.indices.size(); ++k)
+    result[static_cast<Eigen::Index>(k)] = indices.*Indices::parameters()[trial.indices[k].place].member;
   return result;
 }
 
@@ -40,15 +41,21 @@ double decay_of(const Ship& ship, const TurningCircle& circle, const TurnOrder& 
   return -slowest.real() * length(ship) / speed(*circle.steady);
 }
 
+/// Key of an index in the list of its manoeuvre.
+std::string_view key_of(const MeasuredTrial& trial, const MeasuredIndex& index) {
+  const bool turn = std::holds_alternative<TurnOrder>(trial.manoeuvre);
+  return turn ? CircleIndices<>::parameters()[index.place].key : ZigzagIndices<>::parameters()[index.place].key;
+}
+
 /// The way made needs samples.
 bool asks_for_way(const MeasuredTrial& trial) {
-  return std::ranges::any_of(trial.indices, [](const MeasuredIndex& i) { return i.name.starts_with("initial_turning"); });
+  return std::ranges::any_of(trial.indices, [&](const MeasuredIndex& i) { return key_of(trial, i) == "initial_turning"; });
 }
 
 }  // namespace
 
 bool asks_for_steady_turn(const MeasuredTrial& trial) {
-  return std::holds_alternative<TurnOrder>(trial.manoeuvre) && std::ranges::any_of(trial.indices, [](const MeasuredIndex& i) { return i.name.starts_with("final_"); });
+  return std::ranges::any_of(trial.indices, [&](const MeasuredIndex& i) { return key_of(trial, i).starts_with("final_"); });
 }
 
 int IndexTrials::turns() const {
@@ -82,7 +89,8 @@ Eigen::MatrixXd IndexTrials::slopes(const Ship& ship, const MeasuredTrial& trial
   count(trial, (numbers.size() + slopes_at_once - 1) / slopes_at_once);
   if (const auto* order = std::get_if<TurnOrder>(&trial.manoeuvre))
     return picked_slopes(index_slopes(ship, *order, options, std::get<TurningCircle>(sailed.run), numbers), trial, numbers.size());
-  return picked_slopes(index_slopes(ship, std::get<ZigzagOrder>(trial.manoeuvre), options, std::get<Zigzag>(sailed.run), numbers), trial, numbers.size());
+  const auto& order = std::get<ZigzagOrder>(trial.manoeuvre);
+  return picked_slopes(index_slopes(ship, order, options, std::get<Zigzag>(sailed.run), numbers), trial, numbers.size());
 }
 
 }  // namespace swayaw

@@ -79,11 +79,20 @@ std::vector<double> values_at(std::span<const ShipNumber> numbers, const Vector&
   return values;
 }
 
+/// @throws Refusal  that names the manoeuvre
+SailedTrial sailed_or_told(IndexTrials& trials, const Ship& ship, const MeasuredTrial& trial) {
+  try {
+    return trials.sail(ship, trial);
+  } catch (const Refusal& trouble) {
+    throw Refusal(fmt::format("{}: {}", name_of(trial.manoeuvre), trouble.what()));
+  }
+}
+
 /// Sails all manoeuvres.
 Candidate sailed(IndexTrials& trials, const Ship& start, std::span<const ShipNumber> numbers, const Vector& z) {
   Candidate c{.z = z, .ship = with_values(start, numbers, values_at(numbers, z)), .sailed = {}, .indices = {}};
   for (const auto& trial : trials.trials()) {
-    c.sailed.push_back(trials.sail(c.ship, trial));
+    c.sailed.push_back(sailed_or_told(trials, c.ship, trial));
     const auto& now = c.sailed.back().indices;
     const auto before = c.indices.size();
     c.indices.conservativeResize(before + now.size());
@@ -232,7 +241,8 @@ class Tuner {
       for (const auto& c : combinations)
         if (c.determined) told += c.weights[j] * c.weights[j];
       const double z = best.z[index(j)], edge = 1e-9;
-      result.push_back({.number = numbers_[j], .value = values[j], .prior = prior_of(numbers_[j]), .deviation = std::min(deviation[index(j)], prior_of(numbers_[j])), .told = told,
+      const double prior = prior_of(numbers_[j]);
+      result.push_back({.number = numbers_[j], .value = values[j], .prior = prior, .deviation = std::min(deviation[index(j)], prior), .told = told,
                         .at_bound = z <= low_[index(j)] + edge || z >= high_[index(j)] - edge});
     }
     return result;

@@ -62,8 +62,10 @@ class IndexFile {
 
   MeasuredIndices read() const {
     require_known(root_, std::array<std::string_view, 6>{"speed_m_s", "rev_s", "thrust_N", "tolerance", "turn", "zigzag"}, {}, "");
-    if (root_.contains("rev_s") && root_.contains("thrust_N")) fail(*root_.get("thrust_N"), "thrust_N is given beside rev_s; one of them drives the ship");
-    MeasuredIndices measured{.speed = positive_at(root_, "speed_m_s"), .rev = positive_at(root_, "rev_s"), .thrust = positive_at(root_, "thrust_N"), .trials = {}};
+    if (root_.contains("rev_s") && root_.contains("thrust_N"))
+      fail(*root_.get("thrust_N"), "thrust_N is given beside rev_s; one of them drives the ship");
+    MeasuredIndices measured{
+        .speed = positive_at(root_, "speed_m_s"), .rev = positive_at(root_, "rev_s"), .thrust = positive_at(root_, "thrust_N"), .trials = {}};
     const double tolerance = positive_at(root_, "tolerance").value_or(default_index_tolerance);
     for (const auto* table : tables("turn")) measured.trials.push_back(turn(*table, tolerance));
     for (const auto* table : tables("zigzag")) measured.trials.push_back(zigzag(*table, tolerance));
@@ -72,10 +74,13 @@ class IndexFile {
   }
 
  private:
-  [[noreturn]] void fail(const toml::source_position& place, std::string_view what) const { throw FileError({file_, place.line, place.column}, what); }
+  [[noreturn]] void fail(const toml::source_position& place, std::string_view what) const {
+    throw FileError({file_, place.line, place.column}, what);
+  }
   [[noreturn]] void fail(const toml::node& node, std::string_view what) const { fail(node.source().begin, what); }
 
-  void require_known(const toml::table& table, std::span<const std::string_view> known, std::span<const IndexKey> indices, std::string_view where) const {
+  void require_known(const toml::table& table, std::span<const std::string_view> known, std::span<const IndexKey> indices,
+                     std::string_view where) const {
     for (auto&& [key, value] : table) {
       const auto name = key.str();
       if (std::ranges::find(known, name) != known.end() || std::ranges::find(indices, name, &IndexKey::key) != indices.end()) continue;
@@ -134,18 +139,21 @@ class IndexFile {
     if (table && !table->contains("value")) fail(*table, fmt::format("value is missing in {}", key.key));
     const double value = number_in(table ? *table->get("value") : node, key.key, key.range);
     const auto deviation = table ? positive_at(*table, "sd") : std::nullopt;
-    return {.name = name, .place = place, .value = value * key.si, .deviation = deviation.value_or(tolerance * std::abs(value)) * key.si, .si = key.si};
+    return {.name = name, .place = place, .value = value * key.si, .deviation = deviation.value_or(tolerance * std::abs(value)) * key.si,
+            .si = key.si};
   }
 
   void add_list(std::vector<MeasuredIndex>& indices, const toml::node& node, const IndexKey& key, std::size_t first, double tolerance) const {
     const auto* list = node.as_array();
     if (!list || list->empty()) fail(node, fmt::format("{} must be a list of numbers", key.key));
-    if (first + list->size() > most_overshoots) fail(node, fmt::format("{} goes beyond the {} heading peaks that are sailed", key.key, most_overshoots));
+    if (first + list->size() > most_overshoots)
+      fail(node, fmt::format("{} goes beyond the {} heading peaks that are sailed", key.key, most_overshoots));
     for (std::size_t i = 0; i < list->size(); ++i)
       indices.push_back(index(*list->get(i), key, key.place + first + i, fmt::format("{} {}", key.key, first + i + 1), tolerance));
   }
 
-  std::vector<MeasuredIndex> indices_of(const toml::table& table, std::span<const IndexKey> keys, std::size_t first_peak, double tolerance, std::string_view where) const {
+  std::vector<MeasuredIndex> indices_of(const toml::table& table, std::span<const IndexKey> keys, std::size_t first_peak, double tolerance,
+                                        std::string_view where) const {
     std::vector<MeasuredIndex> indices;
     for (const auto& key : keys) {
       const auto* node = table.get(key.key);
@@ -171,7 +179,8 @@ class IndexFile {
   MeasuredTrial zigzag(const toml::table& table, double tolerance) const {
     const auto keys = index_keys<ZigzagIndices<>>(L_);
     require_known(table, std::array<std::string_view, 5>{"rudder_deg", "heading_deg", "first", "first_peak", "tolerance"}, keys, " in [[zigzag]]");
-    const ZigzagOrder order{.rudder = radians(needed(table, "rudder_deg", "[[zigzag]]")), .heading = radians(needed(table, "heading_deg", "[[zigzag]]")),
+    const ZigzagOrder order{.rudder = radians(needed(table, "rudder_deg", "[[zigzag]]")),
+                            .heading = radians(needed(table, "heading_deg", "[[zigzag]]")),
                             .first = side(table, "first")};
     return {order, indices_of(table, keys, first_peak(table) - 1, positive_at(table, "tolerance").value_or(tolerance), "[[zigzag]]")};
   }
@@ -180,7 +189,8 @@ class IndexFile {
     const auto* node = table.get("first_peak");
     if (!node) return 1;
     const auto peak = node->value_exact<std::int64_t>();
-    if (!peak || *peak < 1 || *peak > static_cast<std::int64_t>(most_overshoots)) fail(*node, fmt::format("first_peak must be a whole number from 1 to {}", most_overshoots));
+    if (!peak || *peak < 1 || *peak > static_cast<std::int64_t>(most_overshoots))
+      fail(*node, fmt::format("first_peak must be a whole number from 1 to {}", most_overshoots));
     return static_cast<std::size_t>(*peak);
   }
 

@@ -56,7 +56,8 @@ Controls<D> self_propelled(const Model<double>& model, const Model<D>& ship, con
 }
 
 template <template <class> class Model>
-Approach<Model> approach_of(const Model<double>& model, std::span<const ShipNumber> numbers, const ManoeuvreOptions& options, const Controls<double>& propulsion) {
+Approach<Model> approach_of(const Model<double>& model, std::span<const ShipNumber> numbers, const ManoeuvreOptions& options,
+                            const Controls<double>& propulsion) {
   Approach<Model> a{seeded<lanes>(model, numbers), {}, {}};
   a.speed = options.speed ? D(*options.speed) : a.ship.particulars.U_0;
   const bool given = options.rev || options.thrust;
@@ -198,12 +199,14 @@ ZigzagIndices<> indices_of(const Zigzag& zigzag) {
 
 CircleIndices<Slopes> index_slopes(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options, const TurningCircle& circle,
                                    std::span<const ShipNumber> numbers) {
-  return in_chunks<CircleIndices>(ship, numbers, [&](const auto& model, auto chunk) { return circle_in_duals(ship, model, order, options, circle, chunk); });
+  return in_chunks<CircleIndices>(ship, numbers,
+                                  [&](const auto& model, auto chunk) { return circle_in_duals(ship, model, order, options, circle, chunk); });
 }
 
 ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options, const Zigzag& zigzag,
                                    std::span<const ShipNumber> numbers) {
-  return in_chunks<ZigzagIndices>(ship, numbers, [&](const auto& model, auto chunk) { return zigzag_in_duals(ship, model, order, options, zigzag, chunk); });
+  return in_chunks<ZigzagIndices>(ship, numbers,
+                                  [&](const auto& model, auto chunk) { return zigzag_in_duals(ship, model, order, options, zigzag, chunk); });
 }
 
 }  // namespace swayaw
