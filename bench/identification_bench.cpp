@@ -1,0 +1,55 @@
+#include <benchmark/benchmark.h>
+
+#include <limits>
+#include <random>
+
+#include "reference_loops.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/identification/trajectory_fit.hpp"
+#include "swayaw/nonlinear/coefficients.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/ship_file.hpp"
+
+namespace swayaw::bench {
+namespace {
+
+const std::vector<std::string> ten{"Y_v", "Y_r", "N_v", "N_r", "Y_vvv", "N_vvv", "N_rrr", "R_0", "f_alpha", "a_H"};
+
+/// KVLCC2 model, 888 samples of a 20/20 zigzag with noise on place, heading, yaw rate and log.
+Recording noisy_zigzag(const Ship& ship) {
+  Recording run = zigzag(ship, {radians(20.0), radians(20.0)}, {.duration = 99.8, .step = 0.1125}).run;
+  std::mt19937_64 engine(888);
+  std::normal_distribution<double> normal;
+  const double L = length(ship), U = service_speed(ship);
+  const auto shake = [&](std::span<double> column, double size) {
+    for (double& x : column) x += size * normal(engine);
+  };
+  shake(run.fill(Channel::x), 1e-3 * L);
+  shake(run.fill(Channel::y), 1e-3 * L);
+  shake(run.fill(Channel::psi), radians(0.1));
+  shake(run.fill(Channel::r), 0.01 * U / L);
+  shake(run.fill(Channel::u), 0.01 * U);
+  return run;
+}
+
+/// Ten numbers, each 10 % off at the beginning; noise estimated. The argument tells the segments in ship lengths, 0 for none.
+void trajectory_fit_10_numbers_888_samples(benchmark::State& state) {
+  const Ship ship = read_ship(SWAYAW_BENCH_SHIPS "/kvlcc2_l7.toml");
+  const auto run = noisy_zigzag(ship);
+  const auto numbers = ship_numbers(ship, ten);
+  std::vector<double> off;
+  for (const auto& n : numbers) off.push_back(n.value * (off.size() % 2 == 0 ? 1.1 : 0.9));
+  const Ship start = with_values(ship, numbers, off);
+  const double segment = state.range(0) > 0 ? static_cast<double>(state.range(0)) : std::numeric_limits<double>::infinity();
+  const TrajectoryFitOptions options{.numbers = ten, .channels = {Channel::x, Channel::y, Channel::psi, Channel::r, Channel::u}, .segment = segment};
+  TrajectoryFit fit{};
+  for (auto _ : state) fit = fit_trajectories(start, run, options);
+  state.counters["samples"] = static_cast<double>(run.samples());
+  state.counters["sensitivities"] = fit.sensitivities;
+  state.counters["converged"] = fit.status == TrajectoryFitStatus::converged;
+  tell_ratio(state);
+}
+BENCHMARK(trajectory_fit_10_numbers_888_samples)->Arg(0)->Arg(4)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace swayaw::bench

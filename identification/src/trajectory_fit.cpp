@@ -1,0 +1,160 @@
+#include "swayaw/identification/trajectory_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "swayaw/core/refusal.hpp"
+#include "trajectory_errors.hpp"
+#include "trajectory_search.hpp"
+
+namespace swayaw {
+namespace {
+
+// ---------------------------------------------------------------- report
+
+/// Residuals of a channel in one run, in the order of time.
+std::vector<double> residuals_of(std::size_t run, Channel channel, const std::vector<Leg>& legs, const std::vector<Course>& courses) {
+  std::vector<double> residuals;
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const auto& readings = legs[i].stretch.readings;
+    for (std::size_t k = 0; k < readings.size() && legs[i].run == run; ++k)
+      if (readings[k].channel == channel) residuals.push_back(courses[i].residual[static_cast<Eigen::Index>(k)]);
+  }
+  return residuals;
+}
+
+double rms(const std::vector<double>& e) { return std::sqrt(std::inner_product(e.begin(), e.end(), e.begin(), 0.0) / static_cast<double>(e.size())); }
+
+/// Σ e_k e_{k+1} / Σ e_k²
+double autocorrelation(const std::vector<double>& e) {
+  const double squares = std::inner_product(e.begin(), e.end(), e.begin(), 0.0);
+  return e.size() < 2 || squares == 0.0 ? 0.0 : std::inner_product(e.begin() + 1, e.end(), e.begin(), 0.0) / squares;
+}
+
+ChannelResiduals channel_residuals(Channel channel, const std::vector<double>& before, const std::vector<double>& after) {
+  const double rho = autocorrelation(after), count = static_cast<double>(after.size()), positive = std::max(rho, 0.0);
+  return {.channel = channel, .count = after.size(), .before = rms(before), .after = rms(after), .autocorrelation = rho,
+          .effective_count = std::max(1.0, count * (1.0 - positive) / (1.0 + positive))};
+}
+
+std::vector<FittedRun> fitted_runs(const TrajectoryProblem& problem, std::span<const Recording> runs, const std::vector<Leg>& legs,
+                                   const std::vector<Course>& before, const std::vector<Course>& after) {
+  std::vector<FittedRun> result;
+  for (std::size_t j = 0; j < runs.size(); ++j) {
+    FittedRun run{.name = runs[j].name, .start = {}, .channels = {}};
+    for (const Channel channel : problem.channels) {
+      const auto left = residuals_of(j, channel, legs, after);
+      if (!left.empty()) run.channels.push_back(channel_residuals(channel, residuals_of(j, channel, legs, before), left));
+    }
+    result.push_back(std::move(run));
+  }
+  return result;
+}
+
+std::vector<std::vector<double>> listed(const Eigen::MatrixXd& A) {
+  std::vector<std::vector<double>> rows;
+  for (Eigen::Index i = 0; i < A.rows(); ++i) {
+    rows.emplace_back();
+    for (Eigen::Index k = 0; k < A.cols(); ++k) rows.back().push_back(A(i, k));
+  }
+  return rows;
+}
+
+std::vector<FittedNumber> fitted_numbers(const TrajectoryProblem& problem, std::span<const double> values, const Eigen::MatrixXd& covariance) {
+  std::vector<FittedNumber> numbers;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto place = static_cast<Eigen::Index>(i);
+    numbers.push_back({.name = problem.numbers[i].name, .before = problem.numbers[i].value, .estimate = {values[i], std::sqrt(covariance(place, place))},
+                       .at_bound = values[i] <= problem.low[i] || values[i] >= problem.high[i]});
+  }
+  return numbers;
+}
+
+void tell_numbers(const TrajectoryProblem& problem, const Found& found, const NumberErrors& errors, TrajectoryFit& fit) {
+  const auto& C = errors.covariance;
+  const bool ended = found.status == TrajectoryFitStatus::converged || found.status == TrajectoryFitStatus::iteration_limit;
+  fit.status = ended && !errors.full_rank ? TrajectoryFitStatus::rank_deficient : found.status;
+  fit.numbers = fitted_numbers(problem, found.place.values, C);
+  fit.covariance = listed(C);
+  const Eigen::VectorXd over = C.diagonal().cwiseSqrt().cwiseInverse();
+  fit.correlation = listed(over.asDiagonal() * C * over.asDiagonal());
+  const auto combinations = combinations_of(problem.numbers, found.place.values, errors);
+  fit.condition_number = combinations.condition_number;
+  fit.best_combination = combinations.best;
+  fit.undetermined = combinations.undetermined;
+}
+
+// ---------------------------------------------------------------- the fit
+
+/// Weight of the numbers as given: 1/deviation² of those that have one.
+Eigen::VectorXd prior_of(const NumberList& numbers, bool wanted) {
+  Eigen::VectorXd weight = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(numbers.size()));
+  for (std::size_t i = 0; i < numbers.size() && wanted; ++i)
+    if (const double s = numbers[i].deviation; s > 0.0) weight[static_cast<Eigen::Index>(i)] = 1.0 / (s * s);
+  return weight;
+}
+
+/// The value itself, or for 0 the largest of the others: a change by so much is a large one.
+Eigen::VectorXd units_of(const NumberList& numbers) {
+  Eigen::VectorXd unit(static_cast<Eigen::Index>(numbers.size()));
+  for (std::size_t i = 0; i < numbers.size(); ++i) unit[static_cast<Eigen::Index>(i)] = std::abs(numbers[i].value);
+  const double largest = unit.maxCoeff() > 0.0 ? unit.maxCoeff() : 1.0;
+  return unit.unaryExpr([&](double x) { return x > 0.0 ? x : largest; });
+}
+
+Place first_place(const TrajectoryProblem& problem, const std::vector<Leg>& legs) {
+  Place place{.values = {}, .starts = {}, .pushes = std::vector<Eigen::Vector<double, 6>>(legs.size(), Eigen::Vector<double, 6>::Zero())};
+  for (std::size_t i = 0; i < problem.numbers.size(); ++i) place.values.push_back(std::clamp(problem.numbers[i].value, problem.low[i], problem.high[i]));
+  for (const auto& leg : legs) place.starts.push_back(leg.start);
+  return place;
+}
+
+void require_simulated(const Ship& ship, const TrajectoryProblem& problem, const std::vector<Leg>& legs, const Place& place, std::span<const Recording> runs) {
+  const auto courses = sail_legs(problem, legs, place, false);
+  for (std::size_t i = 0; i < legs.size(); ++i)
+    if (!finite({&courses[i], 1}))
+      throw Refusal(fmt::format("{}: {} cannot be simulated from the recorded state at {:.6g} s", runs[legs[i].run].name, ship.name,
+                                legs[i].stretch.run->time[legs[i].stretch.from]));
+}
+
+/// Starts of the whole runs in place of those of their legs.
+Place of_whole_runs(const Place& place, const std::vector<Leg>& legs, const std::vector<Leg>& whole) {
+  Place result{.values = place.values, .starts = {}, .pushes = std::vector<Eigen::Vector<double, 6>>(whole.size(), Eigen::Vector<double, 6>::Zero())};
+  for (const auto& run : whole) result.starts.push_back(place.starts[static_cast<std::size_t>(std::ranges::find(legs, run.run, &Leg::run) - legs.begin())]);
+  return result;
+}
+
+}  // namespace
+
+TrajectoryFit fit_trajectories(const Ship& ship, std::span<const Recording> runs, const TrajectoryFitOptions& options) {
+  const auto problem = problem_of(ship, runs, options);
+  const auto legs = legs_of(problem, ship, runs, options.segment);
+  const auto given = first_place(problem, legs);
+  require_simulated(ship, problem, legs, given, runs);
+  const SearchTask task{problem, legs, options, prior_of(problem.numbers, options.priors), units_of(problem.numbers)};
+  const auto found = search_from(task, given);
+  // what is left is that of whole runs, unless disturbances part the legs
+  const auto whole = options.disturbance ? legs : legs_of(problem, ship, runs, std::numeric_limits<double>::infinity());
+  const auto before = sail_legs(problem, whole, first_place(problem, whole), false);
+  const auto after = sail_legs(problem, whole, options.disturbance ? found.place : of_whole_runs(found.place, legs, whole), false);
+  TrajectoryFit fit{};
+  fit.ship = with_values(ship, problem.numbers, found.place.values);
+  tell_numbers(problem, found, number_errors(problem, found.at, task.prior), fit);
+  for (const Channel channel : problem.channels) fit.noise[index_of(channel)] = found.weights.noise[index_of(channel)];
+  fit.log_likelihood = log_likelihood(whole, after, found.weights);
+  fit.runs = fitted_runs(problem, runs, whole, before, after);
+  for (std::size_t j = 0; j < runs.size(); ++j) fit.runs[j].start = state_of(found.place.starts[static_cast<std::size_t>(std::ranges::find(legs, j, &Leg::run) - legs.begin())]);
+  fit.iterations = found.iterations;
+  fit.sensitivities = found.sensitivities;
+  return fit;
+}
+
+TrajectoryFit fit_trajectories(const Ship& ship, const Recording& run, const TrajectoryFitOptions& options) {
+  return fit_trajectories(ship, std::span(&run, 1), options);
+}
+
+}  // namespace swayaw

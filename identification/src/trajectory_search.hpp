@@ -1,0 +1,32 @@
+#pragma once
+
+#include "trajectory_shooting.hpp"
+
+/// The search for the most likely numbers. Not installed.
+namespace swayaw {
+
+/// What a search works with.
+struct SearchTask {
+  const TrajectoryProblem& problem;
+  const std::vector<Leg>& legs;
+  const TrajectoryFitOptions& options;
+  Eigen::VectorXd prior;  ///< weight of the numbers as given
+  Eigen::VectorXd unit;   ///< size of a large change of each number
+};
+
+/// How a search ended, and where.
+struct Found {
+  Linearization at;
+  Weights weights;
+  Place place;
+  TrajectoryFitStatus status;
+  int iterations;
+  double sensitivities;   ///< how often all runs were simulated with derivatives
+};
+
+Found search_from(const SearchTask& task, const Place& start);
+
+/// −½ Σ (e²/σ² + ln 2πσ²)
+double log_likelihood(const std::vector<Leg>& legs, const std::vector<Course>& courses, const Weights& weights);
+
+}  // namespace swayaw
