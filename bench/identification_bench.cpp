@@ -1,6 +1,5 @@
 #include <benchmark/benchmark.h>
 
-#include <limits>
 #include <random>
 
 #include "reference_loops.hpp"
@@ -32,7 +31,7 @@ Recording noisy_zigzag(const Ship& ship) {
   return run;
 }
 
-/// Ten numbers, each 10 % off at the beginning; noise estimated. The argument tells the segments in ship lengths, 0 for none.
+/// Ten numbers, each 10 % off at the beginning; noise estimated. The argument tells the threads, 0 for all cores.
 void trajectory_fit_10_numbers_888_samples(benchmark::State& state) {
   const Ship ship = read_ship(SWAYAW_BENCH_SHIPS "/kvlcc2_l7.toml");
   const auto run = noisy_zigzag(ship);
@@ -40,8 +39,7 @@ void trajectory_fit_10_numbers_888_samples(benchmark::State& state) {
   std::vector<double> off;
   for (const auto& n : numbers) off.push_back(n.value * (off.size() % 2 == 0 ? 1.1 : 0.9));
   const Ship start = with_values(ship, numbers, off);
-  const double segment = state.range(0) > 0 ? static_cast<double>(state.range(0)) : std::numeric_limits<double>::infinity();
-  const TrajectoryFitOptions options{.numbers = ten, .channels = {Channel::x, Channel::y, Channel::psi, Channel::r, Channel::u}, .segment = segment};
+  const TrajectoryFitOptions options{.numbers = ten, .channels = {Channel::x, Channel::y, Channel::psi, Channel::r, Channel::u}, .threads = static_cast<unsigned>(state.range(0))};
   TrajectoryFit fit{};
   for (auto _ : state) fit = fit_trajectories(start, run, options);
   state.counters["samples"] = static_cast<double>(run.samples());
@@ -49,7 +47,7 @@ void trajectory_fit_10_numbers_888_samples(benchmark::State& state) {
   state.counters["converged"] = fit.status == TrajectoryFitStatus::converged;
   tell_ratio(state);
 }
-BENCHMARK(trajectory_fit_10_numbers_888_samples)->Arg(0)->Arg(4)->Unit(benchmark::kMillisecond);
+BENCHMARK(trajectory_fit_10_numbers_888_samples)->Arg(1)->Arg(0)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace swayaw::bench

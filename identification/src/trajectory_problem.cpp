@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/replay.hpp"
@@ -86,12 +87,11 @@ void check(const TrajectoryFitOptions& options) {
 TrajectoryProblem problem_of(const Ship& ship, std::span<const Recording> runs, const TrajectoryFitOptions& options) {
   check(options);
   if (runs.empty()) throw Refusal("no recording to fit to");
-  TrajectoryProblem problem{.numbers = numbers_of(ship, options), .L = length(ship), .U = service_speed(ship), .samples = 0.0};
+  TrajectoryProblem problem{.numbers = numbers_of(ship, options), .L = length(ship), .U = service_speed(ship), .threads = options.threads};
   for (const auto& run : runs) {
     if (run.samples() < 3) throw Refusal(fmt::format("{}: fewer than 3 samples to fit to", run.name));
     problem.unit.push_back(time_unit(ship, run));
     problem.runs.push_back(course_run(ship, run, options, problem.unit.back()));
-    problem.samples += static_cast<double>(run.samples());
   }
   problem.channels = channels_of(problem.runs);
   for (const auto& number : problem.numbers) add_bounds(problem, number);

@@ -20,7 +20,7 @@ struct TrajectoryProblem {
   std::vector<double> low, high;   ///< of the numbers, SI
   std::unique_ptr<Sailor> sailor;
   double L, U;                     ///< of the ship
-  double samples;                  ///< of all runs
+  unsigned threads;
 };
 
 /// A stretch with its state at the beginning. A joined one is to end where the next begins.

@@ -107,8 +107,7 @@ class Searcher {
     for (int iteration = 0;; ++iteration) {
       Linearization at(task_.problem, task_.legs, now_.place, now_.courses, now_.weights, disturbances(now_.place), task_.prior);
       const auto step = bounded_step(at);
-      const bool there = arrived(at, step.move);
-      if (there) now_.place = moved(now_.place, step.move, 1.0);
+      const bool there = arrives(at, step);
       if (there || stopped_ || iteration >= task_.options.most_iterations || mu_ > 1e12)
         return {std::move(at), now_.weights, now_.place, status(there), iteration, sensitivities_};
       if (!take(at, step)) continue;
@@ -169,23 +168,50 @@ class Searcher {
     return step;
   }
 
-  /// The rest of the way is not worth a simulation: it gains less than 1e-7 squared standard deviations, and closes no gaps.
-  bool arrived(const Linearization& at, const Move& move) const {
-    const auto far = [&](const auto& start) { return start.cwiseQuotient(state_unit_).cwiseAbs().maxCoeff() > 1e-5; };
-    return change_ < 1e-3 && at.gain(move) < 1e-7 && std::ranges::none_of(move.starts, far);
+  /// Squared standard deviations that are not worth a simulation, and those over which derivatives hardly change.
+  static constexpr double nothing = 1e-5, little = 0.1;
+
+  bool ends(const Linearization& at, const Move& move) const {
+    const auto far = [&](const auto& start) { return start.cwiseQuotient(state_unit_).cwiseAbs().maxCoeff() > 1e-4; };
+    return at.gain(move) < nothing && std::ranges::none_of(move.starts, far);
+  }
+
+  /// Whether the step gains next to nothing and closes no gaps, or so does the one that would follow a small step, by the
+  /// same derivatives. Takes what is left of the way.
+  bool arrives(const Linearization& at, const Step& step) {
+    if (change_ > 0.1) return false;
+    auto next = moved(now_.place, step.move, 1.0);
+    if (ends(at, step.move)) {
+      if (change_ > 1e-3) return false;
+      now_.place = std::move(next);
+      return true;
+    }
+    if (at.gain(step.move) > little) return false;
+    auto courses = sail_legs(task_.problem, task_.legs, next, false);
+    if (!finite(courses)) return false;
+    const auto rest = at.step(next, courses, damping(), stay(step));
+    if (!ends(at, rest)) return false;
+    now_.place = moved(next, rest, 1.0);
+    now_.courses = std::move(courses);
+    weigh_again();
+    return change_ < 1e-3;
+  }
+
+  /// Numbers at the end of their range stay there.
+  static Eigen::VectorXd stay(const Step& step) {
+    return step.held.unaryExpr([](double x) { return std::isfinite(x) ? 0.0 : x; });
   }
 
   /// Takes the step, its half or its quarter: the longest after which the same derivatives ask for less of a move than before
   /// (Deuflhard's natural test). The sum of squares may rise on the way, as it must where a narrow valley bends.
   /// Source: [Deuflhard2011] sections 3.3, 4.3
   bool take(const Linearization& at, const Step& step) {
-    const Eigen::VectorXd stay = step.held.unaryExpr([](double x) { return std::isfinite(x) ? 0.0 : x; });
     const double whole = size_of(step.move);
     for (double share = 1.0; share > 0.2; share *= 0.5) {
       auto place = moved(at.place(), step.move, share);
       auto courses = sail_legs(task_.problem, task_.legs, place, true);
       sensitivities_ += 1.0;
-      if (!finite(courses) || size_of(at.step(place, courses, damping(), stay)) > (1.0 - 0.25 * share) * whole) continue;
+      if (!finite(courses) || size_of(at.step(place, courses, damping(), stay(step))) > (1.0 - 0.25 * share) * whole) continue;
       now_.place = std::move(place);
       now_.courses = std::move(courses);
       mu_ = std::max(least_damping, 0.1 * mu_);
@@ -218,9 +244,9 @@ class Searcher {
     return largest;
   }
 
-  /// Keeps the most likely place whose legs fit together. A search that has not found a better one for some steps, or that ends,
-  /// goes back to it.
-  void watch(bool ends) {
+  /// Keeps the most likely place whose legs fit together. A search that has not found a better one for some steps, or
+  /// that takes no more, goes back to it.
+  void watch(bool last) {
     constexpr int patience = 4;
     if (now_.log_likelihood > best_.log_likelihood && largest_gap() < 1e-3) {
       best_ = now_;
@@ -228,7 +254,7 @@ class Searcher {
       return;
     }
     const bool known = std::isfinite(best_.log_likelihood);
-    if (!known || (++since_best_ <= patience && !ends)) return;
+    if (!known || (++since_best_ <= patience && !last)) return;
     now_ = best_;
     since_best_ = 0;
     change_ = 1.0;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swayaw/core/parallel.hpp"
+
 namespace swayaw {
 
 // ---------------------------------------------------------------- axes
@@ -42,8 +44,8 @@ Place moved(const Place& from, const Move& move, double share) {
 }
 
 std::vector<Course> sail_legs(const TrajectoryProblem& problem, const std::vector<Leg>& legs, const Place& place, bool with_slopes) {
-  std::vector<Course> courses;
-  for (std::size_t i = 0; i < legs.size(); ++i) courses.push_back(problem.sailor->sail(legs[i].stretch, place.starts[i], place.values, with_slopes));
+  std::vector<Course> courses(legs.size());
+  in_parallel(legs.size(), problem.threads, [&](std::size_t i) { courses[i] = problem.sailor->sail(legs[i].stretch, place.starts[i], place.values, with_slopes); });
   return courses;
 }
 

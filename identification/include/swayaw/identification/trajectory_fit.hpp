@@ -26,13 +26,14 @@ struct TrajectoryFitOptions {
   std::vector<std::string> numbers;     ///< to be fitted, by name as in ship_numbers: "N_v", "rudder.x_prime"
   std::vector<Channel> channels = {};   ///< to fit to, of measured_channels; empty: all that a run has
   MeasurementNoise noise = {};          ///< known noise; otherwise estimated
-  double segment = 1.5;                 ///< length of the segments that lead to the whole run [ship lengths]; infinite: none, single shooting
+  double segment = 1.0;                 ///< length of the segments that lead to the whole run [ship lengths]; infinite: none, single shooting
   std::optional<PlanarAcceleration<double>> disturbance = {};  ///< white random accelerations act on the ship: standard deviation that
                                         ///< a velocity gains over one second [m/s, m/s, rad/s]. Segments remain, and end apart
   bool priors = false;                  ///< the numbers as given, with the ship's confidence, count as measurements
   std::optional<double> robust = {};    ///< residuals beyond so many standard deviations count with their size, not its square: 1.345
   double step = 0.04;                   ///< longest step of the integration [ship lengths]
   int most_iterations = 100;
+  unsigned threads = 0;                 ///< that simulate segments side by side; 0 for one on each core
   std::function<bool(const TrajectoryProgress&)> progress = {};  ///< after each iteration; false ends the fit with the best so far
 };
 
