@@ -29,13 +29,13 @@ S shown(Channel channel, const ShipState<S>& s, const Current<S>& current) {
 
 inline bool is_direction(Channel channel) { return channel == Channel::psi || channel == Channel::course_over_ground; }
 
-/// Least noise that a channel is credited with: rounding of files.
+/// Least noise that a channel is credited with: rounding of numbers.
 inline double floor_of(Channel channel, double L, double U) {
   switch (channel) {
-    case Channel::x: case Channel::y: return 1e-5 * L;
-    case Channel::psi: case Channel::course_over_ground: return 1e-5;
-    case Channel::r: return 1e-5 * U / L;
-    default: return 1e-5 * U;
+    case Channel::x: case Channel::y: return 1e-7 * L;
+    case Channel::psi: case Channel::course_over_ground: return 1e-7;
+    case Channel::r: return 1e-7 * U / L;
+    default: return 1e-7 * U;
   }
 }
 

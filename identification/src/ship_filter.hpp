@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "measurement.hpp"
 #include "ship_predictor.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/recording.hpp"
@@ -10,18 +11,6 @@
 namespace swayaw {
 
 // ---------------------------------------------------------------- channels
-
-/// A channel as a function of state and current.
-template <class S>
-S shown(Channel channel, const ShipState<S>& s, const Current<S>& current) {
-  const auto ground = over_ground(current, s);
-  if (channel == Channel::u_ground) return ground.u;
-  if (channel == Channel::v_ground) return ground.v;
-  if (channel == Channel::speed_over_ground) return speed(ground);
-  return s.psi + angle_of(ground.v, ground.u);  // course over ground
-}
-
-inline bool is_direction(Channel channel) { return channel == Channel::psi || channel == Channel::course_over_ground; }
 
 /// The state that a channel shows alone, or −1.
 inline int plain_state(Channel channel) {

@@ -14,7 +14,7 @@ std::vector<Channel> channels_of(std::span<const Recording> runs, const Estimati
   std::vector<Channel> used;
   const auto wanted = [&](Channel c) { return options.channels.empty() || std::ranges::count(options.channels, c) > 0; };
   const auto recorded = [&](Channel c) { return std::ranges::any_of(runs, [c](const Recording& run) { return run.has(c); }); };
-  std::ranges::copy_if(filter_channels, std::back_inserter(used), [&](Channel c) { return recorded(c) && wanted(c); });
+  std::ranges::copy_if(measured_channels, std::back_inserter(used), [&](Channel c) { return recorded(c) && wanted(c); });
   return used;
 }
 

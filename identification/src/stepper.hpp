@@ -156,7 +156,7 @@ class Helmsman {
     const auto g = [&](double after) { return plain_.functions(plain_.step(s, line, t, after, branch_), line.at(t + after))[which]; };
     const double g0 = plain_.functions(s, line.at(t))[which], g1 = g(h);
     if ((g0 > 0.0) != branch_[which] || g0 == 0.0) return 0.0;  // has just passed zero
-    if (g1 == 0.0) return h;
+    if (!(g0 * g1 < 0.0)) return h;  // at the end, or not a number
     std::uintmax_t iterations = 60;
     const auto close = [&](double a, double b) { return b - a < 1e-13 * h; };
     const auto bracket = boost::math::tools::toms748_solve(g, 0.0, h, g0, g1, close, iterations);

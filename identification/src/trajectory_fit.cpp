@@ -69,7 +69,7 @@ std::vector<FittedNumber> fitted_numbers(const TrajectoryProblem& problem, std::
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto place = static_cast<Eigen::Index>(i);
     numbers.push_back({.name = problem.numbers[i].name, .before = problem.numbers[i].value, .estimate = {values[i], std::sqrt(covariance(place, place))},
-                       .at_bound = values[i] <= problem.low[i] || values[i] >= problem.high[i]});
+                       .at_bound = values[i] == problem.low[i] || values[i] == problem.high[i]});
   }
   return numbers;
 }
@@ -98,12 +98,16 @@ Eigen::VectorXd prior_of(const NumberList& numbers, bool wanted) {
   return weight;
 }
 
-/// The value itself, or for 0 the largest of the others: a change by so much is a large one.
+/// Sizes of large changes: the number itself, or a fiftieth of the largest in its table where it is smaller; 1 where all are 0.
 Eigen::VectorXd units_of(const NumberList& numbers) {
   Eigen::VectorXd unit(static_cast<Eigen::Index>(numbers.size()));
-  for (std::size_t i = 0; i < numbers.size(); ++i) unit[static_cast<Eigen::Index>(i)] = std::abs(numbers[i].value);
-  const double largest = unit.maxCoeff() > 0.0 ? unit.maxCoeff() : 1.0;
-  return unit.unaryExpr([&](double x) { return x > 0.0 ? x : largest; });
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    double largest = 0.0;
+    for (const auto& other : numbers)
+      if (other.table == numbers[i].table) largest = std::max(largest, std::abs(other.value));
+    unit[static_cast<Eigen::Index>(i)] = largest > 0.0 ? std::max(std::abs(numbers[i].value), 0.02 * largest) : 1.0;
+  }
+  return unit;
 }
 
 Place first_place(const TrajectoryProblem& problem, const std::vector<Leg>& legs) {
@@ -113,12 +117,26 @@ Place first_place(const TrajectoryProblem& problem, const std::vector<Leg>& legs
   return place;
 }
 
-void require_simulated(const Ship& ship, const TrajectoryProblem& problem, const std::vector<Leg>& legs, const Place& place, std::span<const Recording> runs) {
-  const auto courses = sail_legs(problem, legs, place, false);
-  for (std::size_t i = 0; i < legs.size(); ++i)
-    if (!finite({&courses[i], 1}))
-      throw Refusal(fmt::format("{}: {} cannot be simulated from the recorded state at {:.6g} s", runs[legs[i].run].name, ship.name,
-                                legs[i].stretch.run->time[legs[i].stretch.from]));
+/// The first leg whose simulation does not give numbers.
+std::vector<Leg>::const_iterator first_lost(const TrajectoryProblem& problem, const std::vector<Leg>& legs) {
+  const auto courses = sail_legs(problem, legs, first_place(problem, legs), false);
+  return std::ranges::find_if(legs, [&](const Leg& leg) { return !finite({&courses[static_cast<std::size_t>(&leg - legs.data())], 1}); });
+}
+
+/// Legs as long as asked for, or shorter where the ship that was given does not get so far.
+std::vector<Leg> sailable_legs(const TrajectoryProblem& problem, const Ship& ship, std::span<const Recording> runs, double lengths) {
+  constexpr double shortest = 0.1;
+  auto legs = legs_of(problem, ship, runs, lengths);
+  auto lost = first_lost(problem, legs);
+  while (lost != legs.end() && std::isfinite(lengths) && lengths > shortest) {
+    lengths *= 0.5;
+    legs = legs_of(problem, ship, runs, lengths);
+    lost = first_lost(problem, legs);
+  }
+  if (lost != legs.end())
+    throw Refusal(fmt::format("{}: {} cannot be simulated from the recorded state at {:.6g} s", runs[lost->run].name, ship.name,
+                              lost->stretch.run->time[lost->stretch.from]));
+  return legs;
 }
 
 /// Starts of the whole runs in place of those of their legs.
@@ -132,11 +150,9 @@ Place of_whole_runs(const Place& place, const std::vector<Leg>& legs, const std:
 
 TrajectoryFit fit_trajectories(const Ship& ship, std::span<const Recording> runs, const TrajectoryFitOptions& options) {
   const auto problem = problem_of(ship, runs, options);
-  const auto legs = legs_of(problem, ship, runs, options.segment);
-  const auto given = first_place(problem, legs);
-  require_simulated(ship, problem, legs, given, runs);
+  const auto legs = sailable_legs(problem, ship, runs, options.segment);
   const SearchTask task{problem, legs, options, prior_of(problem.numbers, options.priors), units_of(problem.numbers)};
-  const auto found = search_from(task, given);
+  const auto found = search_from(task, first_place(problem, legs));
   // what is left is that of whole runs, unless disturbances part the legs
   const auto whole = options.disturbance ? legs : legs_of(problem, ship, runs, std::numeric_limits<double>::infinity());
   const auto before = sail_legs(problem, whole, first_place(problem, whole), false);

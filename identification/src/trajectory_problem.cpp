@@ -34,9 +34,7 @@ std::vector<int> steps_between(std::span<const double> time, double longest) {
   return steps;
 }
 
-CourseRun course_run(const Ship& ship, const Recording& run, const TrajectoryFitOptions& options, double unit) {
-  if (run.samples() < 3) throw Refusal(fmt::format("{}: fewer than 3 samples to fit to", run.name));
-  const RecordedControls controls(ship, run);
+CourseRun course_run(const Recording& run, const RecordedControls& controls, const TrajectoryFitOptions& options, double unit) {
   CourseRun result{.time = run.time, .controls = {}, .steps = steps_between(run.time, options.step * unit), .readings = readings_of(run, options)};
   for (const double time : run.time) result.controls.push_back(controls.at(time));
   if (result.readings.empty()) throw Refusal(fmt::format("{}: none of the channels to fit to was recorded", run.name));
@@ -90,8 +88,9 @@ TrajectoryProblem problem_of(const Ship& ship, std::span<const Recording> runs, 
   TrajectoryProblem problem{.numbers = numbers_of(ship, options), .L = length(ship), .U = service_speed(ship), .threads = options.threads};
   for (const auto& run : runs) {
     if (run.samples() < 3) throw Refusal(fmt::format("{}: fewer than 3 samples to fit to", run.name));
+    const RecordedControls controls(ship, run);
     problem.unit.push_back(time_unit(ship, run));
-    problem.runs.push_back(course_run(ship, run, options, problem.unit.back()));
+    problem.runs.push_back(course_run(run, controls, options, problem.unit.back()));
   }
   problem.channels = channels_of(problem.runs);
   for (const auto& number : problem.numbers) add_bounds(problem, number);

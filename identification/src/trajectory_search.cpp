@@ -124,6 +124,16 @@ class Searcher {
     return there ? TrajectoryFitStatus::converged : TrajectoryFitStatus::iteration_limit;
   }
 
+  /// A place on the way, where no number is out of its range by rounding.
+  Place moved_within(const Place& from, const Move& move, double share) const {
+    auto to = moved(from, move, share);
+    for (std::size_t i = 0; i < to.values.size(); ++i) {
+      const double slack = 1e-12 * task_.unit[static_cast<Eigen::Index>(i)], low = task_.problem.low[i], high = task_.problem.high[i];
+      to.values[i] = to.values[i] < low + slack ? low : to.values[i] > high - slack ? high : to.values[i];
+    }
+    return to;
+  }
+
   /// Estimated and known noise.
   std::array<double, channel_count> noise_here(const Weights& weights) const {
     const double unknowns = 6.0 * static_cast<double>(task_.problem.runs.size()) + static_cast<double>(task_.problem.numbers.size());
@@ -180,7 +190,7 @@ class Searcher {
   /// same derivatives. Takes what is left of the way.
   bool arrives(const Linearization& at, const Step& step) {
     if (change_ > 0.1) return false;
-    auto next = moved(now_.place, step.move, 1.0);
+    auto next = moved_within(now_.place, step.move, 1.0);
     if (ends(at, step.move)) {
       if (change_ > 1e-3) return false;
       now_.place = std::move(next);
@@ -191,7 +201,7 @@ class Searcher {
     if (!finite(courses)) return false;
     const auto rest = at.step(next, courses, damping(), stay(step));
     if (!ends(at, rest)) return false;
-    now_.place = moved(next, rest, 1.0);
+    now_.place = moved_within(next, rest, 1.0);
     now_.courses = std::move(courses);
     weigh_again();
     return change_ < 1e-3;
@@ -208,7 +218,7 @@ class Searcher {
   bool take(const Linearization& at, const Step& step) {
     const double whole = size_of(step.move);
     for (double share = 1.0; share > 0.2; share *= 0.5) {
-      auto place = moved(at.place(), step.move, share);
+      auto place = moved_within(at.place(), step.move, share);
       auto courses = sail_legs(task_.problem, task_.legs, place, true);
       sensitivities_ += 1.0;
       if (!finite(courses) || size_of(at.step(place, courses, damping(), stay(step))) > (1.0 - 0.25 * share) * whole) continue;
@@ -244,11 +254,11 @@ class Searcher {
     return largest;
   }
 
-  /// Keeps the most likely place whose legs fit together. A search that has not found a better one for some steps, or
+  /// Keeps the most likely place whose legs fit together; a robust fit, whose noise is not that of largest likelihood, the last one. A search that has not found a better one for some steps, or
   /// that takes no more, goes back to it.
   void watch(bool last) {
     constexpr int patience = 4;
-    if (now_.log_likelihood > best_.log_likelihood && largest_gap() < 1e-3) {
+    if (task_.options.robust || (now_.log_likelihood > best_.log_likelihood && largest_gap() < 1e-3)) {
       best_ = now_;
       since_best_ = 0;
       return;

@@ -48,7 +48,7 @@ TEMPLATE_TEST_CASE("without noise the numbers of seeded ships come back from a t
   const auto names = test::told_numbers<TestType>();
   for (int i = 0; i < 10; ++i) {
     const auto [ship, runs] = test::steerable<TestType>(random, {20.0, -10.0}, 12.0, 0.02);
-    const auto fit = fit_trajectories(test::a_tenth_off(ship, names), runs, {.numbers = names, .channels = test::usual_channels, .step = 0.01});
+    const auto fit = fit_trajectories(test::a_tenth_off(ship, names), runs, {.numbers = names, .channels = test::usual_channels, .step = 0.005});
     INFO("ship " << i << ", iterations " << fit.iterations);
     CHECK(fit.status == TrajectoryFitStatus::converged);
     CHECK(worst_error(fit, test::values_of(ship, names)) < 1e-6);
@@ -123,7 +123,7 @@ TEST_CASE("speed and course over ground and velocities over ground do as well, i
   tanker.ship.surroundings.windy = true;
   tanker.ship.surroundings.wind = {3.0, -1.0};
   tanker.ship.surroundings.windage = {.rho = 1.2, .A_F = 0.3, .A_L = 1.0, .L_OA = 7.0, .x_A = 0.1, .C_Dt = 0.8, .C_Dl_bow = 0.5, .C_Dl_stern = 0.6, .delta = 0.6};
-  auto run = zigzag(tanker.ship, {radians(20.0), radians(20.0)}, {.duration = 90.0, .step = 0.2, .tolerance = 1e-12}).run;
+  auto run = test::zigzags(tanker.ship, {20.0}, 15.0, 0.05).front();
   const auto columns = {run.fill(Channel::u_ground), run.fill(Channel::v_ground), run.fill(Channel::speed_over_ground), run.fill(Channel::course_over_ground)};
   for (std::size_t i = 0; i < run.samples(); ++i) {
     const ShipState<double> s{0.0, 0.0, run[Channel::psi][i], {run[Channel::u][i], run[Channel::v][i], run[Channel::r][i]}};

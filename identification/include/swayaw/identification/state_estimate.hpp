@@ -6,19 +6,12 @@
 #include <vector>
 
 #include "swayaw/core/recording.hpp"
+#include "swayaw/identification/measurement.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Where a recorded ship really was, how she moved, and what pushed her besides the model: extended Kalman filter with the
 /// ship as predictor, and smoother. docs/state_estimation.md describes the method.
 namespace swayaw {
-
-/// The measured channels that the filter understands. Speed over ground and course are nonlinear in the state.
-inline constexpr std::array<Channel, 11> filter_channels{
-    Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::u_ground, Channel::v_ground, Channel::speed_through_water,
-    Channel::speed_over_ground, Channel::course_over_ground, Channel::r};
-
-/// Standard deviation of white measurement noise, channel by channel, SI; nothing where it is to be estimated.
-using MeasurementNoise = std::array<std::optional<double>, channel_count>;
 
 /// What acts on the ship besides the model: random accelerations a of surge, sway and yaw.
 ///
