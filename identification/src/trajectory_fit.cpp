@@ -117,26 +117,41 @@ Place first_place(const TrajectoryProblem& problem, const std::vector<Leg>& legs
   return place;
 }
 
-/// The first leg whose simulation does not give numbers.
-std::vector<Leg>::const_iterator first_lost(const TrajectoryProblem& problem, const std::vector<Leg>& legs) {
-  const auto courses = sail_legs(problem, legs, first_place(problem, legs), false);
-  return std::ranges::find_if(legs, [&](const Leg& leg) { return !finite({&courses[static_cast<std::size_t>(&leg - legs.data())], 1}); });
-}
+/// The ship that was given, in legs.
+struct FirstTry {
+  std::vector<Leg> legs;
+  std::vector<Course> courses;
 
-/// Legs as long as asked for, or shorter where the ship that was given does not get so far.
-std::vector<Leg> sailable_legs(const TrajectoryProblem& problem, const Ship& ship, std::span<const Recording> runs, double lengths) {
-  constexpr double shortest = 0.1;
-  auto legs = legs_of(problem, ship, runs, lengths);
-  auto lost = first_lost(problem, legs);
-  while (lost != legs.end() && std::isfinite(lengths) && lengths > shortest) {
-    lengths *= 0.5;
-    legs = legs_of(problem, ship, runs, lengths);
-    lost = first_lost(problem, legs);
+  bool lost(std::size_t i) const { return !finite({&courses[i], 1}); }
+
+  /// Whether a leg ends far from where the next begins, in ship units.
+  bool strays(std::size_t i, const Eigen::Vector<double, 6>& unit) const {
+    constexpr double far = 0.3;
+    if (lost(i) || !legs[i].joined) return lost(i);
+    double gap = 0.0;
+    for (std::size_t k = 0; k < 6; ++k) gap = std::max(gap, std::abs(courses[i].end[k] - legs[i + 1].start[k]) / unit[static_cast<Eigen::Index>(k)]);
+    return gap > far;
   }
-  if (lost != legs.end())
-    throw Refusal(fmt::format("{}: {} cannot be simulated from the recorded state at {:.6g} s", runs[lost->run].name, ship.name,
-                              lost->stretch.run->time[lost->stretch.from]));
-  return legs;
+};
+
+constexpr double shortest_leg = 0.1;  ///< ship lengths
+
+/// Legs as long as `lengths`, or shorter, and then `lengths` too, where the ship that was given does not stay near the recording so long.
+std::vector<Leg> sailable_legs(const TrajectoryProblem& problem, const Ship& ship, std::span<const Recording> runs, double& lengths) {
+  FirstTry first;
+  for (bool again = true; again;) {
+    first.legs = legs_of(problem, ship, runs, lengths);
+    first.courses = sail_legs(problem, first.legs, first_place(problem, first.legs), false);
+    again = false;
+    for (std::size_t i = 0; i < first.legs.size(); ++i) again |= first.strays(i, state_units(problem));
+    again &= std::isfinite(lengths) && lengths > shortest_leg;
+    if (again) lengths *= 0.5;
+  }
+  for (std::size_t i = 0; i < first.legs.size(); ++i)
+    if (first.lost(i))
+      throw Refusal(fmt::format("{}: {} cannot be simulated from the recorded state at {:.6g} s", runs[first.legs[i].run].name, ship.name,
+                                first.legs[i].stretch.run->time[first.legs[i].stretch.from]));
+  return first.legs;
 }
 
 /// Starts of the whole runs in place of those of their legs.
@@ -150,9 +165,16 @@ Place of_whole_runs(const Place& place, const std::vector<Leg>& legs, const std:
 
 TrajectoryFit fit_trajectories(const Ship& ship, std::span<const Recording> runs, const TrajectoryFitOptions& options) {
   const auto problem = problem_of(ship, runs, options);
-  const auto legs = sailable_legs(problem, ship, runs, options.segment);
+  double lengths = options.segment;
+  auto legs = sailable_legs(problem, ship, runs, lengths);
   const SearchTask task{problem, legs, options, prior_of(problem.numbers, options.priors), units_of(problem.numbers)};
-  const auto found = search_from(task, first_place(problem, legs));
+  std::optional<Found> search(search_from(task, first_place(problem, legs)));
+  while (search->stuck && std::isfinite(lengths) && lengths > shortest_leg) {
+    lengths *= 0.5;
+    legs = sailable_legs(problem, ship, runs, lengths);
+    search.emplace(search_from(task, first_place(problem, legs)));
+  }
+  const auto& found = *search;
   // what is left is that of whole runs, unless disturbances part the legs
   const auto whole = options.disturbance ? legs : legs_of(problem, ship, runs, std::numeric_limits<double>::infinity());
   const auto before = sail_legs(problem, whole, first_place(problem, whole), false);

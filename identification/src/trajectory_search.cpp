@@ -108,8 +108,9 @@ class Searcher {
       Linearization at(task_.problem, task_.legs, now_.place, now_.courses, now_.weights, disturbances(now_.place), task_.prior);
       const auto step = bounded_step(at);
       const bool there = arrives(at, step);
-      if (there || stopped_ || iteration >= task_.options.most_iterations || mu_ > 1e12)
-        return {std::move(at), now_.weights, now_.place, status(there), iteration, sensitivities_};
+      const bool stuck = mu_ > 1e12;
+      if (there || stopped_ || iteration >= task_.options.most_iterations || stuck)
+        return {std::move(at), now_.weights, now_.place, status(there), stuck && !there, iteration, sensitivities_};
       if (!take(at, step)) continue;
       weigh_again();
       const auto& report = task_.options.progress;

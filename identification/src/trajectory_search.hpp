@@ -20,6 +20,7 @@ struct Found {
   Weights weights;
   Place place;
   TrajectoryFitStatus status;
+  bool stuck;             ///< no step led nearer to a place where legs fit together
   int iterations;
   double sensitivities;   ///< how often all runs were simulated with derivatives
 };

@@ -1,6 +1,7 @@
 #include <catch.hpp>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "trajectory_recordings.hpp"
 
@@ -201,6 +202,68 @@ TEST_CASE("a number that would leave its range ends at the end of it", "[identif
     at_bound += fit.numbers[1].at_bound;
   }
   CHECK(at_bound >= 1);
+}
+
+namespace {
+
+/// The run with white random accelerations of this size, kick by kick between the samples.
+Recording disturbed(const Ship& ship, const Recording& run, const PlanarAcceleration<double>& size, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal;
+  const RecordedControls controls(ship, run);
+  auto result = run;
+  auto state = recorded_state(ship, run, 0.0);
+  const auto record = [&](Channel channel, std::size_t k, double value) { result.fill(channel)[k] = value; };
+  for (std::size_t k = 0; k < run.samples(); ++k) {
+    if (k > 0) {
+      const double times[] = {run.time[k - 1], run.time[k]}, root = std::sqrt(times[1] - times[0]);
+      const auto after = replay_from(ship, controls, state, times);
+      const auto end = [&](Channel c) { return after[c][1]; };
+      state = {end(Channel::x), end(Channel::y), end(Channel::psi), {end(Channel::u), end(Channel::v), end(Channel::r)}};
+      state.motion.u += size.u * root * normal(engine);
+      state.motion.v += size.v * root * normal(engine);
+      state.motion.r += size.r * root * normal(engine);
+    }
+    record(Channel::x, k, state.x);
+    record(Channel::y, k, state.y);
+    record(Channel::psi, k, state.psi);
+    record(Channel::u, k, state.motion.u);
+    record(Channel::v, k, state.motion.v);
+    record(Channel::r, k, state.motion.r);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("declared random forces make a fit to disturbed runs better, and none leave it as it is", "[identification][second-route]") {
+  const Tanker tanker;
+  const double L = length(tanker.ship), U = service_speed(tanker.ship), root = std::sqrt(L / U);
+  const PlanarAcceleration<double> size{0.01 * U / root, 0.01 * U / root, 0.03 * U / L / root}, next_to_nothing{1e-5 * size.u, 1e-5 * size.v, 1e-5 * size.r};
+  auto options = tanker.options;
+  options.disturbance = next_to_nothing;
+  CHECK(apart(fit_trajectories(tanker.start, tanker.noisy, tanker.options), fit_trajectories(tanker.start, tanker.noisy, options)) < 0.1);
+  options.disturbance = size;
+  int inside = 0, all = 0;
+  double with = 0.0, without = 0.0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::vector<Recording> runs;
+    for (const auto& run : tanker.clean) {
+      runs.push_back(disturbed(tanker.ship, run, size, 100 * seed + static_cast<unsigned>(runs.size())));
+      test::add_noise(runs.back(), tanker.ship, seed);
+    }
+    const auto declared = fit_trajectories(tanker.start, runs, options), plain = fit_trajectories(tanker.start, runs, tanker.options);
+    CHECK(declared.status == TrajectoryFitStatus::converged);
+    for (std::size_t i = 0; i < tanker.truth.size(); ++i) {
+      const auto& found = declared.numbers[i].estimate;
+      inside += std::abs(found.value - tanker.truth[i]) < 1.96 * found.standard_error;
+      ++all;
+      with += std::pow(found.value / tanker.truth[i] - 1.0, 2);
+      without += std::pow(plain.numbers[i].estimate.value / tanker.truth[i] - 1.0, 2);
+    }
+  }
+  CHECK(inside >= 0.85 * all);
+  CHECK(with < 0.5 * without);
 }
 
 TEST_CASE("a robust fit forgives wild measurements", "[identification][limit]") {

@@ -26,7 +26,8 @@ struct TrajectoryFitOptions {
   std::vector<std::string> numbers;     ///< to be fitted, by name as in ship_numbers: "N_v", "rudder.x_prime"
   std::vector<Channel> channels = {};   ///< to fit to, of measured_channels; empty: all that a run has
   MeasurementNoise noise = {};          ///< known noise; otherwise estimated
-  double segment = 0.5;                 ///< length of the segments that lead to the whole run [ship lengths]; infinite: none, single shooting
+  double segment = 0.5;                 ///< length of the segments in which the runs are sailed [ship lengths], shorter where the ship that is given
+                                        ///< leaves the recording before; infinite: none, single shooting
   std::optional<PlanarAcceleration<double>> disturbance = {};  ///< white random accelerations act on the ship: standard deviation that
                                         ///< a velocity gains over one second [m/s, m/s, rad/s]. Segments remain, and end apart
   bool priors = false;                  ///< the numbers as given, with the ship's confidence, count as measurements
