@@ -114,4 +114,22 @@ struct TuneArguments {
 };
 void tune(const TuneArguments& arguments);
 
+struct IdentifyArguments {
+  std::vector<std::filesystem::path> runs;
+  std::vector<std::filesystem::path> holdout;  ///< not used in the fit
+  std::filesystem::path ship;
+  std::string model;                           ///< mmg, pi, pu, linear
+  std::vector<std::string> find;               ///< coefficients to find; empty: the usual ones
+  std::vector<std::string> also;               ///< and these
+  std::vector<std::string> keep;               ///< but not these
+  std::vector<std::string> channels;           ///< to be used; empty: all
+  std::string fit = "auto";                    ///< forces, trajectories, auto
+  bool prior = false;                          ///< the ship's own numbers, with her confidence, count as measurements
+  double ridge = 0.0;
+  bool resample = false;
+  std::filesystem::path out;
+  bool json = false;
+};
+void identify(const IdentifyArguments& arguments);
+
 }  // namespace swayaw::app

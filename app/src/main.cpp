@@ -16,7 +16,7 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 9> commands{"compare", "forces", "indices", "invert", "linearize", "loop", "replay", "simulate", "tune"};
+constexpr std::array<std::string_view, 10> commands{"compare", "forces", "identify", "indices", "invert", "linearize", "loop", "replay", "simulate", "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -178,6 +178,27 @@ void add_tune(CLI::App& app, TuneArguments& a) {
   command.callback([&a] { tune(a); });
 }
 
+void add_identify(CLI::App& app, IdentifyArguments& a) {
+  auto& command = *app.add_subcommand("identify", "coefficients of a ship from recordings");
+  command.add_option("runs", a.runs, "recordings (CSV)")->required();
+  command.add_option("--ship", a.ship, "ship file to begin with (TOML), or the name of a published ship")->required();
+  command.add_option("--model", a.model, "model of the ship to be found")->required()->check(CLI::IsMember({"mmg", "pi", "pu", "linear"}));
+  command.add_option("--holdout", a.holdout, "recordings that are not used but predicted");
+  command.add_option("--find", a.find, "keys of the ship file to find, Y_v,N_v (default: those of the hull that are not 0)")->delimiter(',');
+  command.add_option("--also", a.also, "further keys to find, Y_vvr,N_vvr")->delimiter(',');
+  command.add_option("--keep", a.keep, "keys that keep their value, X_0,X_u")->delimiter(',');
+  command.add_option("--channels", a.channels, "columns to use, x_m,y_m,psi_rad (default: all that tell the motion)")->delimiter(',');
+  command.add_option("--fit", a.fit, "what is fitted: forces of inverse dynamics, trajectories, or trajectories where the model explains them")
+      ->check(CLI::IsMember({"auto", "forces", "trajectories"}))
+      ->capture_default_str();
+  command.add_flag("--prior", a.prior, "numbers of the ship file count as measurements, with its [confidence]");
+  command.add_option("--ridge", a.ridge, "shrink coefficients as if so many samples had said 0")->check(CLI::NonNegativeNumber);
+  command.add_flag("--resample", a.resample, "the same from other choices of runs: one left out, one alone, one rudder amplitude alone");
+  command.add_option("--out", a.out, "ship file of the identified ship (TOML)")->required();
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { identify(a); });
+}
+
 /// Says what was probably meant by a command that does not exist. @return whether there was one
 bool refuse_unknown_command(int count, char** words) {
   if (count < 2 || words[1][0] == '-') return false;
@@ -202,6 +223,7 @@ int run(int count, char** words) {
   InvertArguments invert_arguments;
   LoopArguments loop_arguments;
   TuneArguments tune_arguments;
+  IdentifyArguments identify_arguments;
   add_simulate(app, simulate_arguments);
   add_replay(app, replay_arguments);
   add_compare(app, compare_arguments);
@@ -211,6 +233,7 @@ int run(int count, char** words) {
   add_invert(app, invert_arguments);
   add_loop(app, loop_arguments);
   add_tune(app, tune_arguments);
+  add_identify(app, identify_arguments);
   try {
     app.parse(count, words);
     return done;

@@ -1,0 +1,454 @@
+#include "swayaw/identification/identify.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "commands.hpp"
+#include "identify_linear.hpp"
+#include "input.hpp"
+#include "json.hpp"
+#include "progress.hpp"
+#include "swayaw/core/version.hpp"
+#include "swayaw/identification/trajectory_fit.hpp"
+#include "swayaw/mismatch/compare.hpp"
+#include "swayaw/nonlinear/coefficients.hpp"
+
+namespace swayaw::app {
+namespace {
+
+// ---------------------------------------------------------------- the question
+
+struct Question {
+  Ship ship;
+  std::vector<Recording> runs;
+  std::vector<Recording> holdout;
+  ForceFitOptions options;
+};
+
+std::vector<Recording> load_runs(const std::vector<std::filesystem::path>& files) {
+  std::vector<Recording> runs;
+  for (const auto& file : files) runs.push_back(load_run(file));
+  return runs;
+}
+
+/// Those asked for, or the usual ones, with `also` and without `keep`.
+std::vector<std::string> numbers_to_find(const Ship& ship, const IdentifyArguments& a) {
+  auto names = a.find.empty() ? usual_numbers(ship) : a.find;
+  for (const auto& name : a.also)
+    if (std::ranges::count(names, name) == 0) names.push_back(name);
+  for (const auto& name : a.keep) {
+    (void)ship_numbers(ship, std::array{name});
+    std::erase(names, name);
+  }
+  (void)ship_numbers(ship, names);
+  return names;
+}
+
+std::vector<Channel> channels_named(const std::vector<std::string>& names) {
+  std::vector<Channel> channels;
+  for (const auto& name : names) {
+    const auto found = std::ranges::find(measured_channels, name, [](Channel c) { return column_name(c); });
+    if (found == measured_channels.end()) throw Refusal(fmt::format("--channels: {} is not among the channels that are used, which are x_m, y_m, psi_rad, u_m_s …", name));
+    channels.push_back(*found);
+  }
+  return channels;
+}
+
+Question question_of(const IdentifyArguments& a) {
+  Question q{.ship = in_model(load_nonlinear_ship(a.ship), a.model), .runs = load_runs(a.runs), .holdout = load_runs(a.holdout), .options = {.numbers = {}}};
+  q.options.numbers = numbers_to_find(q.ship, a);
+  q.options.priors = a.prior;
+  q.options.ridge = a.ridge;
+  q.options.states.channels = channels_named(a.channels);
+  return q;
+}
+
+// ---------------------------------------------------------------- the answer
+
+/// A coefficient as it is written to the file.
+struct Found {
+  ShipNumber before;
+  Estimate estimate;
+  double low, high;
+  std::optional<double> variance_inflation;
+  bool undetermined;
+};
+
+struct ZigzagCheck {
+  std::string run;
+  std::vector<double> recorded;
+  std::optional<std::vector<double>> before, after;
+};
+
+struct Answer {
+  Ship ship;                            ///< as written
+  ForceFit forces;
+  std::optional<TrajectoryFit> trajectories;
+  bool from_trajectories = false;
+  std::string reason;                   ///< why these
+  std::vector<Found> found;
+  StabilityVerdict stability;
+  std::vector<Resample> resamples;
+  std::vector<ZigzagCheck> zigzags;
+  std::vector<std::string> advice;
+};
+
+/// Smaller than any instrument tells: a simulation recorded without noise.
+bool is_negligible(const ChannelResiduals& c, const Ship& ship) {
+  const double L = length(ship), U = service_speed(ship);
+  switch (c.channel) {
+    case Channel::x: case Channel::y: return c.after < 1e-4 * L;
+    case Channel::psi: case Channel::course_over_ground: return c.after < 1e-4;
+    case Channel::r: return c.after < 1e-4 * U / L;
+    default: return c.after < 1e-4 * U;
+  }
+}
+
+/// Residuals of a right model are as white as noise, or nothing.
+bool explains(const TrajectoryFit& fit) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const auto& run : fit.runs)
+    for (const auto& c : run.channels) {
+      sum += is_negligible(c, fit.ship) ? 0.0 : std::abs(c.autocorrelation);
+      ++count;
+    }
+  return fit.status == TrajectoryFitStatus::converged && sum < 0.2 * static_cast<double>(count);
+}
+
+TrajectoryFit fit_on_trajectories(const Question& q, const ForceFit& start, Progress& progress, const Interrupt& interrupt) {
+  TrajectoryFitOptions options{.numbers = q.options.numbers, .channels = q.options.states.channels, .priors = q.options.priors};
+  options.progress = [&](const TrajectoryProgress& p) {
+    progress.tell(fmt::format("trajectories, iteration {}, numbers move by {:.2g}", p.iteration, p.change));
+    return !interrupt.asked();
+  };
+  return fit_trajectories(start.ship, q.runs, options);
+}
+
+Found found_by_forces(const ShipNumber& number, const ForceFit& fit) {
+  for (const auto& equation : fit.equations)
+    for (const auto& c : equation.fit.coefficients)
+      if (c.name == number.name) return {number, c.estimate, c.low, c.high, c.variance_inflation, c.undetermined};
+  return {number, {}, std::nan(""), std::nan(""), std::nullopt, true};
+}
+
+Found found_on_trajectories(const ShipNumber& number, const TrajectoryFit& fit) {
+  const auto n = std::ranges::find(fit.numbers, number.name, &FittedNumber::name);
+  const auto& [value, error] = n->estimate;
+  const bool undetermined = std::ranges::count(fit.undetermined, number.name) > 0;
+  return {number, n->estimate, value - 1.96 * error, value + 1.96 * error, std::nullopt, undetermined};
+}
+
+/// What to record next, where the data leave something open.
+std::vector<std::string> advice_for(const Question& q, const Answer& answer) {
+  std::vector<std::string> advice;
+  const auto worst = [&](auto&& measure) {
+    double most = 0.0;
+    for (const auto& e : answer.forces.equations)
+      if (e.component != ForceComponent::X) most = std::max(most, measure(e.fit));
+    return most;
+  };
+  const double condition = worst([](const Regression& r) { return r.condition_number; });
+  const double inflation = worst([](const Regression& r) {
+    double most = 0.0;
+    for (const auto& c : r.coefficients) most = std::max(most, c.variance_inflation);
+    return most;
+  });
+  if (condition < 100.0 && inflation < 1000.0) return advice;
+  advice.push_back(fmt::format("ill-conditioned: condition number {:.0f}, variance inflation up to {:.2g}; single coefficients mean little", condition, inflation));
+  if (!std::holds_alternative<PuShip<double>>(q.ship.model)) {
+    advice.push_back("drift and yaw rate went together in these runs; turning circles beside zigzags, or zigzags of other sizes, would separate their terms");
+    return advice;
+  }
+  std::vector<int> amplitudes;
+  for (const auto& run : q.runs) amplitudes.push_back(rudder_amplitude(q.ship, run));
+  const auto [low, high] = std::ranges::minmax(amplitudes);
+  if (high - low <= 2)
+    advice.push_back(fmt::format("all runs have one rudder amplitude, {} deg: its square hardly varies, so terms with delta² are copies of those without; "
+                                 "record runs with a second rudder amplitude", high));
+  else
+    advice.push_back(fmt::format("rudder amplitudes from {} to {} deg do not separate the rudder terms enough: record more amplitudes, or take model pi, whose "
+                                 "rudder is known beforehand", low, high));
+  return advice;
+}
+
+std::vector<ZigzagCheck> zigzag_checks(const Question& q, const Ship& after) {
+  std::vector<ZigzagCheck> checks;
+  const auto add = [&](const Recording& run) {
+    const auto order = zigzag_order(run);
+    if (!order) return;
+    const auto recorded = recorded_overshoots(run, *order);
+    if (recorded.empty()) return;
+    checks.push_back({run.name, recorded, simulated_overshoots(q.ship, run, *order, recorded.size()), simulated_overshoots(after, run, *order, recorded.size())});
+  };
+  for (const auto& run : q.runs) add(run);
+  for (const auto& run : q.holdout) add(run);
+  return checks;
+}
+
+/// Standard errors become the trust that the file has in its numbers.
+void set_confidence(Ship& ship, std::span<const Found> found) {
+  for (const auto& f : found) {
+    const double relative = f.estimate.standard_error / std::abs(f.estimate.value);
+    if (!std::isfinite(relative)) continue;
+    std::erase_if(ship.confidence.named, [&](const auto& named) { return named.first == f.before.key; });
+    ship.confidence.named.emplace_back(f.before.key, std::min(relative, 10.0));
+  }
+}
+
+std::string_view words_for(TrajectoryFitStatus status) {
+  switch (status) {
+    case TrajectoryFitStatus::converged: return "converged";
+    case TrajectoryFitStatus::iteration_limit: return "iteration limit";
+    case TrajectoryFitStatus::stopped: return "stopped";
+    case TrajectoryFitStatus::rank_deficient: return "rank deficient";
+  }
+  return {};
+}
+
+/// Whether the trajectory fit is taken, and why.
+void choose(Answer& answer, const IdentifyArguments& a) {
+  if (!answer.trajectories) {
+    answer.reason = "least squares on the forces of inverse dynamics";
+    return;
+  }
+  const bool right = explains(*answer.trajectories);
+  answer.from_trajectories = a.fit == "trajectories" || right;
+  if (a.fit == "trajectories") answer.reason = "fitted to the recorded trajectories, as asked";
+  else if (right) answer.reason = "fitted to the recorded trajectories, whose residuals are no more than noise";
+  else if (answer.trajectories->status == TrajectoryFitStatus::converged)
+    answer.reason = "least squares on the forces of inverse dynamics; on trajectories the residuals are not noise: the model lacks something, and such a fit would bend the coefficients to it";
+  else answer.reason = fmt::format("least squares on the forces of inverse dynamics; the fit to trajectories did not end well ({})", words_for(answer.trajectories->status));
+}
+
+Answer answer_to(const Question& q, const IdentifyArguments& a) {
+  Progress progress("identify");
+  const Interrupt interrupt;
+  Answer answer{.ship = q.ship, .forces = {}, .trajectories = {}, .reason = {}, .found = {}, .stability = {}, .resamples = {}, .zigzags = {}, .advice = {}};
+  std::vector<StateEstimate> states;
+  for (const auto& run : q.runs) {
+    progress.tell(fmt::format("motion of {}", run.name));
+    states.push_back(estimate_states(q.ship, run, q.options.states));
+  }
+  answer.forces = fit_forces(q.ship, q.runs, std::move(states), q.options);
+  if (a.fit != "forces" && !interrupt.asked()) {
+    try {
+      answer.trajectories = fit_on_trajectories(q, answer.forces, progress, interrupt);
+    } catch (const Refusal& trouble) {
+      if (a.fit == "trajectories") throw;
+      fmt::print(stderr, "swayaw: not fitted to trajectories: {}\n", trouble.what());
+    }
+  }
+  choose(answer, a);
+  answer.ship = answer.from_trajectories ? answer.trajectories->ship : answer.forces.ship;
+  for (const auto& number : ship_numbers(q.ship, q.options.numbers))
+    answer.found.push_back(answer.from_trajectories ? found_on_trajectories(number, *answer.trajectories) : found_by_forces(number, answer.forces));
+  answer.stability = stability_verdict(answer.forces);
+  if (a.resample && !interrupt.asked()) {
+    progress.tell("other choices of runs");
+    answer.resamples = resample(q.ship, q.runs, answer.forces, q.options);
+  }
+  answer.zigzags = zigzag_checks(q, answer.ship);
+  answer.advice = advice_for(q, answer);
+  set_confidence(answer.ship, answer.found);
+  return answer;
+}
+
+// ---------------------------------------------------------------- errors of a replay
+
+/// Errors of the ship before and after over windows of two lengths, over the variation of each quantity.
+Json errors_json(const Ship& before, const Ship& after, const std::vector<Recording>& runs) {
+  Json list = Json::array();
+  const auto errors = [](const Ship& ship, const Recording& run) -> Json {
+    try {
+      Json json = Json::object();
+      for (const auto& e : compare(ship, run).errors) json[std::string(name_of(e.quantity))] = number(e.normalised());
+      return json;
+    } catch (const Refusal&) {
+      return nullptr;
+    }
+  };
+  for (const auto& run : runs) list.push_back({{"run", run.name}, {"before", errors(before, run)}, {"after", errors(after, run)}});
+  return list;
+}
+
+// ---------------------------------------------------------------- JSON
+
+Json coefficient_json(const Found& f) {
+  return {{"name", f.before.name},           {"before", number(f.before.value)}, {"value", number(f.estimate.value)},
+          {"standard_error", number(f.estimate.standard_error)}, {"low", number(f.low)}, {"high", number(f.high)},
+          {"variance_inflation", f.variance_inflation ? number(*f.variance_inflation) : Json(nullptr)},
+          {"undetermined", f.undetermined}};
+}
+
+Json equation_json(const ForceEquation& e) {
+  Json names = Json::array(), combinations = Json::array(), bias = Json::object();
+  for (std::size_t i = 0; i < e.fit.coefficients.size(); ++i) {
+    names.push_back(e.fit.coefficients[i].name);
+    bias[e.fit.coefficients[i].name] = number(e.bias[i]);
+  }
+  for (const auto& combination : e.fit.undetermined) combinations.push_back(in_words(combination));
+  return {{"force", in_words(e.component)}, {"coefficients", std::move(names)}, {"R2", number(e.fit.R2)}, {"condition_number", number(e.fit.condition_number)},
+          {"effective_samples", number(e.fit.samples)}, {"solver", in_words(e.fit.solver)}, {"bias_of_motion_errors", std::move(bias)},
+          {"undetermined", std::move(combinations)}};
+}
+
+Json stability_json(const StabilityVerdict& s) {
+  constexpr std::array names{"stable", "unstable", "not_told"};
+  return {{"straight_course", names[static_cast<std::size_t>(s.straight_course)]}, {"e0", number(s.e0)}, {"standard_error", number(s.standard_error)},
+          {"linear_hull", s.linear_hull}, {"largest_drift_rad", s.range.drift}, {"largest_r_prime", s.range.omega}, {"words", s.words}};
+}
+
+Json trajectory_json(const TrajectoryFit& fit) {
+  Json runs = Json::array(), numbers = Json::array();
+  for (const auto& n : fit.numbers)
+    numbers.push_back({{"name", n.name}, {"value", number(n.estimate.value)}, {"standard_error", number(n.estimate.standard_error)}, {"at_bound", n.at_bound}});
+  for (const auto& run : fit.runs) {
+    Json channels = Json::array();
+    for (const auto& c : run.channels)
+      channels.push_back({{"channel", column_name(c.channel)}, {"rms_before", number(c.before)}, {"rms_after", number(c.after)}, {"autocorrelation", number(c.autocorrelation)}});
+    runs.push_back({{"run", run.name}, {"channels", std::move(channels)}});
+  }
+  return {{"status", words_for(fit.status)}, {"iterations", fit.iterations}, {"condition_number", number(fit.condition_number)},
+          {"best_combination", fit.best_combination}, {"undetermined", fit.undetermined}, {"numbers", std::move(numbers)}, {"runs", std::move(runs)}};
+}
+
+Json zigzag_json(const ZigzagCheck& z) {
+  const auto angles = [](const std::optional<std::vector<double>>& o) { return o ? numbers(in_degrees(*o)) : Json(nullptr); };
+  return {{"run", z.run}, {"recorded_deg", numbers(in_degrees(z.recorded))}, {"before_deg", angles(z.before)}, {"after_deg", angles(z.after)}};
+}
+
+Json resamples_json(const std::vector<Resample>& resamples, const std::vector<std::string>& names) {
+  Json list = Json::array();
+  for (const auto& r : resamples) {
+    Json values = Json::object();
+    for (std::size_t i = 0; i < names.size(); ++i) values[names[i]] = number(r.values[i]);
+    list.push_back({{"runs", r.runs}, {"values", std::move(values)}});
+  }
+  return list;
+}
+
+Json names_of(const std::vector<Recording>& runs) {
+  Json list = Json::array();
+  for (const auto& run : runs) list.push_back(run.name);
+  return list;
+}
+
+Json document_of(const Question& q, const Answer& answer, const IdentifyArguments& a) {
+  Json coefficients = Json::array(), equations = Json::array(), zigzags = Json::array();
+  for (const auto& f : answer.found) coefficients.push_back(coefficient_json(f));
+  for (const auto& e : answer.forces.equations) equations.push_back(equation_json(e));
+  for (const auto& z : answer.zigzags) zigzags.push_back(zigzag_json(z));
+  return {{"schema", "swayaw.identification/1"},
+          {"version", version()},
+          {"ship", q.ship.name},
+          {"model", a.model},
+          {"runs", names_of(q.runs)},
+          {"method", answer.from_trajectories ? "trajectories" : "forces"},
+          {"reason", answer.reason},
+          {"coefficients", std::move(coefficients)},
+          {"equations", std::move(equations)},
+          {"trajectories", answer.trajectories ? trajectory_json(*answer.trajectories) : Json(nullptr)},
+          {"stability", stability_json(answer.stability)},
+          {"errors", {{"train", errors_json(q.ship, answer.ship, q.runs)}, {"holdout", errors_json(q.ship, answer.ship, q.holdout)}}},
+          {"zigzags", std::move(zigzags)},
+          {"resamples", resamples_json(answer.resamples, q.options.numbers)},
+          {"advice", answer.advice}};
+}
+
+// ---------------------------------------------------------------- text
+
+void print_coefficients(const Answer& answer) {
+  fmt::print("  {:<20}{:>13}{:>13}{:>13}   {:<26}{:>10}\n", "coefficient", "before", "found", "std error", "95 % interval", "inflation");
+  for (const auto& f : answer.found) {
+    const auto interval = fmt::format("{:.5g} ... {:.5g}", f.low, f.high);
+    fmt::print("  {:<20}{:>13.5g}{:>13.5g}{:>13.2g}   {:<26}", f.before.name, f.before.value, f.estimate.value, f.estimate.standard_error, interval);
+    if (f.variance_inflation) fmt::print("{:>10.3g}", *f.variance_inflation);
+    fmt::print("{}\n", f.undetermined ? "  not determined" : "");
+  }
+}
+
+void print_equations(const Answer& answer) {
+  for (const auto& e : answer.forces.equations) {
+    fmt::print("  {}: R2 {:.3f}, condition number {:.3g}, {:.0f} independent samples, {}\n", in_words(e.component), e.fit.R2, e.fit.condition_number,
+               e.fit.samples, in_words(e.fit.solver));
+    for (const auto& combination : e.fit.undetermined) fmt::print("     not determined: {}\n", in_words(combination));
+  }
+}
+
+std::string angles_text(const std::optional<std::vector<double>>& angles) {
+  if (!angles) return "cannot sail it";
+  std::string text;
+  for (const double angle : *angles) text += fmt::format("{}{:.1f}", text.empty() ? "" : ", ", degrees(angle));
+  return text.empty() ? "-" : text;
+}
+
+void print_errors(std::string_view title, const Json& list) {
+  if (list.empty()) return;
+  fmt::print("\n{}: error of replays over two ship lengths, share of the variation, before -> after\n", title);
+  for (const auto& run : list) {
+    fmt::print("  {:<28}", run["run"].get<std::string>());
+    for (const auto* quantity : {"heading", "yaw_rate", "speed", "drift"}) {
+      const auto share = [&](const char* when) {
+        return run[when].is_object() && run[when].contains(quantity) && run[when][quantity].is_number() ? fmt::format("{:.1f}", 100.0 * run[when][quantity].get<double>()) : std::string("-");
+      };
+      fmt::print("  {} {} -> {} %", quantity, share("before"), share("after"));
+    }
+    fmt::print("\n");
+  }
+}
+
+/// Values of one number over the choices of runs.
+void print_resamples(const std::vector<Resample>& resamples, const std::vector<std::string>& names) {
+  if (resamples.empty()) return;
+  fmt::print("\nother choices of runs\n  {:<40}", "");
+  for (const auto& name : names) fmt::print("{:>13}", name);
+  fmt::print("\n");
+  for (const auto& r : resamples) {
+    fmt::print("  {:<40}", r.runs);
+    for (const auto& value : r.values) value ? fmt::print("{:>13.5g}", *value) : fmt::print("{:>13}", "-");
+    fmt::print("\n");
+  }
+}
+
+void print_answer(const Question& q, const Answer& answer, const Json& document) {
+  fmt::print("{}\n{}\n\n", q.ship.name, answer.reason);
+  print_coefficients(answer);
+  fmt::print("\nforce equations\n");
+  print_equations(answer);
+  print_errors("runs used", document["errors"]["train"]);
+  print_errors("runs held out", document["errors"]["holdout"]);
+  if (!answer.zigzags.empty()) fmt::print("\nzigzags, overshoots in deg\n");
+  for (const auto& z : answer.zigzags)
+    fmt::print("  {:<28}  recorded {}; before {}; after {}\n", z.run, angles_text(z.recorded), angles_text(z.before), angles_text(z.after));
+  print_resamples(answer.resamples, q.options.numbers);
+  fmt::print("\nstraight course: {}\n", answer.stability.words);
+  for (const auto& line : answer.advice) fmt::print("{}\n", line);
+}
+
+/// Where the numbers of the file come from.
+std::string remark_of(const Question& q, const Answer& answer) {
+  auto remark = fmt::format("Coefficients identified by swayaw {} from", version());
+  for (const auto& run : q.runs) remark += fmt::format(" {}", run.name);
+  remark += fmt::format(",\nbeginning with {}: {}.\nStraight course: {}.", q.ship.name, answer.reason, answer.stability.words);
+  std::string undetermined;
+  for (const auto& f : answer.found)
+    if (f.undetermined) undetermined += (undetermined.empty() ? "" : ", ") + f.before.name;
+  if (!undetermined.empty()) remark += fmt::format("\nNot determined by these runs: {}.", undetermined);
+  return remark + "\n[confidence] holds the relative standard errors.";
+}
+
+}  // namespace
+
+void identify(const IdentifyArguments& a) {
+  if (a.model == "linear") return identify_linear(a);
+  const auto question = question_of(a);
+  const auto answer = answer_to(question, a);
+  const auto document = document_of(question, answer, a);
+  write_ship(a.out, answer.ship, remark_of(question, answer));
+  if (a.json) fmt::print("{}\n", document.dump(2));
+  else print_answer(question, answer, document);
+  fmt::print(stderr, "swayaw: ship file written to {}\n", a.out.string());
+}
+
+}  // namespace swayaw::app
