@@ -239,14 +239,14 @@ Recording disturbed(const Ship& ship, const Recording& run, const PlanarAccelera
 TEST_CASE("declared random forces make a fit to disturbed runs better, and none leave it as it is", "[identification][second-route]") {
   const Tanker tanker;
   const double L = length(tanker.ship), U = service_speed(tanker.ship), root = std::sqrt(L / U);
-  const PlanarAcceleration<double> size{0.01 * U / root, 0.01 * U / root, 0.03 * U / L / root}, next_to_nothing{1e-5 * size.u, 1e-5 * size.v, 1e-5 * size.r};
+  const PlanarAcceleration<double> size{0.003 * U / root, 0.003 * U / root, 0.01 * U / L / root}, next_to_nothing{1e-5 * size.u, 1e-5 * size.v, 1e-5 * size.r};
   auto options = tanker.options;
   options.disturbance = next_to_nothing;
   CHECK(apart(fit_trajectories(tanker.start, tanker.noisy, tanker.options), fit_trajectories(tanker.start, tanker.noisy, options)) < 0.1);
   options.disturbance = size;
   int inside = 0, all = 0;
   double with = 0.0, without = 0.0;
-  for (unsigned seed = 1; seed <= 20; ++seed) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
     std::vector<Recording> runs;
     for (const auto& run : tanker.clean) {
       runs.push_back(disturbed(tanker.ship, run, size, 100 * seed + static_cast<unsigned>(runs.size())));

@@ -15,7 +15,7 @@ TEMPLATE_TEST_CASE("of 100 seeded ships in noisy zigzags each number lies in its
   std::vector<int> inside(names.size());
   unsigned seed = 0;
   for (int i = 0; i < ships; ++i) {
-    auto [ship, runs] = test::steerable<TestType>(random, angles, 15.0, 0.1);
+    auto [ship, runs] = test::steerable<TestType>(random, angles, 15.0, 0.1, 1e-8);
     for (auto& run : runs) test::add_noise(run, ship, ++seed);
     const auto fit = fit_trajectories(test::a_tenth_off(ship, names), runs, {.numbers = names, .channels = test::usual_channels, .step = 0.05});
     INFO("ship " << i);

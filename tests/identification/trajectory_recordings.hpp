@@ -28,13 +28,13 @@ std::vector<std::string> told_numbers() {
 
 /// Zigzags D/D of each of these angles [deg], to starboard first where positive, without noise, sampled every `step` ship lengths. The
 /// rudder moves in straight lines between the samples, as a fit takes it to.
-inline std::vector<Recording> zigzags(const Ship& ship, const std::vector<double>& angles, double lengths, double step) {
+inline std::vector<Recording> zigzags(const Ship& ship, const std::vector<double>& angles, double lengths, double step, double tolerance = 1e-12) {
   const double unit = length(ship) / service_speed(ship);
   std::vector<Recording> runs;
   for (const double angle : angles) {
     const ZigzagOrder order{.rudder = radians(std::abs(angle)), .heading = radians(std::abs(angle)), .first = angle > 0.0 ? Side::starboard : Side::port};
-    const auto run = zigzag(ship, order, {.duration = lengths * unit, .step = step * unit, .tolerance = 1e-12}).run;
-    runs.push_back(replay_from(ship, RecordedControls(ship, run), recorded_state(ship, run, 0.0), run.time, {.tolerance = 1e-12}));
+    const auto run = zigzag(ship, order, {.duration = lengths * unit, .step = step * unit, .tolerance = tolerance}).run;
+    runs.push_back(replay_from(ship, RecordedControls(ship, run), recorded_state(ship, run, 0.0), run.time, {.tolerance = tolerance}));
     runs.back().name = "zigzag";
   }
   return runs;
@@ -76,14 +76,14 @@ bool damps_yaw(const Model& ship) {
 
 /// A steerable seeded ship of the model and her zigzags.
 template <class Model>
-std::pair<Ship, std::vector<Recording>> steerable(RandomModels& random, const std::vector<double>& angles, double lengths, double step) {
+std::pair<Ship, std::vector<Recording>> steerable(RandomModels& random, const std::vector<double>& angles, double lengths, double step, double tolerance = 1e-12) {
   while (true) {
     auto model = tame<Model>(random);
     if (!damps_yaw(model)) continue;
     model.steering_gear = {.rate = 0.4 * model.particulars.U_0 / model.particulars.L, .max_angle = 0.6, .lag = 0.0, .dead_band = 0.0};
     const Ship ship = ship_of(model);
     try {
-      auto runs = zigzags(ship, angles, lengths, step);
+      auto runs = zigzags(ship, angles, lengths, step, tolerance);
       if (std::ranges::all_of(runs, is_zigzag)) return {ship, std::move(runs)};
     } catch (const Refusal&) {
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "swayaw/core/recording.hpp"
-#include "swayaw/identification/linear_fit.hpp"
+#include "swayaw/identification/fit_report.hpp"
 #include "swayaw/identification/measurement.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
