@@ -21,7 +21,7 @@ OperatingPoint steady_turn(const Ship& ship, const Controls<double>& controls) {
 
 /// As asked: straight ahead, or in a steady turn.
 OperatingPoint point_of(const Ship& ship, const LinearizeArguments& a) {
-  const auto driven = propulsion(ship.model, a.speed.value_or(service_speed(ship)), a.rev, a.thrust);
+  const auto driven = propulsion(ship, a.speed.value_or(service_speed(ship)), a.rev, a.thrust);
   if (a.rudder) return steady_turn(ship, with_rudder(driven, radians(*a.rudder)));
   return a.rev || a.thrust ? straight_course(ship, driven) : straight_course(ship, a.speed.value_or(service_speed(ship)));
 }

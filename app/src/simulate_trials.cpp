@@ -9,6 +9,7 @@
 #include "simulate_files.hpp"
 #include "simulate_output.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/imo_criteria.hpp"
 #include "swayaw/nonlinear/pull_out.hpp"
 #include "swayaw/nonlinear/spiral.hpp"
@@ -241,9 +242,9 @@ Json straight_json(const Ship& ship, const WindRun& run, const Controls<double>&
 }
 
 void run_straight(const Ship& ship, const SimulateArguments& a) {
-  const auto& around = ship.surroundings;
+  const auto around = surroundings_at(ship, 0.0);
   const double approach = a.speed.value_or(service_speed(ship));
-  const auto driven = propulsion(ship.model, approach, a.rev, a.thrust);
+  const auto driven = propulsion(ship, approach, a.rev, a.thrust);
   const auto windage = around.windy ? around.windage : Windage<double>{};
   const auto run = steady_run_in_wind(ship, windage, around.wind, {.direction = radians(*a.straight), .propulsion = driven});
   if (!run) throw Refusal(fmt::format("no drift and helm keep the ship on course {:.6g} deg in this wind and current", *a.straight));
@@ -280,7 +281,7 @@ void run_imo(const Ship& ship, const SimulateArguments& a) {
   print_head(ship, fmt::format("steering criteria, L/V {:.3g} s", result.L / result.speed), result.speed, result.propulsion);
   print_criteria(result.criteria);
   fmt::print("  stopping is not simulated\n");
-  if (ship.surroundings.windy) fmt::print("  sailed in the wind of the ship file; the criteria are for calm\n");
+  if (surroundings_at(ship, 0.0).windy) fmt::print("  sailed in the wind of the ship file; the criteria are for calm\n");
   if (result.L < smallest_ship) fmt::print("  the criteria are for ships of 100 m and more; the limits of a scale model's L/V are not those of her ship\n");
 }
 

@@ -65,4 +65,21 @@ std::string_view column_name(Channel channel) {
   return std::ranges::find(columns, channel, &Column::channel)->name;
 }
 
+namespace {
+
+/// In the order of the channels.
+constexpr std::array<std::string_view, channel_count> short_names{"x",     "y",           "psi", "u",      "v",      "ug",  "vg",         "stw",      "sog", "cog",
+                                                                  "r",     "delta",       "delta_order", "rev", "thrust", "torque", "phi", "wind_speed", "wind_from"};
+
+}  // namespace
+
+std::string_view short_name(Channel channel) { return short_names[index_of(channel)]; }
+
+std::optional<Channel> channel_named(std::string_view name) {
+  const auto found = std::ranges::find(short_names, name);
+  if (found != short_names.end()) return static_cast<Channel>(found - short_names.begin());
+  const auto column = column_named(name);
+  return column ? std::optional(column->channel) : std::nullopt;
+}
+
 }  // namespace swayaw

@@ -219,13 +219,14 @@ class KeysReader {
 
 FileEffect effect_of(const ShipText& text, const toml::table& table) {
   const auto place = table.source().begin;
-  FileEffect effect{.kind = {}, .numbers = {}, .line = place.line, .column = place.column};
+  FileEffect effect{.kind = {}, .numbers = {}, .line = place.line, .column = place.column, .channel = {}};
   for (auto&& [key, node] : table) {
     const auto word = node.value_exact<std::string>();
     const auto number = node.is_number() ? node.value<double>() : std::nullopt;
     if (key == "kind" && word) effect.kind = *word;
+    else if (key == "channel" && word) effect.channel = *word;
     else if (number && std::isfinite(*number)) effect.numbers.emplace_back(key.str(), *number);
-    else text.fail(node, fmt::format("{} in [[effect]] must be a {}", key.str(), key == "kind" ? "text in quotes" : "number"));
+    else text.fail(node, fmt::format("{} in [[effect]] must be a {}", key.str(), key == "kind" || key == "channel" ? "text in quotes" : "number"));
   }
   if (effect.kind.empty()) text.fail(table, "kind is missing in [[effect]]");
   return effect;

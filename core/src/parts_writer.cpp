@@ -96,6 +96,7 @@ std::string confidence_text(const Confidence& confidence) {
 
 std::string effect_text(const FileEffect& effect) {
   auto text = fmt::format("\n[[effect]]\nkind = {}\n", in_quotes(effect.kind));
+  if (!effect.channel.empty()) text += fmt::format("channel = {}\n", in_quotes(effect.channel));
   for (const auto& [key, value] : effect.numbers) text += fmt::format("{} = {}\n", key, text_of(value));
   return text;
 }

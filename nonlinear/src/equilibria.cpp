@@ -8,6 +8,7 @@
 
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 
 namespace swayaw {
 namespace {
@@ -24,13 +25,13 @@ struct Balance {
 template <class Model>
 class TurnEquations {
  public:
-  TurnEquations(const Model& model, const Controls<double>& propulsion, double U)
-      : ship_(cast<D>(model)), propulsion_(cast<D>(propulsion)), U_(U), L_(model.particulars.L) {}
+  TurnEquations(const ActingShip<Model>& acting, const Controls<double>& propulsion, double U)
+      : ship_(cast<D>(acting.model)), added_(cast<D>(acting.added)), propulsion_(cast<D>(propulsion)), U_(U), L_(acting.model.particulars.L) {}
 
   Balance at(const Point& p) const {
     const PlanarMotion<D> m{U_ * D(p[0], 0), U_ * D(p[1], 1), U_ / L_ * D(p[2], 2)};
     const auto c = with_rudder(propulsion_, D(p[3], 3));
-    const auto a = acceleration(ship_, m, forces(ship_, m, c).total());
+    const auto a = acceleration(ship_, m, steady_force(ship_, added_, m, c));
     const D scaled[] = {a.u * (L_ / (U_ * U_)), a.v * (L_ / (U_ * U_)), a.r * (L_ * L_ / (U_ * U_))};
     Balance b;
     for (int i = 0; i < 3; ++i) {
@@ -47,6 +48,7 @@ class TurnEquations {
 
  private:
   decltype(cast<D>(std::declval<Model>())) ship_;
+  AddedForces<D> added_;
   Controls<D> propulsion_;
   double U_, L_;
 };
@@ -134,8 +136,8 @@ double straight_speed(const Ship& ship, const Controls<double>& propulsion) {
 }
 
 template <class Model>
-std::vector<SteadyTurn> curve_of(const Model& model, const Controls<double>& propulsion, double U, double largest, double step) {
-  const TurnEquations<Model> equations(model, propulsion, U);
+std::vector<SteadyTurn> curve_of(const ActingShip<Model>& acting, const Controls<double>& propulsion, double U, double largest, double step) {
+  const TurnEquations<Model> equations(acting, propulsion, U);
   std::vector<SteadyTurn> curve;
   for (const auto& p : curve_points(equations, largest, step)) curve.push_back(equations.turn_at(p));
   if (curve.size() > 1 && curve.front().delta > curve.back().delta) std::ranges::reverse(curve);
@@ -163,7 +165,7 @@ std::vector<std::size_t> folds(const std::vector<SteadyTurn>& curve) {
 
 std::vector<SteadyTurn> steady_turn_curve(const Ship& ship, const Controls<double>& propulsion, double largest, double step) {
   const double U = straight_speed(ship, propulsion);
-  return std::visit([&](const auto& model) { return curve_of(model, propulsion, U, largest, step); }, ship.model);
+  return visit_acting(ship, [&](const auto& acting) { return curve_of(acting, propulsion, U, largest, step); });
 }
 
 std::vector<SteadyMotion> steady_turns(const Ship& ship, const Controls<double>& controls) {
@@ -184,15 +186,15 @@ std::optional<SteadyTurn> turn_at_yaw_rate(const Ship& ship, const Controls<doub
                                            double yaw_rate, double largest) {
   const double L = length(ship), U = service_speed(ship);
   std::optional<SteadyTurn> nearest;
-  const auto search = [&](const auto& model) {
-    const TurnEquations equations(model, propulsion, U);
+  const auto search = [&](const auto& acting) {
+    const TurnEquations equations(acting, propulsion, U);
     for (std::size_t i = 1; i < curve.size(); ++i) {
       if ((curve[i - 1].motion.r - yaw_rate) * (curve[i].motion.r - yaw_rate) > 0.0) continue;
       const auto turn = turn_between(equations, curve[i - 1], curve[i], yaw_rate, U, L);
       if (turn && std::abs(turn->delta) <= largest * (1.0 + 1e-9) && (!nearest || std::abs(turn->delta) < std::abs(nearest->delta))) nearest = turn;
     }
   };
-  std::visit(search, ship.model);
+  visit_acting(ship, search);
   return nearest;
 }
 

@@ -6,21 +6,29 @@
 #include <optional>
 
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/replay.hpp"
+#include "swayaw/nonlinear/sensors.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw {
 namespace {
 
 template <class Model>
-ForceBreakdown break_down(const Model& model, const Surroundings<double>& around, const ShipState<double>& state,
+ForceBreakdown break_down(const ActingShip<Model>& acting, const Surroundings<double>& around, const ShipState<double>& state,
                           const Controls<double>& controls) {
-  const auto split = forces(model, state.motion, controls);
+  const auto& model = acting.model;
+  const auto split = forces(model, state.motion, driven(acting.added, state.motion, controls));
   ForceBreakdown result{.parts = {}, .total = split.total(), .acceleration = {}};
   for (const auto& part : split.parts()) result.parts.push_back(part);
   if (around.windy) {
     result.parts.push_back({"wind", wind_load(around, state)});
     result.total = result.total + result.parts.back().force;
   }
+  for_each_added(model, acting.added, state, steady_hidden(acting.added, state.motion), controls, [&](std::string_view name, const PlanarForce<double>& force) {
+    result.parts.push_back({name, force});
+    result.total = result.total + force;
+  });
   result.acceleration = acceleration(model, state.motion, result.total);
   return result;
 }
@@ -67,16 +75,39 @@ std::string cell(double value) { return fmt::format("{}", value); }
 
 ForceBreakdown force_breakdown(const Ship& ship, const ShipState<double>& state, const Controls<double>& controls) {
   if (!(state.motion.u > 0.0)) throw Refusal(fmt::format("forces are known for way ahead, not for u = {:.6g} m/s", state.motion.u));
-  return std::visit([&](const auto& model) { return break_down(model, ship.surroundings, state, controls); }, ship.model);
+  return visit_acting(ship, [&](const auto& acting) { return break_down(acting, acting.surroundings, state, controls); });
 }
 
+namespace {
+
+/// The run as it was, with the angle of the rudder itself.
+Recording true_run(const Recording& run, const Ship& ship) {
+  auto truth = as_it_was(run, sensor_effects(ship));
+  if (!run.has(Channel::delta) || !rudder_actuator(ship).any()) return truth;
+  const RecordedControls controls(ship, run);
+  auto& rudder = truth.channels[index_of(Channel::delta)];
+  for (std::size_t i = 0; i < rudder.size(); ++i)
+    if (std::isfinite(rudder[i])) rudder[i] = controls.rudder(run.time[i]);
+  return truth;
+}
+
+/// In the wind of that time.
+ForceBreakdown breakdown_at(const Ship& ship, double time, const Sample& sample) {
+  return visit_acting(ship, [&](const auto& acting) {
+    return break_down(acting, acting.winds.empty() ? acting.surroundings : surroundings_at(ship, time), sample.state, sample.controls);
+  });
+}
+
+}  // namespace
+
 void add_forces(Recording& run, const Ship& ship) {
-  const Samples samples(run, ship);
+  const auto truth = true_run(run, ship);
+  const Samples samples(truth, ship);
   std::vector<ExtraColumn> columns;
   for (std::size_t i = 0; i < run.samples(); ++i) {
     const auto sample = samples[i];
     if (!sample) continue;
-    const auto split = force_breakdown(ship, sample->state, sample->controls);
+    const auto split = breakdown_at(ship, run.time[i], *sample);
     for (std::size_t k = 0; k < split.parts.size(); ++k) {
       const auto& [name, force] = split.parts[k];
       if (columns.size() == 3 * k)

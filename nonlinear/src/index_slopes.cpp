@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "settle.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 #include "voyage_replay.hpp"
 
@@ -67,7 +68,7 @@ Approach<Model> approach_of(const Model<double>& model, std::span<const ShipNumb
 
 template <template <class> class Model>
 VoyageReplay<Model, lanes> replay_of(const Approach<Model>& a, const Ship& ship, std::span<const ManoeuvreStep> steps) {
-  return {a.ship, ship.surroundings.current, a.speed, a.propulsion, steps};
+  return {a.ship, surroundings_at(ship, 0.0).current, a.speed, a.propulsion, steps};
 }
 
 // ---------------------------------------------------------------- steady turn
@@ -159,10 +160,19 @@ void append(Indices<Slopes>& slopes, const Indices<D>& chunk, std::size_t count)
   }
 }
 
+/// A current acts on the place alone.
+/// @throws Refusal  for a ship with effects, which the steps in duals do not have
+void require_bare(const Ship& ship) {
+  for (const auto& effect : ship.effects)
+    if (!is_null(effect) && place_of(effect) != Place::water)
+      throw Refusal(fmt::format("exact derivatives of indices are those of a ship without effects; take {} out of the ship file", id_of(effect)));
+}
+
 /// A chunk after the other.
 template <template <class> class Indices, class InDuals>
 Indices<Slopes> in_chunks(const Ship& ship, std::span<const ShipNumber> numbers, const InDuals& in_duals) {
   require_calm(ship, "exact derivative");
+  require_bare(ship);
   Indices<Slopes> slopes;
   for (; !numbers.empty(); numbers = numbers.subspan(std::min(numbers.size(), slopes_at_once))) {
     const auto chunk = numbers.first(std::min(numbers.size(), slopes_at_once));

@@ -8,6 +8,7 @@
 
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw {
@@ -31,16 +32,27 @@ PlanarMotion<double> turned(const PlanarMotion<double>& m, Side side, double L) 
 
 /// The force of a part alone, with its derivatives; motion without.
 template <class Model>
-std::vector<PartDerivatives> parts_on(const Model& model, const OperatingPoint& point, Side side) {
+std::vector<PartDerivatives> parts_on(const ActingShip<Model>& acting, const OperatingPoint& point, Side side) {
+  const auto& model = acting.model;
   const auto ship = cast<D>(model);
+  auto added = cast<D>(acting.added);
+  added.waves = false;
   const auto& [m, c] = point;
   const PlanarMotion<D> motion{D(m.u, 0), D(m.v, 1), D(m.r, 2)}, held{D(m.u), D(m.v), D(m.r)};
   const auto controls = with_rudder(cast<D>(c), D(c.delta, 3));
-  const auto branch = branch_at(model, turned(m, side, model.particulars.L), c);
-  const auto split = forces(ship, motion, controls, branch);
+  const auto turn = turned(m, side, model.particulars.L);
+  const auto branch = branch_at(model, turn, driven(acting.added, turn, c));
+  const auto split = forces(ship, motion, driven(added, motion, controls), branch);
   std::vector<PartDerivatives> result;
-  for (const auto& part : split.parts()) result.push_back({std::string(part.name), derivatives_of(acceleration(ship, held, part.force))});
-  const auto total = split.total();
+  auto total = split.total();
+  const auto add = [&](std::string_view name, const PlanarForce<D>& force) {
+    result.push_back({std::string(name), derivatives_of(acceleration(ship, held, force))});
+  };
+  for (const auto& part : split.parts()) add(part.name, part.force);
+  for_each_added(ship, added, ShipState<D>{D(0.0), D(0.0), D(0.0), motion}, steady_hidden(added, motion), controls, [&](std::string_view name, const PlanarForce<D>& force) {
+    add(name, force);
+    total = total + force;
+  });
   const PlanarForce<D> constant{D(total.X.a), D(total.Y.a), D(total.N.a)};
   result.push_back({"centrifugal", derivatives_of(acceleration(ship, motion, constant))});
   return result;
@@ -54,7 +66,7 @@ AccelerationDerivatives mean(const AccelerationDerivatives& a, const Acceleratio
 }
 
 template <class Model>
-std::vector<PartDerivatives> parts_on_side(const Model& model, const OperatingPoint& point, std::optional<Side> side) {
+std::vector<PartDerivatives> parts_on_side(const ActingShip<Model>& model, const OperatingPoint& point, std::optional<Side> side) {
   if (side) return parts_on(model, point, *side);
   auto parts = parts_on(model, point, Side::port);
   const auto starboard = parts_on(model, point, Side::starboard);
@@ -90,11 +102,12 @@ SnameDerivatives<double> masses_of(const Model& model) {
 }
 
 template <class Model>
-void require_steady(const Model& model, const OperatingPoint& point) {
+void require_steady(const ActingShip<Model>& acting, const OperatingPoint& point) {
+  const auto& model = acting.model;
   const auto& [m, c] = point;
   if (!(m.u > 0.0)) throw Refusal(fmt::format("a ship is linearized under way ahead, not at u = {:.6g} m/s", m.u));
   const double L = model.particulars.L, U = speed(m), unit = U * U / L;
-  const auto a = acceleration(model, m, forces(model, m, c).total());
+  const auto a = acceleration(model, m, steady_force(model, acting.added, m, c));
   const double size = std::max({std::abs(a.u), std::abs(a.v), std::abs(a.r) * L}) / unit;
   if (!(size <= 1e-6))
     throw Refusal(fmt::format("u = {:.6g} m/s, v = {:.6g} m/s, r = {:.6g} rad/s, delta = {:.6g} rad is no steady motion: the ship accelerates by {:.3g} U2/L",
@@ -102,10 +115,11 @@ void require_steady(const Model& model, const OperatingPoint& point) {
 }
 
 template <class Model>
-Linearization linearize_model(const Model& model, const OperatingPoint& point, std::optional<Side> side) {
-  require_steady(model, point);
+Linearization linearize_model(const ActingShip<Model>& acting, const OperatingPoint& point, std::optional<Side> side) {
+  const auto& model = acting.model;
+  require_steady(acting, point);
   Linearization result{.point = point, .scale = {.L = model.particulars.L, .U = speed(point.motion)}, .whole = {},
-                       .parts = parts_on_side(model, point, side), .masses = masses_of(model), .poles = {}};
+                       .parts = parts_on_side(acting, point, side), .masses = masses_of(model), .poles = {}};
   for (const auto& part : result.parts) result.whole += part.derivatives;
   result.poles = poles_of(result.whole);
   return result;
@@ -126,7 +140,7 @@ AccelerationDerivatives& AccelerationDerivatives::operator+=(const AccelerationD
 }
 
 Linearization linearize(const Ship& ship, const OperatingPoint& point, std::optional<Side> side) {
-  return std::visit([&](const auto& model) { return linearize_model(model, point, side); }, ship.model);
+  return visit_acting(ship, [&](const auto& acting) { return linearize_model(acting, point, side); });
 }
 
 bool has_kink(const Ship& ship, const OperatingPoint& point) {

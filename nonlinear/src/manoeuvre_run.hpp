@@ -10,6 +10,7 @@
 #include "swayaw/core/rounding.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
+#include "swayaw/nonlinear/sensors.hpp"
 #include "voyage.hpp"
 
 /// What the manoeuvres share. Not installed.
@@ -46,8 +47,8 @@ Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest) {
   return {speed, propulsion(ship, speed, options.rev, options.thrust), end, options.sampled ? sample_times(step, end) : std::vector<double>{}};
 }
 
-template <class Model>
-Moment now(const Voyage<Model>& voyage) {
+template <class Sailing>
+Moment now(const Sailing& voyage) {
   return {voyage.time(), voyage.state(), voyage.controls()};
 }
 
@@ -65,9 +66,10 @@ inline std::optional<double> way_made(const std::vector<Moment>& samples, const 
   return way;
 }
 
-/// States and thrust as a recording.
+/// States and thrust as her instruments record them.
 template <class Model>
-Recording recording_of(const std::vector<Moment>& moments, const Model& ship) {
+Recording recording_of(const std::vector<Moment>& moments, const ActingShip<Model>& acting) {
+  const auto& ship = acting.model;
   Recording run;
   for (const auto& m : moments) run.time.push_back(m.time);
   const auto fill = [&](Channel channel, auto&& value) {
@@ -80,11 +82,12 @@ Recording recording_of(const std::vector<Moment>& moments, const Model& ship) {
   fill(Channel::u, [](const Moment& m) { return m.state.motion.u; });
   fill(Channel::v, [](const Moment& m) { return m.state.motion.v; });
   fill(Channel::r, [](const Moment& m) { return m.state.motion.r; });
-  fill(Channel::delta, [](const Moment& m) { return m.controls.delta; });
+  fill(Channel::delta, [](const Moment& m) { return m.shown; });
   const bool by_thrust = !moments.empty() && moments.front().controls.by_thrust;
   if (!by_thrust && takes_shaft_speed(ship)) fill(Channel::rev, [](const Moment& m) { return m.controls.rev; });
-  fill(Channel::thrust, [&](const Moment& m) { return thrust(ship, m.state.motion, m.controls); });
-  return run;
+  fill(Channel::thrust, [&](const Moment& m) { return thrust(ship, m.state.motion, driven(acting.added, m.state.motion, m.controls)); });
+  if (acting.added.roll) fill(Channel::phi, [](const Moment& m) { return m.hidden.phi; });
+  return acting.sensors.empty() ? run : as_recorded(std::move(run), acting.sensors);
 }
 
 }  // namespace swayaw

@@ -48,29 +48,31 @@ std::optional<double> linear_T1(const Ship& ship, const Controls<double>& propul
 }
 
 template <class Model>
-PullOutSide sail_pull_out(const Ship& ship, const Model& model, const TurnOrder& order, const Settling& settling, const ManoeuvreOptions& options) {
+PullOutSide sail_pull_out(const Ship& ship, const ActingShip<Model>& acting, const TurnOrder& order, const Settling& settling, const ManoeuvreOptions& options) {
+  const auto& model = acting.model;
   ManoeuvreOptions whole = options;
   whole.duration.reset();
   whole.sampled = true;
   const auto [U, propulsion, end, times] = plan(model, whole, 2.0 * settling.longest);
   const double L = model.particulars.L;
-  Voyage<Model> voyage(model, ship.surroundings, approach(U, propulsion), options.tolerance);
-  voyage.sample_at(times);
-  voyage.order(rudder_sign(order.side) * order.rudder);
-  PullOutSide result{};
-  result.turning_settled = settle(voyage, settling, L, U);
-  result.execute = voyage.time();
-  result.turning = voyage.state().motion.r;
-  voyage.order(0.0);
-  result.settled = settle(voyage, settling, L, U);
-  result.residual = voyage.state().motion.r;
-  measure_decay(result, voyage.samples());
-  result.T1 = linear_T1(ship, propulsion, order.side);
-  if (options.sampled) result.run = recording_of(voyage.samples(), model);
-  result.run.name = ship.name;
-  result.run.facts.execute = 0.0;
-  result.run.facts.manoeuvre = fmt::format("pullout {:.6g} from {}", degrees(order.rudder), name_of(order.side));
-  return result;
+  return with_voyage(acting, approach(U, propulsion), options.tolerance, [&](auto& voyage) {
+    voyage.sample_at(times);
+    voyage.order(rudder_sign(order.side) * order.rudder);
+    PullOutSide result{};
+    result.turning_settled = settle(voyage, settling, L, U);
+    result.execute = voyage.time();
+    result.turning = voyage.state().motion.r;
+    voyage.order(0.0);
+    result.settled = settle(voyage, settling, L, U);
+    result.residual = voyage.state().motion.r;
+    measure_decay(result, voyage.samples());
+    result.T1 = linear_T1(ship, propulsion, order.side);
+    if (options.sampled) result.run = recording_of(voyage.samples(), acting);
+    result.run.name = ship.name;
+    result.run.facts.execute = 0.0;
+    result.run.facts.manoeuvre = fmt::format("pullout {:.6g} from {}", degrees(order.rudder), name_of(order.side));
+    return result;
+  });
 }
 
 }  // namespace
@@ -78,12 +80,13 @@ PullOutSide sail_pull_out(const Ship& ship, const Model& model, const TurnOrder&
 PullOut pull_out(const Ship& ship, const PullOutOrder& order, const ManoeuvreOptions& options) {
   require_calm(ship, "pull-out");
   require_rudder(order.rudder, steering_gear(ship));
-  const auto both = [&](const auto& model) {
-    const auto from = [&](Side side) { return sail_pull_out(ship, model, {order.rudder, side}, order.settling, options); };
+  const auto both = [&](const auto& acting) {
+    const auto& model = acting.model;
+    const auto from = [&](Side side) { return sail_pull_out(ship, acting, {order.rudder, side}, order.settling, options); };
     const double speed = options.speed.value_or(model.particulars.U_0);
     return PullOut{.sides = {from(Side::port), from(Side::starboard)}, .approach_speed = speed, .propulsion = propulsion(model, speed, options.rev, options.thrust)};
   };
-  return std::visit(both, ship.model);
+  return visit_acting(ship, both);
 }
 
 }  // namespace swayaw

@@ -5,6 +5,7 @@
 
 #include "local_fit.hpp"
 #include "manoeuvre_run.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 
 namespace swayaw {
 namespace {
@@ -60,9 +61,7 @@ std::optional<double> first_value(const Recording& run, const Neighbourhood& nea
   return std::nullopt;
 }
 
-}  // namespace
-
-ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time) {
+ShipState<double> state_told(const Ship& ship, const Recording& run, double time) {
   const double time_unit = length(ship) / service_speed(ship);
   const auto near = neighbourhood(run, time, time_unit);
   const auto wide = rate_neighbourhood(run, near, time_unit);
@@ -82,13 +81,28 @@ ShipState<double> recorded_state(const Ship& ship, const Recording& run, double 
   return {x, y, heading, {*u, v.value_or(0.0), r}};
 }
 
+}  // namespace
+
+ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time) {
+  const auto sensors = sensor_effects(ship);
+  return sensors.empty() ? state_told(ship, run, time) : state_told(ship, as_it_was(run, sensors), time);
+}
+
 // ---------------------------------------------------------------- recorded controls
 
 namespace {
 
-/// Actual rudder angle; an order is followed at the rate of the steering gear.
+/// Recorded rudder angle without the delay of its record.
+Interpolant in_time(const Ship& ship, const Recording& run) {
+  std::vector<Effect> late;
+  for (const auto& effect : sensor_effects(ship))
+    if (const auto* delay = std::get_if<ChannelDelay<>>(&effect); delay && delay->channel == Channel::delta) late.push_back(effect);
+  return late.empty() ? Interpolant(run, Channel::delta) : Interpolant(as_it_was(run, late), Channel::delta);
+}
+
+/// Rudder angle as the indicator shows it; an order is followed at the rate of the steering gear.
 Interpolant rudder_of(const Ship& ship, const Recording& run) {
-  if (run.has(Channel::delta)) return Interpolant(run, Channel::delta);
+  if (run.has(Channel::delta)) return in_time(ship, run);
   if (!run.has(Channel::delta_order)) throw Refusal(fmt::format("{}: no rudder angle", run.name));
   const Interpolant order(run, Channel::delta_order);
   Recording followed;
@@ -115,10 +129,11 @@ RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const
   const auto& propulsion = rev_ ? rev_ : thrust_;
   const auto propulsion_times = propulsion ? propulsion->times() : std::span<const double>{};
   std::ranges::set_union(rudder_.times(), propulsion_times, std::back_inserter(knots_));
+  if (const auto actuator = rudder_actuator(ship); actuator.any()) track_.emplace(actuator, lines_through(rudder_.times(), rudder_.values()));
 }
 
 Controls<double> RecordedControls::at(double time) const {
-  const double delta = rudder_(time);
+  const double delta = rudder(time);
   if (rev_) return {.delta = delta, .rev = (*rev_)(time)};
   if (!thrust_) return with_rudder(constant_, delta);
   const double half = 0.5 * (*thrust_)(time);
@@ -136,18 +151,20 @@ Controls<double> slope(const Controls<double>& from, const Controls<double>& to,
 }
 
 /// Sails from knot to knot of the recorded controls.
-template <class Model>
-std::vector<Moment> sail_along(const Ship& ship, const Model& model, const RecordedControls& controls, const ShipState<double>& start,
-                               std::span<const double> times, double tolerance) {
+template <class Sailing>
+std::vector<Moment> sail_along(Sailing& voyage, const RecordedControls& controls, std::span<const double> times) {
   const double begin = times.front(), end = times.back();
-  Voyage<Model> voyage(model, ship.surroundings, {begin, start, controls.at(begin)}, tolerance);
   voyage.sample_at(times);
+  if (controls.track()) {
+    voyage.show_along(controls.shown());
+    voyage.steer_along(*controls.track());
+  }
   auto knot = std::ranges::upper_bound(controls.knots(), begin);
   while (voyage.time() < end) {
     const double next = knot == controls.knots().end() ? end : std::min(end, *knot++);
     if (next <= voyage.time()) continue;
     const auto rate = slope(voyage.controls(), controls.at(next), next - voyage.time());
-    voyage.steer(rate.delta);
+    if (!controls.track()) voyage.steer(rate.delta);
     voyage.drive(rate);
     voyage.sail(next);
   }
@@ -158,9 +175,10 @@ std::vector<Moment> sail_along(const Ship& ship, const Model& model, const Recor
 
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
                       std::span<const double> times, const ReplayOptions& options) {
-  return std::visit(
-      [&](const auto& model) { return recording_of(sail_along(ship, model, controls, start, times, options.tolerance), model); },
-      ship.model);
+  return visit_acting(ship, [&](const auto& acting) {
+    const Moment from{times.front(), start, with_rudder(controls.at(times.front()), controls.shown()(times.front()))};
+    return with_voyage(acting, from, options.tolerance, [&](auto& voyage) { return recording_of(sail_along(voyage, controls, times), acting); });
+  });
 }
 
 Recording replay(const Ship& ship, const Recording& run, const ReplayOptions& options) {

@@ -14,9 +14,12 @@
 /// Sailing until nothing changes but place and heading. Not installed.
 namespace swayaw {
 
-/// @throws Refusal  for a ship in wind, whose turns never become steady
+/// @throws Refusal  for a ship in wind or waves, whose turns never become steady
 inline void require_calm(const Ship& ship, std::string_view manoeuvre) {
-  if (ship.surroundings.windy) throw Refusal(fmt::format("no turn is steady in wind, which the {} waits for; take the wind out of the ship file", manoeuvre));
+  const auto blows = [](const Effect& e) { return place_of(e) == Place::air && !is_null(e); };
+  const auto drifts = [](const Effect& e) { return std::holds_alternative<WaveDrift<>>(e) && !is_null(e); };
+  if (std::ranges::any_of(ship.effects, drifts)) throw Refusal(fmt::format("no turn is steady in waves, which the {} waits for; take wave_drift out of the ship file", manoeuvre));
+  if (ship.surroundings.windy || std::ranges::any_of(ship.effects, blows)) throw Refusal(fmt::format("no turn is steady in wind, which the {} waits for; take the wind out of the ship file", manoeuvre));
 }
 
 /// Largest acceleration over U²/L, of yaw over U²/L².
@@ -27,8 +30,8 @@ inline double acceleration_size(const StateVector<double>& rate, double L, doubl
 /// Sails one ship length after another until the motion is steady. @return whether it became so
 ///
 /// At the end of each length all three accelerations must be small, so the turning point of a swing does not count.
-template <class Model>
-bool settle(Voyage<Model>& voyage, const Settling& settling, double L, double U) {
+template <class Sailing>
+bool settle(Sailing& voyage, const Settling& settling, double L, double U) {
   const double end = voyage.time() + settling.longest * L / U;
   while (voyage.time() < end) {
     voyage.sail(std::min(end, voyage.time() + L / U));

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <stdexcept>
 
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/parts_writer.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/mmg_labels.hpp"
 #include "swayaw/nonlinear/windage_sources.hpp"
 
@@ -54,33 +57,61 @@ void apply_labels(Model&, Confidence&) {}
 
 // ---------------------------------------------------------------- effects
 
-/// Where the number of an effect goes.
-struct EffectNumber {
-  std::string_view key;
-  double* value;
-};
-
-void read_effect(const FileEffect& effect, std::span<const EffectNumber> numbers, const PartsReader& file) {
-  for (const auto& [key, value] : effect.numbers)
-    if (std::ranges::find(numbers, key, &EffectNumber::key) == numbers.end())
-      file.fail(effect, fmt::format("{} is not a number of {}", key, effect.kind));
-  for (const auto& n : numbers) {
-    const auto found = std::ranges::find(effect.numbers, n.key, &std::pair<std::string, double>::first);
-    if (found == effect.numbers.end()) file.fail(effect, fmt::format("{} needs {}", effect.kind, n.key));
-    *n.value = found->second;
+/// The numbers of the effect from its table; those that need not be given may be missing.
+void read_numbers(Effect& effect, const FileEffect& given, const PartsReader& file) {
+  for (const auto& [key, value] : given.numbers) {
+    bool known = false;
+    for_each_parameter(effect, [&](const auto& p, double&) { known = known || p.key == key; });
+    if (!known) file.fail(given, fmt::format("{} is not a number of {}", key, given.kind));
   }
+  bool some = false;
+  for_each_parameter(effect, [&](const auto& p, double& number) {
+    const auto found = std::ranges::find(given.numbers, p.key, &std::pair<std::string, double>::first);
+    if (found == given.numbers.end() && p.required) file.fail(given, fmt::format("{} needs {}", given.kind, p.key));
+    some = some || found != given.numbers.end();
+    number = found == given.numbers.end() ? p.fallback : found->second;
+    if (found != given.numbers.end() && !p.range.contains(number)) file.fail(given, fmt::format("{} in [[effect]] cannot be {}", p.key, number));
+  });
+  if (!some) file.fail(given, fmt::format("{} has no numbers", given.kind));
 }
 
-void read_effects(Surroundings<double>& around, const PartsReader& file) {
-  for (const auto& effect : file.effects()) {
-    if (effect.kind == "steady_wind") {
-      if (around.windage.A_L == 0.0) file.fail(effect, "wind needs frontal and lateral area of the ship, in [windage] or [particulars]");
-      read_effect(effect, std::array{EffectNumber{"wind_speed_m_s", &around.wind.speed}, EffectNumber{"wind_from_rad", &around.wind.from}}, file);
-      around.windy = around.wind.speed > 0.0;
-    } else if (effect.kind == "steady_current")
-      read_effect(effect, std::array{EffectNumber{"current_speed_m_s", &around.current.speed}, EffectNumber{"current_to_rad", &around.current.to}}, file);
-    else file.fail(effect, fmt::format("effect {} is not understood by this version", effect.kind));
+void read_channel(Effect& effect, const FileEffect& given, const PartsReader& file) {
+  auto* delay = std::get_if<ChannelDelay<>>(&effect);
+  if (!delay && !given.channel.empty()) file.fail(given, fmt::format("{} has no channel", given.kind));
+  if (!delay) return;
+  if (given.channel.empty()) file.fail(given, "channel_delay needs channel");
+  const auto channel = channel_named(given.channel);
+  if (!channel) file.fail(given, fmt::format("channel \"{}\" is not known", given.channel));
+  delay->channel = *channel == Channel::y ? Channel::x : *channel;
+}
+
+/// Whether two effects cannot stand in one file.
+bool same_kind(const Effect& a, const Effect& b) {
+  const auto *late = std::get_if<ChannelDelay<>>(&a), *other = std::get_if<ChannelDelay<>>(&b);
+  return a.index() == b.index() && (!late || late->channel == other->channel);
+}
+
+Effect read_effect(const FileEffect& given, const PartsReader& file) {
+  if (given.kind == "unknown") file.fail(given, "an effect of kind \"unknown\" says in words what is missing and cannot be simulated");
+  auto effect = effect_named(given.kind);
+  if (!effect) file.fail(given, fmt::format("effect {} is not understood by this version", given.kind));
+  read_numbers(*effect, given, file);
+  read_channel(*effect, given, file);
+  return *effect;
+}
+
+std::vector<Effect> read_effects(const ShipModel& model, const Windage<double>& windage, const PartsReader& file) {
+  std::vector<Effect> effects;
+  for (const auto& given : file.effects()) {
+    const auto effect = read_effect(given, file);
+    if (place_of(effect) == Place::air && windage.A_L == 0.0)
+      file.fail(given, "wind needs frontal and lateral area of the ship, in [windage] or [particulars]");
+    if (const auto why = cannot_act(model, effect); !why.empty()) file.fail(given, why);
+    if (std::ranges::any_of(effects, [&](const Effect& e) { return same_kind(e, effect); }))
+      file.fail(given, fmt::format("{} is given twice", given.kind));
+    effects.push_back(effect);
   }
+  return effects;
 }
 
 // ---------------------------------------------------------------- windage
@@ -161,8 +192,8 @@ Ship read_as(const PartsReader& file) {
   apply_labels(model, head.confidence);
   require_consistent(model, file);
   Surroundings<double> around{.windage = own_windage ? windage_of(table, file) : windage_of(model), .wind = {}, .current = {}};
-  read_effects(around, file);
-  return {.name = std::move(head.name), .model = model, .confidence = std::move(head.confidence), .surroundings = around};
+  auto effects = read_effects(model, around.windage, file);
+  return {.name = std::move(head.name), .model = model, .confidence = std::move(head.confidence), .surroundings = around, .effects = std::move(effects)};
 }
 
 }  // namespace
@@ -205,12 +236,32 @@ bool same_numbers(const Windage<double>& a, const Windage<double>& b) {
   return std::ranges::all_of(list, [&](const auto& p) { return a.*p.member == b.*p.member; });
 }
 
-std::vector<FileEffect> effects_of(const Surroundings<double>& around) {
+/// @throws std::domain_error  if a number is not finite or not in its range
+FileEffect written(const Effect& effect) {
+  FileEffect result{.kind = std::string(id_of(effect)), .numbers = {}, .line = 0, .column = 0, .channel = {}};
+  if (const auto* late = std::get_if<ChannelDelay<>>(&effect)) result.channel = short_name(late->channel);
+  for_each_parameter(effect, [&](const auto& p, double number) {
+    const bool is_fallback = number == p.fallback || (std::isnan(number) && std::isnan(p.fallback));
+    if (!p.required && is_fallback) return;
+    if (!std::isfinite(number) || !p.range.contains(number)) throw std::domain_error(fmt::format("{} of {} cannot be {}", p.key, result.kind, number));
+    result.numbers.emplace_back(p.key, number);
+  });
+  return result;
+}
+
+/// Wind and current of the surroundings are written as effects too, together with those that are.
+std::vector<FileEffect> effects_of(const Ship& ship) {
   std::vector<FileEffect> effects;
-  const auto& [speed, from] = around.wind;
-  const auto& [drift, to] = around.current;
-  if (around.windy) effects.push_back({"steady_wind", {{"wind_speed_m_s", speed}, {"wind_from_rad", from}}, 0, 0});
-  if (drift != 0.0) effects.push_back({"steady_current", {{"current_speed_m_s", drift}, {"current_to_rad", to}}, 0, 0});
+  auto calm = ship;
+  std::erase_if(calm.effects, [](const Effect& e) { return std::holds_alternative<Gust<>>(e); });
+  const auto around = surroundings_at(calm, 0.0);
+  const bool own_wind = ship.surroundings.windy, own_current = ship.surroundings.current.speed != 0.0;
+  if (own_wind) effects.push_back(written(SteadyWind<>{around.wind.speed, around.wind.from}));
+  if (own_current) effects.push_back(written(SteadyCurrent<>{around.current.speed, around.current.to}));
+  for (const auto& effect : ship.effects) {
+    const bool merged = (own_wind && std::holds_alternative<SteadyWind<>>(effect)) || (own_current && std::holds_alternative<SteadyCurrent<>>(effect));
+    if (!merged) effects.push_back(written(effect));
+  }
   return effects;
 }
 
@@ -221,7 +272,7 @@ std::string text_as(const Ship& ship, Model model, std::string_view remark) {
   add_lists(table);
   const bool own = !table.angle.empty() || !same_numbers(table.windage, windage_of(model));
   if (own) add_keys(keys, table);
-  return ship_text(model_name(model), {ship.name, ship.confidence}, keys, effects_of(ship.surroundings), remark);
+  return ship_text(model_name(model), {ship.name, ship.confidence}, keys, effects_of(ship), remark);
 }
 
 }  // namespace

@@ -28,30 +28,32 @@ std::optional<SpiralLoop> loop_of(const Spiral& s, double L) {
   return SpiralLoop{.width = highest - lowest, .height = height};
 }
 
-template <class Model>
-SpiralPoint hold(Voyage<Model>& voyage, double delta, const Settling& settling, double L, double U) {
+template <class Sailing>
+SpiralPoint hold(Sailing& voyage, double delta, const Settling& settling, double L, double U) {
   const double start = voyage.time();
   voyage.order(delta + 0.0);  // 0 rather than -0
   const bool settled = settle(voyage, settling, L, U);
-  return {.delta = voyage.controls().delta, .motion = voyage.state().motion, .held = voyage.time() - start, .settled = settled};
+  return {.delta = voyage.shown(), .motion = voyage.state().motion, .held = voyage.time() - start, .settled = settled};
 }
 
 template <class Model>
-Spiral sail_spiral(const Ship& ship, const Model& model, const SpiralOrder& order, const ManoeuvreOptions& options) {
+Spiral sail_spiral(const ActingShip<Model>& acting, const SpiralOrder& order, const ManoeuvreOptions& options) {
+  const auto& model = acting.model;
   const auto angles = spiral_angles(order.largest, order.step);
   ManoeuvreOptions whole = options;
   whole.duration.reset();
   if (!whole.step) whole.step = round_down(0.2 * model.particulars.L / options.speed.value_or(model.particulars.U_0));
   const auto [U, propulsion, end, times] = plan(model, whole, order.settling.longest * 2.0 * static_cast<double>(angles.size()));
   const double L = model.particulars.L, sign = rudder_sign(order.first);
-  Voyage<Model> voyage(model, ship.surroundings, approach(U, propulsion), options.tolerance);
-  voyage.sample_at(times);
-  Spiral result{.down = {}, .up = {}, .loop = {}, .curve = {}, .exact = {}, .approach_speed = U, .propulsion = propulsion, .run = {}};
-  for (const double angle : angles) result.down.push_back(hold(voyage, sign * angle, order.settling, L, U));
-  result.up.push_back(result.down.back());
-  for (std::size_t i = angles.size() - 1; i-- > 0;) result.up.push_back(hold(voyage, sign * angles[i], order.settling, L, U));
-  if (options.sampled) result.run = recording_of(voyage.samples(), model);
-  return result;
+  return with_voyage(acting, approach(U, propulsion), options.tolerance, [&](auto& voyage) {
+    voyage.sample_at(times);
+    Spiral result{.down = {}, .up = {}, .loop = {}, .curve = {}, .exact = {}, .approach_speed = U, .propulsion = propulsion, .run = {}};
+    for (const double angle : angles) result.down.push_back(hold(voyage, sign * angle, order.settling, L, U));
+    result.up.push_back(result.down.back());
+    for (std::size_t i = angles.size() - 1; i-- > 0;) result.up.push_back(hold(voyage, sign * angles[i], order.settling, L, U));
+    if (options.sampled) result.run = recording_of(voyage.samples(), acting);
+    return result;
+  });
 }
 
 /// Size of the yaw rate at the end of a curve, or at the largest rudder angle where the curve goes a little beyond.
@@ -83,7 +85,7 @@ std::vector<double> spiral_angles(double largest, double step) {
 Spiral spiral(const Ship& ship, const SpiralOrder& order, const ManoeuvreOptions& options) {
   require_calm(ship, "spiral");
   require_rudder(order.largest, steering_gear(ship));
-  auto result = std::visit([&](const auto& model) { return sail_spiral(ship, model, order, options); }, ship.model);
+  auto result = visit_acting(ship, [&](const auto& acting) { return sail_spiral(acting, order, options); });
   result.loop = loop_of(result, length(ship));
   result.curve = steady_turn_curve(ship, result.propulsion, order.largest, curve_step);
   result.exact = instability_loop(result.curve);
@@ -98,7 +100,7 @@ ReverseSpiral reverse_spiral(const Ship& ship, const ReverseSpiralOrder& order, 
   require_rudder(order.largest, steering_gear(ship));
   if (order.steps < 1) throw std::domain_error(fmt::format("a reverse spiral needs at least one yaw rate on each side, got {}", order.steps));
   const double speed = require_positive(options.speed.value_or(service_speed(ship)), "approach speed [m/s]");
-  const auto propulsion = swayaw::propulsion(ship.model, speed, options.rev, options.thrust);
+  const auto propulsion = swayaw::propulsion(ship, speed, options.rev, options.thrust);
   const auto curve = steady_turn_curve(ship, propulsion, order.largest);
   const double largest = std::min(end_rate(ship, propulsion, curve.front(), order.largest), end_rate(ship, propulsion, curve.back(), order.largest));
   const auto rates = even_yaw_rates(largest, order.steps);

@@ -9,6 +9,7 @@
 
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 
 namespace swayaw {
 namespace {
@@ -23,25 +24,27 @@ struct Balance {
 };
 
 template <class Model>
-Balance balance_at(const Model& ship, const Controls<double>& controls, const Vector& motion) {
+Balance balance_at(const Model& ship, const AddedForces<Dual<3>>& added, const Controls<double>& controls, const Vector& motion) {
   using D = Dual<3>;
   const PlanarMotion<D> m{D(motion[0], 0), D(motion[1], 1), D(motion[2], 2)};
   const auto c = cast<D>(controls);
-  const auto a = acceleration(ship, m, forces(ship, m, c, branch_at(ship, m, c)).total());
+  const auto a = acceleration(ship, m, steady_force(ship, added, m, c));
   Balance balance{{a.u.a, a.v.a, a.r.a}, {}};
   balance.jacobian << a.u.v.transpose(), a.v.v.transpose(), a.r.v.transpose();
   return balance;
 }
 
 template <class Model>
-std::optional<SteadyMotion> newton(const Model& model, const Controls<double>& controls, const PlanarMotion<double>& guess) {
+std::optional<SteadyMotion> newton(const ActingShip<Model>& acting, const Controls<double>& controls, const PlanarMotion<double>& guess) {
+  const auto& model = acting.model;
   const auto ship = cast<Dual<3>>(model);
+  const auto added = cast<Dual<3>>(acting.added);
   const double L = model.particulars.L;
   const double U = speed(guess);
   const Vector unit(U, U, U / L);
   Vector motion(guess.u, guess.v, guess.r);
   for (int iteration = 0; iteration < 50; ++iteration) {
-    const Balance balance = balance_at(ship, controls, motion);
+    const Balance balance = balance_at(ship, added, controls, motion);
     const Vector step = balance.jacobian.partialPivLu().solve(-balance.acceleration);
     const double size = step.cwiseQuotient(unit).cwiseAbs().maxCoeff();
     if (!std::isfinite(size)) return std::nullopt;
@@ -83,7 +86,7 @@ Controls<double> self_propulsion(const AbkowitzShip<double>& ship, double speed)
 }
 
 Controls<double> self_propulsion(const Ship& ship, double speed) {
-  return std::visit([&](const auto& model) { return self_propulsion(model, speed); }, ship.model);
+  return visit_acting(ship, [&](const auto& acting) { return self_propulsion(acting.model, speed); });
 }
 
 bool takes_shaft_speed(const MmgShip<double>&) { return true; }
@@ -108,9 +111,13 @@ Controls<double> propulsion(const ShipModel& model, double speed, const std::opt
   return std::visit([&](const auto& ship) { return self_propulsion(ship, speed); }, model);
 }
 
+Controls<double> propulsion(const Ship& ship, double speed, const std::optional<double>& rev, const std::optional<double>& thrust) {
+  return visit_acting(ship, [&](const auto& acting) { return propulsion(ShipModel(acting.model), speed, rev, thrust); });
+}
+
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,
                                           const PlanarMotion<double>& guess) {
-  return std::visit([&](const auto& model) { return newton(model, controls, guess); }, ship.model);
+  return visit_acting(ship, [&](const auto& acting) { return newton(acting, controls, guess); });
 }
 
 }  // namespace swayaw

@@ -10,6 +10,7 @@
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw {
@@ -27,10 +28,10 @@ struct Balance {
 template <class Model>
 class StraightRun {
  public:
-  StraightRun(const Model& model, const Current<double>& current, const Windage<double>& windage, const Wind<double>& wind,
+  StraightRun(const ActingShip<Model>& acting, const Windage<double>& windage, const Wind<double>& wind,
               const WindRunOrder& order, const Controls<double>& propulsion)
-      : ship_(cast<D>(model)), windage_(cast_part<D>(windage)), current_(current), wind_(wind), order_(order),
-        propulsion_(cast<D>(propulsion)), U_(model.particulars.U_0), L_(model.particulars.L) {}
+      : ship_(cast<D>(acting.model)), added_(cast<D>(acting.added)), windage_(cast_part<D>(windage)), current_(acting.surroundings.current), wind_(wind),
+        order_(order), propulsion_(cast<D>(propulsion)), U_(acting.model.particulars.U_0), L_(acting.model.particulars.L) {}
 
   Point still() const { return {1.0, 0.0, 0.0, order_.direction}; }
 
@@ -41,7 +42,7 @@ class StraightRun {
     const auto c = with_rudder(propulsion_, delta);
     const auto ground = over_ground(Current<D>{D(current_.speed), D(current_.to)}, {D(0.0), D(0.0), psi, m});
     const Wind<D> wind{D(share * wind_.speed), D(wind_.from)};
-    const auto a = acceleration(ship_, m, forces(ship_, m, c).total() + wind_force(windage_, wind, ground, psi));
+    const auto a = acceleration(ship_, m, own_force({D(0.0), D(0.0), psi, m}, c) + wind_force(windage_, wind, ground, psi));
     const double unit = L_ / (U_ * U_);
     const D equations[] = {a.u * unit, a.v * unit, a.r * unit * L_, kept(ground, psi)};
     Balance b;
@@ -74,6 +75,12 @@ class StraightRun {
   PlanarMotion<double> motion_at(const Point& p) const { return {U_ * p[0], U_ * p[1], 0.0}; }
   PlanarMotion<double> ground_at(const Point& p) const { return over_ground(current_, {0.0, 0.0, p[3], motion_at(p)}); }
 
+  /// Force of the water, with what effects add to it.
+  PlanarForce<D> own_force(const ShipState<D>& state, const Controls<D>& controls) const {
+    const auto own = forces(ship_, state.motion, controls).total();
+    return added_.any() ? own + added_force(ship_, added_, state, steady_hidden(added_, state.motion), controls) : own;
+  }
+
   /// psi − psi_0, or the velocity over ground across the course, over U.
   D kept(const PlanarMotion<D>& ground, const D& psi) const {
     const D off = psi - order_.direction;
@@ -82,6 +89,7 @@ class StraightRun {
   }
 
   decltype(cast<D>(std::declval<Model>())) ship_;
+  AddedForces<D> added_;
   Windage<D> windage_;
   Current<double> current_;
   Wind<double> wind_;
@@ -126,9 +134,10 @@ std::optional<Point> raise_wind(const Equations& equations) {
 }
 
 template <class Model>
-std::optional<WindRun> run_of(const Ship& ship, const Model& model, const Windage<double>& windage, const Wind<double>& wind, const WindRunOrder& order) {
+std::optional<WindRun> run_of(const ActingShip<Model>& acting, const Windage<double>& windage, const Wind<double>& wind, const WindRunOrder& order) {
+  const auto& model = acting.model;
   const auto propulsion = order.propulsion ? *order.propulsion : self_propulsion(model, model.particulars.U_0);
-  const StraightRun<Model> equations(model, ship.surroundings.current, windage, wind, order, propulsion);
+  const StraightRun<Model> equations(acting, windage, wind, order, propulsion);
   const auto p = raise_wind(equations);
   if (!p) return std::nullopt;
   return equations.run_at(*p, windage, model.steering_gear.max_angle);
@@ -138,7 +147,7 @@ std::optional<WindRun> run_of(const Ship& ship, const Model& model, const Windag
 
 std::optional<WindRun> steady_run_in_wind(const Ship& ship, const Windage<double>& windage, const Wind<double>& wind, const WindRunOrder& order) {
   if (!(wind.speed >= 0.0)) throw std::domain_error(fmt::format("wind speed [m/s] must not be negative, got {}", wind.speed));
-  return std::visit([&](const auto& model) { return run_of(ship, model, windage, wind, order); }, ship.model);
+  return visit_acting(ship, [&](const auto& acting) { return run_of(acting, windage, wind, order); });
 }
 
 std::vector<WindRunRow> steady_runs_in_wind(const Ship& ship, const Windage<double>& windage, double wind_speed, std::span<const double> relative,

@@ -4,13 +4,13 @@ namespace swayaw {
 namespace {
 
 /// Sails on until the heading has changed by `angle` towards the side.
-template <class Model>
-bool sail_round(Voyage<Model>& voyage, double turn, double angle, double end) {
+template <class Sailing>
+bool sail_round(Sailing& voyage, double turn, double angle, double end) {
   return voyage.sail(end, [&](const auto& s) { return turn * s.psi - angle; });
 }
 
-template <class Model>
-void measure_first_half(Voyage<Model>& voyage, TurningCircle& circle, double turn, double end) {
+template <class Sailing>
+void measure_first_half(Sailing& voyage, TurningCircle& circle, double turn, double end) {
   if (!sail_round(voyage, turn, radians(10.0), end)) return;
   circle.initial_turning = way_made(voyage.samples(), now(voyage), voyage.time());
   if (!sail_round(voyage, turn, radians(90.0), end)) return;
@@ -23,8 +23,8 @@ void measure_first_half(Voyage<Model>& voyage, TurningCircle& circle, double tur
 }
 
 /// Sails on until the heading has changed by 540 deg, or the ship no longer moves ahead.
-template <class Model>
-void sail_towards_steady(Voyage<Model>& voyage, TurningCircle& circle, double turn, double end) {
+template <class Sailing>
+void sail_towards_steady(Sailing& voyage, TurningCircle& circle, double turn, double end) {
   const auto watch = [&](const auto& s) { return std::min(radians(540.0) - turn * s.psi, s.motion.u / circle.approach_speed); };
   if (voyage.sail(end, watch) && turn * voyage.state().psi < radians(539.0)) circle.way_lost = voyage.time();
 }
@@ -41,28 +41,30 @@ void measure_steady_turn(const Ship& ship, TurningCircle& circle, const Moment& 
 }
 
 template <class Model>
-TurningCircle sail_circle(const Ship& ship, const Model& model, const TurnOrder& order, const ManoeuvreOptions& options) {
+TurningCircle sail_circle(const Ship& ship, const ActingShip<Model>& acting, const TurnOrder& order, const ManoeuvreOptions& options) {
+  const auto& model = acting.model;
   const auto [speed, propulsion, end, times] = plan(model, options, 100.0);
-  Voyage<Model> voyage(model, ship.surroundings, approach(speed, propulsion), options.tolerance);
-  voyage.sample_at(times);
-  voyage.trace(options.traced);
-  voyage.order(rudder_sign(order.side) * order.rudder);
-  TurningCircle circle{.approach_speed = speed, .propulsion = propulsion, .run = {}, .steps = {}};
-  const double turn = yaw_sign(order.side);
-  measure_first_half(voyage, circle, turn, end);
-  if (options.duration) voyage.sail(end);
-  else sail_towards_steady(voyage, circle, turn, end);
-  if (!circle.way_lost) measure_steady_turn(ship, circle, now(voyage));
-  if (options.sampled) circle.run = recording_of(voyage.samples(), model);
-  circle.steps = std::move(voyage.steps());
-  return circle;
+  return with_voyage(acting, approach(speed, propulsion), options.tolerance, [&](auto& voyage) {
+    voyage.sample_at(times);
+    voyage.trace(options.traced);
+    voyage.order(rudder_sign(order.side) * order.rudder);
+    TurningCircle circle{.approach_speed = speed, .propulsion = propulsion, .run = {}, .steps = {}};
+    const double turn = yaw_sign(order.side);
+    measure_first_half(voyage, circle, turn, end);
+    if (options.duration) voyage.sail(end);
+    else sail_towards_steady(voyage, circle, turn, end);
+    if (!circle.way_lost) measure_steady_turn(ship, circle, now(voyage));
+    if (options.sampled) circle.run = recording_of(voyage.samples(), acting);
+    circle.steps = std::move(voyage.steps());
+    return circle;
+  });
 }
 
 }  // namespace
 
 TurningCircle turning_circle(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options) {
   require_rudder(order.rudder, steering_gear(ship));
-  auto circle = std::visit([&](const auto& model) { return sail_circle(ship, model, order, options); }, ship.model);
+  auto circle = visit_acting(ship, [&](const auto& acting) { return sail_circle(ship, acting, order, options); });
   circle.run.name = ship.name;
   circle.run.facts.execute = 0.0;
   circle.run.facts.manoeuvre = fmt::format("turn {:.6g} to {}", degrees(order.rudder), name_of(order.side));

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -19,9 +20,11 @@
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/steering_gear.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/branch.hpp"
 #include "swayaw/nonlinear/manoeuvre_step.hpp"
 #include "swayaw/nonlinear/models.hpp"
+#include "swayaw/nonlinear/rudder_track.hpp"
 #include "swayaw/nonlinear/surroundings.hpp"
 
 /// Integration of a ship from event to event (docs/simulation.md). Not installed.
@@ -40,66 +43,112 @@ struct PropulsionLine {
   }
 };
 
-/// Error of a step in units of the tolerance: lengths over L, angles in radians, speeds over U, r over U/L.
+/// x, y, psi, u, v, r, and where effects need them phi, p, v_s, r_s.
+template <std::size_t HiddenStates>
+using VoyageState = std::array<double, 6 + HiddenStates>;
+
+/// Error of a step in units of the tolerance: lengths over L, angles in radians, speeds over U, rates over U/L.
+template <std::size_t HiddenStates>
 class ScaledError {
  public:
+  using State = VoyageState<HiddenStates>;
+
   ScaledError() = default;
-  ScaledError(double tolerance, double L, double U)
-      : weight_{1.0 / L, 1.0 / L, 1.0, 1.0 / U, 1.0 / U, L / U} {
-    for (double& w : weight_) w /= tolerance;
+  ScaledError(double tolerance, double L, double U) {
+    const std::array weight{1.0 / L, 1.0 / L, 1.0, 1.0 / U, 1.0 / U, L / U, 1.0, L / U, 1.0 / U, L / U};
+    for (std::size_t i = 0; i < weight_.size(); ++i) weight_[i] = weight[i] / tolerance;
   }
 
   template <class Algebra>
-  double error(Algebra&, const StateVector<double>&, const StateVector<double>&, const StateVector<double>& step_error, double) const {
+  double error(Algebra&, const State&, const State&, const State& step_error, double) const {
     double worst = 0.0;
     for (std::size_t i = 0; i < step_error.size(); ++i) worst = std::max(worst, std::abs(step_error[i]) * weight_[i]);
     return worst;
   }
 
  private:
-  StateVector<double> weight_{};
+  State weight_{};
 };
 
-/// Where the ship is at a time, and her controls.
+/// Where the ship is at a time, and her controls: angle of the rudder, shaft speed as ordered.
 struct Moment {
   double time;
   ShipState<double> state;
   Controls<double> controls;
+  double shown{};           ///< rudder angle as the indicator shows it [rad]
+  Hidden<double> hidden{};  ///< heel and memory
 };
 
 /// Sails a ship through time with Dormand–Prince steps.
 ///
 /// The rudder follows `steer` or `order`, the propulsion is linear in time between calls of `drive`. Within a step the
 /// ship stays on one branch of its force model; where a branch function passes zero, or the rudder rate jumps, the step ends.
-/// Any event time is the root of the dense output, and the state there comes from a step that ends there.
-template <class Model>
+/// Any event time is the root of the dense output, and the state there comes from a step that ends there. Where the wind changes, the
+/// step ends too.
+///
+/// A ship whose effects go on out of sight needs HiddenStates = 4; see with_voyage.
+template <class Model, std::size_t HiddenStates = 0>
 class Voyage {
  public:
-  Voyage(const Model& ship, const Surroundings<double>& surroundings, const Moment& start, double tolerance)
-      : ship_(ship),
-        surroundings_(surroundings),
+  using State = VoyageState<HiddenStates>;
+
+  /// @param start  the rudder as the indicator shows it
+  Voyage(const ActingShip<Model>& acting, const Moment& start, double tolerance)
+      : ship_(acting.model),
+        surroundings_(acting.surroundings),
+        winds_(acting.winds),
+        added_(acting.added),
+        with_added_(acting.added.any()),
+        actuator_(acting.rudder),
         time_(start.time),
-        state_(vector_of(start.state)),
+        state_(joined(start.state, steady_hidden(acting.added, start.state.motion))),
         rudder_(RudderMotion<>::moving(start.time, start.controls.delta, 0.0)),
         propulsion_{start.time, start.controls},
-        time_unit_(ship.particulars.L / std::max(speed(start.state.motion), 0.05 * ship.particulars.U_0)),
+        time_unit_(ship_.particulars.L / std::max(speed(start.state.motion), 0.05 * ship_.particulars.U_0)),
         step_(0.02 * time_unit_),
-        stepper_(Controlled(ScaledError(tolerance, ship.particulars.L, ship.particulars.L / time_unit_))) {
-    branch_ = branch_at(ship_, start.state.motion, start.controls);
+        stepper_(Controlled(Error(tolerance, ship_.particulars.L, ship_.particulars.L / time_unit_))) {
+    pass_winds();
+    if (actuator_.any()) {
+      shown_ = rudder_;
+      const AngleLine still{start.time, start.controls.delta, 0.0};
+      track_ = RudderTrack(actuator_, std::span(&still, 1));
+      next_motion_ = motions().size();
+      rudder_ = rudder_.shifted(actuator_.offset);
+    }
+    branch_ = branch_at(ship_, start.state.motion, driven(added_, start.state.motion, controls()));
   }
 
   double time() const { return time_; }
-  ShipState<double> state() const { return state_of(state_); }
+  ShipState<double> state() const { return visible(state_); }
   Controls<double> controls() const { return controls_at(time_); }
+  Hidden<double> hidden() const { return hidden_of(state_); }
+
+  /// Rudder angle as the indicator shows it.
+  double shown() const { return shown_at(time_); }
 
   /// Rates of change of x, y, psi, u, v, r now.
-  StateVector<double> rates_now() const { return rates_of(ship_, surroundings_, state(), controls(), branch_); }
+  StateVector<double> rates_now() const {
+    State rate;
+    rates()(state_, rate, time_);
+    return {rate[0], rate[1], rate[2], rate[3], rate[4], rate[5]};
+  }
 
-  /// From now on the rudder moves at that rate [rad/s].
-  void steer(double rate) { follow(RudderMotion<>::moving(time_, rudder_.at(time_), rate)); }
+  /// From now on the indicator shows an angle that moves at that rate [rad/s].
+  void steer(double rate) { show(RudderMotion<>::moving(time_, shown(), rate)); }
 
   /// From now on the rudder moves to that angle, as the steering gear can.
-  void order(double angle) { follow(RudderMotion<>::ordered(ship_.steering_gear, time_, rudder_.at(time_), angle)); }
+  void order(double angle) { show(RudderMotion<>::ordered(ship_.steering_gear, time_, shown(), angle)); }
+
+  /// The rudder follows that track, whatever the indicator shows.
+  void steer_along(const RudderTrack& track) {
+    track_ = track;
+    next_motion_ = 0;
+    while (next_motion_ < motions().size() && motions()[next_motion_].start() <= time_) ++next_motion_;
+    follow(motions()[std::max<std::size_t>(next_motion_, 1) - 1]);
+  }
+
+  /// The indicator shows that angle, whatever the rudder does.
+  void show_along(const Interpolant& angle) { shown_along_ = &angle; }
 
   /// From now on the propulsion changes at that rate per second.
   void drive(const Controls<double>& rate) {
@@ -119,10 +168,10 @@ class Voyage {
   /// @return whether the watch ended it
   template <class Watch>
   bool sail(double until, Watch&& watch) {
-    const auto g = [&](const StateVector<double>& s, double) { return watch(state_of(s)); };
+    const auto g = [&](const State& s, double) { return watch(visible(s)); };
     double before = g(state_, time_);
     while (time_ < until) {
-      const Stretch stretch = next_stretch(std::min(until, rudder_kink_));
+      const Stretch stretch = next_stretch(std::min({until, rudder_kink_, wind_change_}));
       const double after = g(stretch.end, stretch.to);
       const bool fired = passes_zero(before, after);
       const double event = fired ? root(stretch, g) : stretch.to;
@@ -131,6 +180,7 @@ class Voyage {
       advance(stretch, branch_first ? change.time : event);
       note(branch_first ? StepEnd::branch : fired ? StepEnd::watch : time_ >= rudder_kink_ ? StepEnd::kink : StepEnd::none, change.index);
       if (time_ >= rudder_kink_) pass_rudder_kink();
+      if (time_ >= wind_change_) pass_winds();
       if (branch_first) switch_branch(change);
       else if (fired) return true;
       const double now = g(state_, time_);
@@ -145,31 +195,82 @@ class Voyage {
   }
 
  private:
-  using Stepper = boost::numeric::odeint::runge_kutta_dopri5<StateVector<double>>;
-  using Controlled = boost::numeric::odeint::controlled_runge_kutta<Stepper, ScaledError>;
+  using Error = ScaledError<HiddenStates>;
+  using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State>;
+  using Controlled = boost::numeric::odeint::controlled_runge_kutta<Stepper, Error>;
   using DenseOutput = boost::numeric::odeint::dense_output_runge_kutta<Controlled>;
 
   /// An accepted step, cut at the time limit.
   struct Stretch {
     double from;
     double to;
-    StateVector<double> start;
-    StateVector<double> end;
+    State start;
+    State end;
     bool whole;  ///< the step ends at `to`
   };
 
+  static ShipState<double> visible(const State& s) { return {s[0], s[1], s[2], {s[3], s[4], s[5]}}; }
+
+  static Hidden<double> hidden_of(const State& s) {
+    if constexpr (HiddenStates > 0) return {s[6], s[7], s[8], s[9]};
+    else return {};
+  }
+
+  static State joined(const ShipState<double>& state, const Hidden<double>& h) {
+    if constexpr (HiddenStates > 0) return {state.x, state.y, state.psi, state.motion.u, state.motion.v, state.motion.r, h.phi, h.p, h.v, h.r};
+    else return vector_of(state);
+  }
+
   Controls<double> controls_at(double time) const { return propulsion_.at(time, rudder_.at(time)); }
 
+  double shown_at(double time) const {
+    if (shown_along_) return (*shown_along_)(time);
+    return actuator_.any() ? shown_.at(time) : rudder_.at(time);
+  }
+
   auto rates() const {
-    return [this](const StateVector<double>& s, StateVector<double>& rate, double time) {
-      rate = rates_of(ship_, surroundings_, state_of(s), controls_at(time), branch_);
+    return [this](const State& s, State& rate, double time) {
+      if constexpr (HiddenStates > 0) rate = rates_with_hidden(s, time);
+      else if (with_added_) rate = rates_of(ship_, surroundings_, added_, visible(s), steady_hidden(added_, visible(s).motion), controls_at(time), branch_);
+      else rate = rates_of(ship_, surroundings_, visible(s), controls_at(time), branch_);
     };
   }
 
+  State rates_with_hidden(const State& s, double time) const {
+    const auto state = visible(s);
+    const auto hidden = hidden_of(s);
+    const auto r = rates_of(ship_, surroundings_, added_, state, hidden, controls_at(time), branch_);
+    return joined(state_of(r), hidden_rates(added_, state.motion, hidden));
+  }
+
+  /// What the indicator shows from now on, and the rudder behind it.
+  void show(const RudderMotion<>& motion) {
+    if (!actuator_.any()) return follow(motion);
+    shown_ = motion;
+    if (!actuator_.moves()) return follow(motion.shifted(actuator_.offset));
+    const auto lines = lines_of(motion, time_);
+    steer_along(RudderTrack(actuator_, lines, track_));
+  }
+
+  std::span<const RudderMotion<>> motions() const { return track_.motions(); }
+
+  double next_motion() const { return next_motion_ < motions().size() ? motions()[next_motion_].start() : never; }
+
   void follow(const RudderMotion<>& motion) {
     rudder_ = motion;
-    rudder_kink_ = rudder_.next_kink(time_);
+    rudder_kink_ = std::min(rudder_.next_kink(time_), next_motion());
     running_ = false;
+  }
+
+  /// The wind as it is from now on.
+  void pass_winds() {
+    while (!winds_.empty() && winds_.front().time <= time_) {
+      surroundings_.wind = winds_.front().wind;
+      surroundings_.windy = winds_.front().windy;
+      winds_.erase(winds_.begin());
+      running_ = false;
+    }
+    wind_change_ = winds_.empty() ? never : winds_.front().time;
   }
 
   struct BranchChange {
@@ -182,7 +283,8 @@ class Voyage {
   }
 
   void pass_rudder_kink() {
-    rudder_kink_ = rudder_.next_kink(time_);
+    while (time_ >= next_motion()) follow(motions()[next_motion_++]);
+    rudder_kink_ = std::min(rudder_.next_kink(time_), next_motion());
     running_ = false;
   }
 
@@ -206,7 +308,8 @@ class Voyage {
     const double tried = stepper_.current_time_step();
     stepper_.do_step(rates());
     const double reached = stepper_.current_time();
-    const bool cut_short = tried < step_ && reached - from >= tried;  // by the limit, not by the error
+    const double rounding = 4e-16 * std::abs(reached);
+    const bool cut_short = tried < step_ && reached - from >= tried - rounding;  // by the limit, not by the error
     step_ = cut_short ? std::max(step_, stepper_.current_time_step()) : stepper_.current_time_step();
     if (!cut_short) require_bounded(from);
     if (std::abs(reached - until) <= 1e-13 * time_unit_) return {from, until, state_, stepper_.current_state(), true};
@@ -217,7 +320,7 @@ class Voyage {
   /// @throws Refusal  when the ship comes to a stop, or her motion grows so fast, that no step can follow it
   void require_bounded(double time) const {
     const auto& s = stepper_.current_state();
-    const bool finite = std::isfinite(s[0] + s[1] + s[2] + s[3] + s[4] + s[5]);
+    const bool finite = std::isfinite(std::accumulate(s.begin(), s.end(), 0.0));
     if (finite && stepper_.current_time_step() > 1e-8 * time_unit_) return;
     require_way(time);
     throw Refusal(fmt::format("the simulated motion grows without bound at {:.6g} s", time));
@@ -226,7 +329,7 @@ class Voyage {
   /// The steps end where u would pass zero.
   /// @throws Refusal  when the little way that the ship has is about to end
   void require_way(double time) const {
-    StateVector<double> rate;
+    State rate;
     rates()(state_, rate, time);
     const double u = state_[3], approach = ship_.particulars.L / time_unit_;
     const double left = u / -rate[3];  // until u = 0, at that deceleration
@@ -236,14 +339,15 @@ class Voyage {
                               time + left, u, state_[4]));
   }
 
-  StateVector<double> dense(double time) const {
-    StateVector<double> s;
+  State dense(double time) const {
+    State s;
     stepper_.calc_state(time, s);
     return s;
   }
 
-  auto branch_functions_at(const StateVector<double>& s, double time) const {
-    return branch_functions(ship_, state_of(s).motion, controls_at(time));
+  auto branch_functions_at(const State& s, double time) const {
+    const auto m = visible(s).motion;
+    return branch_functions(ship_, m, driven(added_, m, controls_at(time)));
   }
 
   /// First time at which the ship leaves its branch; never, if it stays.
@@ -255,7 +359,7 @@ class Voyage {
       if (g1[i] == 0.0 || (g1[i] > 0.0) == branch_[i]) continue;
       const bool left_before = g0[i] == 0.0 || (g0[i] > 0.0) != branch_[i];
       if (left_before && last_change_.time == stretch.from && last_change_.index == i) continue;
-      const auto g = [&](const StateVector<double>& s, double time) { return branch_functions_at(s, time)[i]; };
+      const auto g = [&](const State& s, double time) { return branch_functions_at(s, time)[i]; };
       const double time = left_before ? stretch.from : root(stretch, g);
       if (time < first.time) first = {time, i};
     }
@@ -297,7 +401,8 @@ class Voyage {
   void take_samples(double to) {
     while (!wanted_.empty() && wanted_.front() <= to) {
       const double time = wanted_.front();
-      samples_.push_back({time, state_of(dense(time)), controls_at(time)});
+      const auto s = dense(time);
+      samples_.push_back({time, visible(s), controls_at(time), shown_at(time), hidden_of(s)});
       wanted_ = wanted_.subspan(1);
     }
   }
@@ -306,8 +411,12 @@ class Voyage {
 
   Model ship_;
   Surroundings<double> surroundings_;
+  std::vector<WindChange> winds_;
+  AddedForces<double> added_;
+  bool with_added_;
+  RudderActuator actuator_;
   double time_;
-  StateVector<double> state_;
+  State state_;
   RudderMotion<> rudder_;
   PropulsionLine propulsion_;
   double time_unit_;  ///< L/U [s]
@@ -317,10 +426,26 @@ class Voyage {
   Branch<double, Model::branch_count> branch_{};
   BranchChange last_change_{-never, 0};
   double rudder_kink_ = never;  ///< when the rudder rate jumps next [s]
+  double wind_change_ = never;  ///< when the wind changes next [s]
+  RudderMotion<> shown_;        ///< of the indicator, where the rudder is not as it shows
+  const Interpolant* shown_along_ = nullptr;
+  RudderTrack track_;
+  std::size_t next_motion_ = 0;
   std::span<const double> wanted_;
   std::vector<Moment> samples_;
   bool traced_ = false;
   std::vector<ManoeuvreStep> steps_;
 };
+
+/// What sail(voyage) gives, with a voyage that follows what goes on out of sight where the ship needs it.
+template <class Model, class Sail>
+auto with_voyage(const ActingShip<Model>& acting, const Moment& start, double tolerance, Sail&& sail) {
+  if (acting.added.hidden()) {
+    Voyage<Model, 4> voyage(acting, start, tolerance);
+    return sail(voyage);
+  }
+  Voyage<Model> voyage(acting, start, tolerance);
+  return sail(voyage);
+}
 
 }  // namespace swayaw

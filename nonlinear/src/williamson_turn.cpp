@@ -9,14 +9,14 @@
 namespace swayaw {
 namespace {
 
-template <class Model>
-TrackPlace place_of(const Voyage<Model>& voyage, double turn) {
+template <class Sailing>
+TrackPlace place_of(const Sailing& voyage, double turn) {
   return {.time = voyage.time(), .along = voyage.state().x, .offset = turn * voyage.state().y};
 }
 
 /// The three rudder orders, as far as the ship comes. @param turn  sign of a heading change to the first side
-template <class Model>
-void sail_orders(Voyage<Model>& voyage, WilliamsonTurn& result, const WilliamsonOrder& order, double turn, double end) {
+template <class Sailing>
+void sail_orders(Sailing& voyage, WilliamsonTurn& result, const WilliamsonOrder& order, double turn, double end) {
   voyage.order(-turn * order.rudder);
   if (!voyage.sail(end, [&](const auto& s) { return turn * s.psi - order.heading; })) return;
   result.shifted = place_of(voyage, turn);
@@ -31,20 +31,22 @@ void sail_orders(Voyage<Model>& voyage, WilliamsonTurn& result, const Williamson
 }
 
 template <class Model>
-WilliamsonTurn sail_williamson(const Ship& ship, const Model& model, const WilliamsonOrder& order, const ManoeuvreOptions& options) {
+WilliamsonTurn sail_williamson(const ActingShip<Model>& acting, const WilliamsonOrder& order, const ManoeuvreOptions& options) {
+  const auto& model = acting.model;
   const auto [speed, propulsion, end, times] = plan(model, options, 100.0);
-  Voyage<Model> voyage(model, ship.surroundings, approach(speed, propulsion), options.tolerance);
-  voyage.sample_at(times);
-  WilliamsonTurn result{.shifted = {}, .amidships = {}, .reciprocal = {}, .way = {}, .heading = 0.0, .yaw_rate = 0.0,
-                        .approach_speed = speed, .propulsion = propulsion, .run = {}};
-  const double turn = yaw_sign(order.first);
-  sail_orders(voyage, result, order, turn, end);
-  if (result.reciprocal) result.way = way_made(voyage.samples(), now(voyage), result.reciprocal->time);
-  if (options.duration) voyage.sail(end);
-  result.heading = turn * voyage.state().psi;
-  result.yaw_rate = voyage.state().motion.r;
-  if (options.sampled) result.run = recording_of(voyage.samples(), model);
-  return result;
+  return with_voyage(acting, approach(speed, propulsion), options.tolerance, [&](auto& voyage) {
+    voyage.sample_at(times);
+    WilliamsonTurn result{.shifted = {}, .amidships = {}, .reciprocal = {}, .way = {}, .heading = 0.0, .yaw_rate = 0.0,
+                          .approach_speed = speed, .propulsion = propulsion, .run = {}};
+    const double turn = yaw_sign(order.first);
+    sail_orders(voyage, result, order, turn, end);
+    if (result.reciprocal) result.way = way_made(voyage.samples(), now(voyage), result.reciprocal->time);
+    if (options.duration) voyage.sail(end);
+    result.heading = turn * voyage.state().psi;
+    result.yaw_rate = voyage.state().motion.r;
+    if (options.sampled) result.run = recording_of(voyage.samples(), acting);
+    return result;
+  });
 }
 
 }  // namespace
@@ -54,7 +56,7 @@ WilliamsonTurn williamson_turn(const Ship& ship, const WilliamsonOrder& order, c
   require_positive(order.heading, "heading angle [rad]");
   require_positive(order.before, "angle before the reciprocal heading [rad]");
   if (!(order.before < pi)) throw std::domain_error(fmt::format("{:.6g} deg before the reciprocal heading is the approach heading or beyond", degrees(order.before)));
-  auto result = std::visit([&](const auto& model) { return sail_williamson(ship, model, order, options); }, ship.model);
+  auto result = visit_acting(ship, [&](const auto& acting) { return sail_williamson(acting, order, options); });
   result.run.name = ship.name;
   result.run.facts.execute = 0.0;
   result.run.facts.manoeuvre = fmt::format("williamson turn {:.6g} first {}", degrees(order.rudder), name_of(order.first));

@@ -4,8 +4,8 @@ namespace swayaw {
 namespace {
 
 /// Adds a reversal and its overshoot to the zigzag. @return whether the voyage went on to the heading peak
-template <class Model>
-bool reverse(Voyage<Model>& voyage, Zigzag& zigzag, const ZigzagOrder& order, double turn, double end) {
+template <class Sailing>
+bool reverse(Sailing& voyage, Zigzag& zigzag, const ZigzagOrder& order, double turn, double end) {
   if (!voyage.sail(end, [&](const auto& s) { return turn * s.psi - order.heading; })) return false;
   zigzag.reversals.push_back({.time = voyage.time(), .peak_time = {}, .overshoot = {}});
   voyage.order(turn * order.rudder);
@@ -16,25 +16,27 @@ bool reverse(Voyage<Model>& voyage, Zigzag& zigzag, const ZigzagOrder& order, do
 }
 
 template <class Model>
-Zigzag sail_zigzag(const Ship& ship, const Model& model, const ZigzagOrder& order, const ManoeuvreOptions& options) {
+Zigzag sail_zigzag(const ActingShip<Model>& acting, const ZigzagOrder& order, const ManoeuvreOptions& options) {
+  const auto& model = acting.model;
   const auto [speed, propulsion, end, times] = plan(model, options, 200.0);
-  Voyage<Model> voyage(model, ship.surroundings, approach(speed, propulsion), options.tolerance);
-  voyage.sample_at(times);
-  voyage.trace(options.traced);
-  voyage.order(rudder_sign(order.first) * order.rudder);
-  Zigzag result{.reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = speed, .propulsion = propulsion, .run = {}, .steps = {}};
-  constexpr std::size_t enough = 4;
-  double turn = yaw_sign(order.first);
-  while (reverse(voyage, result, order, turn, end)) {
-    turn = -turn;
-    if (!options.duration && result.reversals.size() == enough) break;
-  }
-  const auto& reversals = result.reversals;
-  if (reversals.size() >= 3) result.period = reversals.back().time - reversals[reversals.size() - 3].time;
-  if (!reversals.empty()) result.initial_turning = way_made(voyage.samples(), now(voyage), reversals.front().time);
-  if (options.sampled) result.run = recording_of(voyage.samples(), model);
-  result.steps = std::move(voyage.steps());
-  return result;
+  return with_voyage(acting, approach(speed, propulsion), options.tolerance, [&](auto& voyage) {
+    voyage.sample_at(times);
+    voyage.trace(options.traced);
+    voyage.order(rudder_sign(order.first) * order.rudder);
+    Zigzag result{.reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = speed, .propulsion = propulsion, .run = {}, .steps = {}};
+    constexpr std::size_t enough = 4;
+    double turn = yaw_sign(order.first);
+    while (reverse(voyage, result, order, turn, end)) {
+      turn = -turn;
+      if (!options.duration && result.reversals.size() == enough) break;
+    }
+    const auto& reversals = result.reversals;
+    if (reversals.size() >= 3) result.period = reversals.back().time - reversals[reversals.size() - 3].time;
+    if (!reversals.empty()) result.initial_turning = way_made(voyage.samples(), now(voyage), reversals.front().time);
+    if (options.sampled) result.run = recording_of(voyage.samples(), acting);
+    result.steps = std::move(voyage.steps());
+    return result;
+  });
 }
 
 }  // namespace
@@ -42,7 +44,7 @@ Zigzag sail_zigzag(const Ship& ship, const Model& model, const ZigzagOrder& orde
 Zigzag zigzag(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options) {
   require_rudder(order.rudder, steering_gear(ship));
   require_positive(order.heading, "heading angle [rad]");
-  auto result = std::visit([&](const auto& model) { return sail_zigzag(ship, model, order, options); }, ship.model);
+  auto result = visit_acting(ship, [&](const auto& acting) { return sail_zigzag(acting, order, options); });
   result.run.name = ship.name;
   result.run.facts.execute = 0.0;
   result.run.facts.manoeuvre = fmt::format("zigzag {:.6g}/{:.6g} first {}", degrees(order.rudder), degrees(order.heading), name_of(order.first));

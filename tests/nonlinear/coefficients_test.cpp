@@ -6,6 +6,7 @@
 #include "random_windage.hpp"
 #include "swayaw/core/parts_writer.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/published_ships.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
@@ -48,8 +49,8 @@ TEMPLATE_TEST_CASE("a ship written to a file and read again is the same to the l
     CHECK(back.model.index() == ship.model.index());
     CHECK(same(values_of(back), values_of(ship)));
     CHECK(back.confidence.coefficients == 0.02);
-    CHECK(back.surroundings.current.speed == 0.3);
-    CHECK(back.surroundings.current.to == -1.2);
+    CHECK(surroundings_at(back, 0.0).current.speed == 0.3);
+    CHECK(surroundings_at(back, 0.0).current.to == -1.2);
     CHECK(ship_text(back) == ship_text(ship));
   }
 }
@@ -74,10 +75,11 @@ TEST_CASE("windage and wind of a ship are written with her", "[nonlinear][round-
       Ship ship = published_ship("kvlcc2_l7");
       ship.surroundings = {.windage = windage, .wind = {8.0, 1.5}, .current = {}, .windy = true};
       const auto back = parse_ship(ship_text(ship), "back.toml");
-      REQUIRE(back.surroundings.windy);
+      const auto around = surroundings_at(back, 0.0);
+      REQUIRE(around.windy);
       for (const double psi : {0.1, 1.7, -2.5}) {
         const ShipState<double> state{0.0, 0.0, psi, {1.0, 0.1, 0.01}};
-        const auto a = wind_load(ship.surroundings, state), b = wind_load(back.surroundings, state);
+        const auto a = wind_load(ship.surroundings, state), b = wind_load(around, state);
         CHECK(b.X == Approx(a.X).epsilon(1e-12));
         CHECK(b.Y == Approx(a.Y).epsilon(1e-12));
         CHECK(b.N == Approx(a.N).epsilon(1e-12));

@@ -8,6 +8,7 @@
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
 namespace swayaw {
@@ -277,8 +278,8 @@ TEST_CASE("an effect surrounds the ship or is refused in words", "[nonlinear][re
   CHECK(refusal("kind = \"steady_current\"\ncurrent_to_rad = \"north\"\n") ==
         place(line + 2, 18) + "current_to_rad in [[effect]] must be a number");
   const Ship ship = parse_ship(text_with_tail("\n[[effect]]\nkind = \"steady_current\"\ncurrent_speed_m_s = 0.5\ncurrent_to_rad = 1.5\n"), "s");
-  CHECK(ship.surroundings.current.speed == 0.5);
-  CHECK(ship.surroundings.current.to == 1.5);
+  CHECK(surroundings_at(ship, 0.0).current.speed == 0.5);
+  CHECK(surroundings_at(ship, 0.0).current.to == 1.5);
 }
 
 // ---------------------------------------------------------------- no ship file at all

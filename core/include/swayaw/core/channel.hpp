@@ -50,4 +50,10 @@ std::optional<Column> column_named(std::string_view name);
 /// Name of the SI column of a channel, "psi_rad".
 std::string_view column_name(Channel channel);
 
+/// Name of a channel without its unit, "psi".
+std::string_view short_name(Channel channel);
+
+/// The channel of a short name or of a column.
+std::optional<Channel> channel_named(std::string_view name);
+
 }  // namespace swayaw

@@ -61,6 +61,7 @@ struct FileEffect {
   std::vector<std::pair<std::string, double>> numbers;
   std::size_t line;
   std::size_t column;
+  std::string channel{};  ///< name of a channel, where one is given
 };
 
 /// The numbers of a part that stands in that table.
@@ -127,7 +128,7 @@ class PartsReader {
   /// @throws FileError  naming the key that is missing, not known or out of range
   ShipFileHead read(const FileKeys& keys) const;
 
-  /// The [[effect]] tables in their order, each a kind and numbers.
+  /// The [[effect]] tables in their order, each a kind and numbers, and a channel where one is given.
   /// @throws FileError  if one has no kind, or holds anything else
   std::vector<FileEffect> effects() const;
 

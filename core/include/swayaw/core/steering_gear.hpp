@@ -71,13 +71,37 @@ class RudderMotion {
     return motion;
   }
 
+  /// From `time` on late behind a straight line with that lag: a + b t − lead exp(−t/T), t since then, for ever.
+  static RudderMotion trailing(const S& time, const S& a, const S& b, const S& lead, const S& lag) {
+    RudderMotion motion = moving(time, a - lead, b);
+    motion.slowing_ = time;
+    motion.order_ = a;
+    motion.order_rate_ = b;
+    motion.error_ = lead;
+    motion.lag_ = lag;
+    return motion;
+  }
+
+  /// The same motion with an angle added.
+  RudderMotion shifted(const S& angle) const {
+    RudderMotion motion = *this;
+    for (const auto member : {&RudderMotion::angle_, &RudderMotion::order_, &RudderMotion::final_}) motion.*member = motion.*member + angle;
+    return motion;
+  }
+
+  /// When it begins.
+  const S& start() const { return start_; }
+
+  /// Time constant of what it does at that time; 0 where it moves along a straight line.
+  S fading(const S& time) const { return select(time >= slowing_ && time < rest_, lag_, S(0.0)); }
+
   S at(const S& time) const {
     const S ramp = angle_ + rate_ * (time - start_);
     const Mask<S> on_ramp = time <= slowing_ && time < rest_;
     if (all(on_ramp)) return ramp;
     const Mask<S> fading = time > slowing_ && time < rest_;
     S end = final_;
-    if (any(fading)) end = select(fading, S(order_ - error_ * decay(S((time - slowing_) / lag_))), end);
+    if (any(fading)) end = select(fading, S(order_ + order_rate_ * (time - slowing_) - error_ * decay(S((time - slowing_) / lag_))), end);
     return select(on_ramp, ramp, end);
   }
 
@@ -87,7 +111,7 @@ class RudderMotion {
   /// One or the other motion, lane by lane.
   friend RudderMotion select(const Mask<S>& condition, const RudderMotion& a, const RudderMotion& b) {
     RudderMotion c;
-    for (const auto member : {&RudderMotion::start_, &RudderMotion::angle_, &RudderMotion::rate_, &RudderMotion::slowing_, &RudderMotion::order_,
+    for (const auto member : {&RudderMotion::start_, &RudderMotion::angle_, &RudderMotion::rate_, &RudderMotion::slowing_, &RudderMotion::order_, &RudderMotion::order_rate_,
                               &RudderMotion::error_, &RudderMotion::lag_, &RudderMotion::rest_, &RudderMotion::final_})
       c.*member = select(condition, a.*member, b.*member);
     return c;
@@ -101,6 +125,7 @@ class RudderMotion {
   S rate_ = S(0.0);       ///< until slowing [rad/s]
   S slowing_ = S(never);  ///< when the exponential begins [s]
   S order_ = S(0.0);      ///< delta_c [rad]
+  S order_rate_ = S(0.0); ///< of the angle that the exponential tends to [rad/s]
   S error_ = S(0.0);      ///< delta_c − delta when slowing begins [rad]
   S lag_ = S(0.0);        ///< T [s]
   S rest_ = S(never);     ///< when the rudder stops [s]

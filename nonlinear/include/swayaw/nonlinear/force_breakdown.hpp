@@ -10,11 +10,13 @@ namespace swayaw {
 
 /// Forces about midship, split by part, and what they do to the ship.
 struct ForceBreakdown {
-  std::vector<ForcePart<double>> parts;     ///< hull, propeller, rudder, …, and wind where there is some
+  std::vector<ForcePart<double>> parts;     ///< hull, propeller, rudder, …, wind where there is some, and effects that add a force, by their names
   PlanarForce<double> total;                ///< drives the equations of motion of the model
   PlanarAcceleration<double> acceleration;  ///< of midship in body axes
 };
 
+/// The rudder angle is that of the rudder. Gusts do not blow, and the heel is that of a steady motion.
+///
 /// @throws Refusal  if the ship does not move ahead, for which no force model holds
 ForceBreakdown force_breakdown(const Ship& ship, const ShipState<double>& state, const Controls<double>& controls);
 

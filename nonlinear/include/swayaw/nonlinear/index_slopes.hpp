@@ -77,7 +77,7 @@ using Slopes = std::vector<double>;
 ///
 /// @param circle   of the same ship, order and options, `traced`
 /// @param numbers  every slopes_at_once of them cost one more voyage
-/// @throws Refusal  for a ship in wind
+/// @throws Refusal  for a ship in wind, or with effects other than a current
 CircleIndices<Slopes> index_slopes(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options, const TurningCircle& circle,
                                    std::span<const ShipNumber> numbers);
 

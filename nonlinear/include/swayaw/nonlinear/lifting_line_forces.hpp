@@ -6,6 +6,7 @@
 #include "swayaw/core/motion.hpp"
 #include "swayaw/nonlinear/lifting_line_rudder.hpp"
 #include "swayaw/nonlinear/propeller_race.hpp"
+#include "swayaw/nonlinear/rudder_lift_loss.hpp"
 
 /// Lift and drag of the semi-empirical rudder in the race of its propeller. Valid for way ahead.
 /// Source: [Alexandersson2024] section 2.2, appendix B.2
@@ -100,7 +101,7 @@ struct LiftAndDrag {
 
 /// Lift and drag of the parts in the race (C) and outside it (U).
 ///
-///     C_L = K_gap (dC_L/dalpha alpha + C_DC alpha |alpha|/AR_e)
+///     C_L = K_gap f (dC_L/dalpha alpha + C_DC alpha |alpha|/AR_e),   f = 1 unless a lift factor or stall_factor(alpha) is there
 ///     L_R = ½ρ C_L (lambda_R A_RC V_RC² + A_RU V_RU²)
 ///     D_R = ½ρ (A_RC C_D(V_RC) V_RC² + A_RU C_D(V_RU) V_RU²),   C_D(V) = 2.5 C_D0,tune C_F(V c/nu) + C_D,tune C_L²/(π AR_e e_0)
 ///
@@ -109,7 +110,8 @@ template <class S>
 LiftAndDrag<S> lift_and_drag(const LiftingLineRudder<S>& k, const S& rho, const S& nu, const Planform<S>& plan, const S& lambda_R,
                              const RudderInflow<S>& in, const S& alpha, const Mask<S>& alpha_positive, const S& K_gap) {
   const S size = select(alpha_positive, alpha, S(-alpha));  // |alpha|
-  const S C_L = K_gap * alpha * (plan.slope + plan.cross_flow * size / plan.AR_e);
+  S C_L = K_gap * k.lift_factor * alpha * (plan.slope + plan.cross_flow * size / plan.AR_e);
+  if (any(k.alpha_s > S(0.0))) C_L = C_L * stall_factor(k.alpha_s, alpha);
   const S A_RU = select(k.A_RU > S(0.0), k.A_RU, S(k.A_R - k.A_RC));
   const S VV_C = in.V_RxC * in.V_RxC + in.V_Ry * in.V_Ry;  // V_RC²
   const S VV_U = in.V_RxU * in.V_RxU + in.V_Ry * in.V_Ry;  // V_RU²

@@ -30,6 +30,8 @@ struct LiftingLineRudder {
   S kappa_r, kappa_r_gamma;  ///< flow straightening of r, and its growth with |gamma_g|
   S delta_lim;           ///< rudder angle beyond which the gap to the horn opens [rad]
   S s;                   ///< strength of the gap, negative [1/rad^2]
+  S alpha_s{};           ///< angle of attack at which the rudder stalls [rad], 0 for none
+  S lift_factor{1.0};    ///< on the lift
   S e_0;                 ///< Oswald efficiency
   S C_D_tune;            ///< factor on induced drag
   S C_D0_tune;           ///< factor on drag without lift; goes with the friction line
@@ -77,6 +79,8 @@ struct LiftingLineRudder {
         optional(coefficient("kappa_r_gamma", &R::kappa_r_gamma)),
         optional(fact("gap_angle_rad", &R::delta_lim, non_negative, "rad")),
         optional(coefficient("gap_strength", &R::s, {.high = 0.0}, "1/rad2")),
+        optional(coefficient("stall_angle_rad", &R::alpha_s, non_negative, "rad")),
+        optional(coefficient("lift_factor", &R::lift_factor, positive), 1.0),
         optional(coefficient("oswald_efficiency", &R::e_0, positive), 0.9),
         optional(coefficient("drag_factor", &R::C_D_tune, non_negative), 1.0),
         optional(coefficient("zero_lift_drag_factor", &R::C_D0_tune, non_negative), 1.0),

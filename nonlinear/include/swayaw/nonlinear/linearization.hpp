@@ -43,6 +43,9 @@ struct Linearization {
 
 /// Linear motion about a steady motion of the ship.
 ///
+/// Effects that change numbers or add a force act, with heel and memory those of a steady motion; wind, waves and what lies between
+/// order and rudder do not.
+///
 /// Where the forces have a kink at the operating point, as the MMG rudder has straight ahead, the derivatives are those of a
 /// turn to one side, or without a side the mean of both.
 ///

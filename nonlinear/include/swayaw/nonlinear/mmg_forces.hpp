@@ -5,6 +5,7 @@
 #include "swayaw/core/motion.hpp"
 #include "swayaw/nonlinear/branch.hpp"
 #include "swayaw/nonlinear/mmg_ship.hpp"
+#include "swayaw/nonlinear/rudder_lift_loss.hpp"
 
 /// Forces of the MMG standard model, written once for double, dual and pack.
 /// Valid for way ahead, u > 0. Source: [Yasukawa2015]
@@ -143,6 +144,7 @@ PlanarForce<S> propeller_force(const MmgPropeller<S>& propeller, const S& thrust
 ///     Y_R = −(1 + a_H) F_N cos(delta)
 ///     N_R = −(x_R + a_H x_H) F_N cos(delta)
 ///
+/// Where the rudder stalls, or has a gap above it, F_N is multiplied by stall_factor(alpha_R) and open_gap_factor(delta).
 /// Here delta is positive to starboard, as in the source; the argument is positive to port.
 /// Source: [Yasukawa2015] eqs (17)–(24)
 template <class S>
@@ -160,7 +162,9 @@ PlanarForce<S> rudder_force(const MmgShip<S>& ship, const PlanarMotion<S>& motio
   const auto [sin_to_port, cos_delta] = sin_cos(delta_to_port);
   const S sin_delta = -sin_to_port;
   const S U_R = sqrt(u_R * u_R + v_R * v_R);
-  const S F_N = 0.5 * ship.water.rho * k.A_R * k.f_alpha * U_R * (u_R * sin_delta - v_R * cos_delta);
+  S F_N = 0.5 * ship.water.rho * k.A_R * k.f_alpha * U_R * (u_R * sin_delta - v_R * cos_delta);
+  if (any(k.alpha_s > S(0.0))) F_N = F_N * stall_factor(k.alpha_s, S(-delta_to_port - angle_of(v_R, u_R)));
+  if (any(k.s < S(0.0))) F_N = F_N * open_gap_factor(k.delta_lim, k.s, delta_to_port);
   const S lever = ship.particulars.L * (k.x_R + k.a_H * k.x_H);
   return {.X = -(1.0 - k.t_R) * F_N * sin_delta, .Y = -(1.0 + k.a_H) * F_N * cos_delta, .N = -lever * F_N * cos_delta};
 }

@@ -177,6 +177,9 @@ struct MmgRudder {
   S epsilon;           ///< (1 − w_R)/(1 − w_P)
   S kappa;             ///< race increase factor
   S f_alpha;           ///< normal force slope [1/rad]
+  S alpha_s{};         ///< angle of attack at which the rudder stalls [rad], 0 for none
+  S delta_lim{};       ///< rudder angle beyond which the gap to the horn opens [rad]
+  S s{};               ///< strength of the gap, negative [1/rad²], 0 for none
 
   static constexpr auto parameters() {
     using P = Parameter<MmgRudder, S>;
@@ -194,6 +197,9 @@ struct MmgRudder {
         P{"epsilon", &MmgRudder::epsilon, "-", positive, coefficient},
         P{"kappa", &MmgRudder::kappa, "-", any_number, coefficient},
         P{"f_alpha", &MmgRudder::f_alpha, "1/rad", positive, coefficient},
+        P{.key = "stall_angle_rad", .member = &MmgRudder::alpha_s, .unit = "rad", .range = non_negative, .role = coefficient, .required = false},
+        P{.key = "gap_angle_rad", .member = &MmgRudder::delta_lim, .unit = "rad", .range = non_negative, .required = false},
+        P{.key = "gap_strength", .member = &MmgRudder::s, .unit = "1/rad2", .range = {.high = 0.0}, .role = coefficient, .required = false},
     };
   }
 };

@@ -5,6 +5,7 @@
 
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/recording.hpp"
+#include "swayaw/nonlinear/rudder_track.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Simulation with the rudder and shaft speed of a recording, beside that recording.
@@ -25,35 +26,45 @@ struct ReplayOptions {
 /// start of the run from straight lines through the samples before the rudder moves, within 0.5 L/U.
 ///
 /// u, v and r come from their own channels; if those are missing, from log or ground speed, from the track, and from
-/// the heading. Position and sway are 0 where nothing tells them.
+/// the heading. Position and sway are 0 where nothing tells them. What the instruments of the ship did to them is undone.
 ///
 /// @throws Refusal  if no channel tells the speed of the ship
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time);
 
 /// Rudder and propulsion of a recording as functions of time, joined by straight lines.
-/// An ordered rudder angle passes through the steering gear of the ship first. Thrust is taken where the recording or the
-/// ship does not tell the shaft speed.
+/// An ordered rudder angle passes through the steering gear of the ship first; then any passes through what the effects of the ship put
+/// between the indicator and the rudder. Thrust is taken where the recording or the ship does not tell the shaft speed.
 class RecordedControls {
  public:
   /// @throws Refusal  if the run has no rudder angle
   RecordedControls(const Ship& ship, const Recording& run, const ReplayOptions& options = {});
 
+  /// With the angle of the rudder, and the shaft speed as recorded.
   Controls<double> at(double time) const;
 
-  double rudder(double time) const { return rudder_(time); }
+  /// Angle of the rudder [rad].
+  double rudder(double time) const { return track_ ? track_->at(time) : rudder_(time); }
+
+  /// The angle as the indicator shows it.
+  const Interpolant& shown() const { return rudder_; }
+
+  /// The rudder piece by piece, where it is not as the indicator shows.
+  const std::optional<RudderTrack>& track() const { return track_; }
 
   /// Times at which the slope of a control changes, in order.
   std::span<const double> knots() const { return knots_; }
 
  private:
   Interpolant rudder_;
+  std::optional<RudderTrack> track_;
   std::optional<Interpolant> rev_;
   std::optional<Interpolant> thrust_;
   Controls<double> constant_{};  ///< where nothing is recorded
   std::vector<double> knots_;
 };
 
-/// Simulated run from a state at times.front() on, sampled at those times.
+/// Simulated run from a state at times.front() on, sampled at those times, as the instruments of the ship would record it. Heel and
+/// memory begin as in a steady motion.
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
                       std::span<const double> times, const ReplayOptions& options = {});
 

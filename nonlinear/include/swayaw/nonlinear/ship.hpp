@@ -2,19 +2,25 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "swayaw/core/confidence.hpp"
+#include "swayaw/nonlinear/effects.hpp"
 #include "swayaw/nonlinear/models.hpp"
 #include "swayaw/nonlinear/surroundings.hpp"
 
 namespace swayaw {
 
-/// A ship: one of the models, its name, the trust in its numbers, and what surrounds her.
+/// A ship: one of the models, its name, the trust in its numbers, what surrounds her, and what the model leaves out.
+///
+/// acting_ship.hpp tells what the effects make of her. Wind and current of the surroundings blow and run beside those of the effects;
+/// ships from files have them as effects.
 struct Ship {
   std::string name;
   ShipModel model;
   Confidence confidence;
   Surroundings<double> surroundings;
+  std::vector<Effect> effects{};  ///< at most one of a kind, but for delays of different channels
 };
 
 /// Length between perpendiculars [m].

@@ -38,6 +38,9 @@ void require_drive(const ShipModel& model, const std::optional<double>& rev, con
 /// @throws std::domain_error  if the shaft speed is not positive
 Controls<double> propulsion(const ShipModel& model, double speed, const std::optional<double>& rev, const std::optional<double>& thrust);
 
+/// The same for a ship with her effects.
+Controls<double> propulsion(const Ship& ship, double speed, const std::optional<double>& rev, const std::optional<double>& thrust);
+
 /// A steady motion: nothing changes but the place and the heading.
 struct SteadyMotion {
   PlanarMotion<double> motion;
@@ -45,7 +48,8 @@ struct SteadyMotion {
 };
 
 /// The steady motion that Newton's method finds from `guess` at constant controls,
-/// du/dt = dv/dt = dr/dt = 0, with exact derivatives.
+/// du/dt = dv/dt = dr/dt = 0, with exact derivatives. Effects of the ship act, but for wind, waves and instruments; the rudder
+/// angle is that of the rudder.
 ///
 /// @return nothing when it does not converge to a motion ahead
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,

@@ -1,0 +1,227 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <tuple>
+
+#include "swayaw/core/motion.hpp"
+#include "swayaw/nonlinear/force_effects.hpp"
+#include "swayaw/nonlinear/instrument_effects.hpp"
+#include "swayaw/nonlinear/models.hpp"
+#include "swayaw/nonlinear/surroundings.hpp"
+
+/// Forces of effects that a model has no place for, written once for double and dual. docs/effects.md tells sources.
+namespace swayaw {
+
+/// What goes on out of sight, or the rates of it: heel and its rate, and the motion that the damping remembers.
+template <class S = double>
+struct Hidden {
+  S phi{};  ///< heel, starboard side down [rad]
+  S p{};    ///< d(phi)/dt [rad/s]
+  S v{};    ///< lagged sway [m/s]
+  S r{};    ///< lagged yaw rate [rad/s]
+};
+
+/// The numbers of added forces, with those of the ship that they need. A force that is not there is not computed.
+template <class S = double>
+struct AddedForces {
+  bool cross_flow = false, waves = false, side_force = false, roll = false, memory = false, droop = false;
+  S rho{}, L{}, d{};
+  S x_P{};   ///< propeller forward of midship [m]
+  S k_xx{};  ///< radius of gyration in roll [m]
+  CrossFlowDrag<S> drag;
+  WaveDrift<S> wave;
+  PropellerSideForce<S> side;
+  RollCoupling<S> coupling;  ///< all numbers known
+  FluidMemory<S> lag;
+  ShaftSpeedDrop<S> drop;
+
+  bool any() const { return cross_flow || waves || side_force || roll || memory || droop; }
+  bool hidden() const { return roll || memory; }
+};
+
+/// The same with another scalar.
+template <class To, class From>
+AddedForces<To> cast(const AddedForces<From>& a) {
+  return {a.cross_flow, a.waves, a.side_force, a.roll, a.memory, a.droop, To(a.rho), To(a.L), To(a.d), To(a.x_P), To(a.k_xx), cast_effect<To>(a.drag),
+          cast_effect<To>(a.wave), cast_effect<To>(a.side), cast_effect<To>(a.coupling), cast_effect<To>(a.lag), cast_effect<To>(a.drop)};
+}
+
+inline constexpr double effect_gravity = 9.81;  ///< [m/s²]
+
+// ---------------------------------------------------------------- actuator
+
+/// How much a turn loads the engine: 0 straight ahead, 1 at r' = 0.6, smooth between the sides.
+///
+///     (sqrt(r'² + b²) − b)/(sqrt(0.6² + b²) − b),   b = 0.05
+template <class S>
+S load_in_turn(const S& r_prime) {
+  constexpr double b = 0.05, full = 0.6 * 0.6 / 0.6520797289396148;  // sqrt(0.6² + b²) − b = 0.6²/(sqrt(0.6² + b²) + b)
+  return (sqrt(r_prime * r_prime + b * b) - b) / full;
+}
+
+/// The controls with the shaft speed that is left in a turn, n (1 − relative_drop · load). A thrust stays as it is.
+template <class S>
+Controls<S> driven(const AddedForces<S>& added, const PlanarMotion<S>& m, Controls<S> controls) {
+  if (!added.droop) return controls;
+  controls.rev = controls.rev * (1.0 - added.drop.relative_drop * load_in_turn(S(m.r * added.L / speed(m))));
+  return controls;
+}
+
+// ---------------------------------------------------------------- forces
+
+/// Drag of strips across the flow, in closed form.
+///
+///     Y = −½ρd C_D ∫ |v + x r| (v + x r) dx,   N = −½ρd C_D ∫ x |v + x r| (v + x r) dx,   −L/2 ≤ x ≤ L/2
+///
+/// With h = L/2, where |v| ≥ h|r| all strips have one sign: ∫ = ±(2 v² h + ⅔ r² h³) and ±4/3 v r h³.
+/// Else ∫ = (2 v³ + 6 v h² r²)/(3 |r|) and sgn(r) (½ h⁴r⁴ + v² h² r² − v⁴/6)/r².
+template <class S>
+PlanarForce<S> cross_flow_force(const AddedForces<S>& a, const PlanarMotion<S>& m) {
+  const S h = 0.5 * a.L, vv = m.v * m.v, tip = h * m.r, tt = tip * tip;
+  const auto pivots = tt > vv;  // a strip inside the hull stands still
+  const S one = select(m.v < S(0.0), S(-1.0), S(1.0)), side = select(m.r < S(0.0), S(-1.0), S(1.0));
+  const S r = select(pivots, S(side * m.r), S(1.0));
+  const S Y = select(pivots, S(2.0 * m.v * (vv + 3.0 * tt) / (3.0 * r)), S(one * 2.0 * h * (vv + tt / 3.0)));
+  const S N = select(pivots, S(side * (0.5 * tt * tt + vv * tt - vv * vv / 6.0) / (r * r)), S(one * 4.0 / 3.0 * m.v * tip * h * h));
+  const S q = -0.5 * a.rho * a.d * a.drag.C_D;
+  return {.X = S(0.0), .Y = q * Y, .N = q * N};
+}
+
+/// Mean drift of waves that come in at alpha = from − psi, 0 from ahead.
+///
+///     X = −0.3 F cos(alpha),   Y = −F sin(alpha) |sin(alpha)|,   N = −0.05 F L sin(2 alpha)
+///
+/// The shapes of X and N are a choice within what seakeeping tests show; waves on the bow turn her beam on.
+template <class S>
+PlanarForce<S> wave_drift_force(const AddedForces<S>& a, const S& psi) {
+  const auto [s, c] = sin_cos(S(a.wave.from - psi));
+  const S& F = a.wave.force;
+  return {.X = -0.3 * F * c, .Y = -F * s * size_of(s), .N = -0.1 * F * a.L * s * c};
+}
+
+/// Y = share T + constant,  N = x_P Y.
+template <class S>
+PlanarForce<S> side_force(const AddedForces<S>& a, const S& thrust) {
+  const S Y = a.side.share * thrust + a.side.constant;
+  return {.X = S(0.0), .Y = Y, .N = a.x_P * Y};
+}
+
+/// Y = ½ρLdU² Y_phi phi,  N = ½ρL²dU² N_phi phi.
+template <class S>
+PlanarForce<S> heel_force(const AddedForces<S>& a, const PlanarMotion<S>& m, const S& phi) {
+  const S q = 0.5 * a.rho * a.L * a.d * (m.u * m.u + m.v * m.v) * phi;
+  return {.X = S(0.0), .Y = q * a.coupling.Y_phi, .N = q * a.L * a.coupling.N_phi};
+}
+
+/// Linear damping of the hull by a sway and a yaw rate, at the speed U.
+template <class S>
+PlanarForce<S> linear_damping(const MmgShip<S>& ship, const S& U, const S& v, const S& r) {
+  const auto& [p, h] = std::tie(ship.particulars, ship.hull);
+  const S q = 0.5 * ship.water.rho * p.L * p.d * U;
+  return {.X = S(0.0), .Y = q * (h.Y_v * v + h.Y_r * r * p.L), .N = q * p.L * (h.N_v * v + h.N_r * r * p.L)};
+}
+
+template <PrimeShip Ship>
+PlanarForce<typename Ship::Scalar> linear_damping(const Ship& ship, const typename Ship::Scalar& U, const typename Ship::Scalar& v,
+                                                  const typename Ship::Scalar& r) {
+  using S = typename Ship::Scalar;
+  const auto& h = ship.hull;
+  const S L = ship.particulars.L, q = 0.5 * ship.water.rho * L * L * U;
+  return {.X = S(0.0), .Y = q * (h.Y_v * v + h.Y_r * r * L), .N = q * L * (h.N_v * v + h.N_r * r * L)};
+}
+
+template <class S>
+PlanarForce<S> linear_damping(const AbkowitzShip<S>& ship, const S& U, const S& v, const S& r) {
+  const auto& h = ship.hull;
+  const S L = ship.particulars.L, q = 0.5 * ship.water.rho * L * L * (ship.particulars.primes_at_nominal_speed() ? ship.particulars.U_0 : U);
+  return {.X = S(0.0), .Y = q * (h.Y_v * v + h.Y_r * r * L), .N = q * L * (h.N_v * v + h.N_r * r * L)};
+}
+
+/// share (D(v_s, r_s) − D(v, r)) with the linear damping D of the hull.
+template <class Model, class S>
+PlanarForce<S> memory_force(const Model& ship, const AddedForces<S>& a, const PlanarMotion<S>& m, const Hidden<S>& hidden) {
+  const auto f = linear_damping(ship, speed(m), S(hidden.v - m.v), S(hidden.r - m.r));
+  return {.X = S(0.0), .Y = a.lag.share * f.Y, .N = a.lag.share * f.N};
+}
+
+/// Calls add(name, force) for every force that is there. `controls` as recorded.
+template <class Model, class S, class Add>
+void for_each_added(const Model& ship, const AddedForces<S>& a, const ShipState<S>& state, const Hidden<S>& hidden, const Controls<S>& controls,
+                    Add&& add) {
+  const auto& m = state.motion;
+  if (a.cross_flow) add(CrossFlowDrag<S>::id, cross_flow_force(a, m));
+  if (a.waves) add(WaveDrift<S>::id, wave_drift_force(a, state.psi));
+  if (a.side_force) add(PropellerSideForce<S>::id, side_force(a, thrust(ship, m, driven(a, m, controls))));
+  if (a.roll) add(RollCoupling<S>::id, heel_force(a, m, hidden.phi));
+  if (a.memory) add(FluidMemory<S>::id, memory_force(ship, a, m, hidden));
+}
+
+/// Sum of the added forces.
+template <class Model, class S>
+PlanarForce<S> added_force(const Model& ship, const AddedForces<S>& a, const ShipState<S>& state, const Hidden<S>& hidden, const Controls<S>& controls) {
+  PlanarForce<S> sum{S(0.0), S(0.0), S(0.0)};
+  for_each_added(ship, a, state, hidden, controls, [&](std::string_view, const PlanarForce<S>& f) { sum = sum + f; });
+  return sum;
+}
+
+// ---------------------------------------------------------------- what goes on out of sight
+
+/// Rates of heel and memory.
+///
+///     d²phi/dt² + 2 zeta omega d(phi)/dt + omega² phi = −lever u r/k_xx²,   omega² = g GM/k_xx²
+///     d(v_s)/dt = (v − v_s)/tau,   d(r_s)/dt = (r − r_s)/tau
+template <class S>
+Hidden<S> hidden_rates(const AddedForces<S>& a, const PlanarMotion<S>& m, const Hidden<S>& h) {
+  Hidden<S> rate{};
+  if (a.roll) {
+    const S over_kk = 1.0 / (a.k_xx * a.k_xx), omega = sqrt(effect_gravity * a.coupling.GM * over_kk);
+    rate.phi = h.p;
+    rate.p = -a.coupling.lever * m.u * m.r * over_kk - omega * (2.0 * a.coupling.zeta * h.p + omega * h.phi);
+  }
+  if (a.memory) {
+    rate.v = (m.v - h.v) / a.lag.tau;
+    rate.r = (m.r - h.r) / a.lag.tau;
+  }
+  return rate;
+}
+
+/// Heel and memory of a motion that has lasted long: phi = −lever u r/(g GM), v_s = v, r_s = r.
+template <class S>
+Hidden<S> steady_hidden(const AddedForces<S>& a, const PlanarMotion<S>& m) {
+  Hidden<S> h{S(0.0), S(0.0), m.v, m.r};
+  if (a.roll) h.phi = -a.coupling.lever * m.u * m.r / (effect_gravity * a.coupling.GM);
+  return h;
+}
+
+/// Equations of motion with added forces; without any, those of surroundings.hpp.
+template <template <class> class Model, class S, std::size_t N>
+StateVector<S> rates_of(const Model<S>& ship, const Surroundings<S>& around, const AddedForces<S>& added, const ShipState<S>& state,
+                        const Hidden<S>& hidden, const Controls<S>& controls, const Branch<S, N>& branch) {
+  const auto& m = state.motion;
+  const auto actual = driven(added, m, controls);
+  const auto force = forces(ship, m, actual, branch).total() + wind_load(around, state) + added_force(ship, added, state, hidden, controls);
+  const auto a = acceleration(ship, m, force);
+  const auto [s, c] = sin_cos(state.psi);
+  const auto& [V_c, psi_c] = around.current;
+  return {m.u * c - m.v * s + V_c * cos(psi_c), m.u * s + m.v * c + V_c * sin(psi_c), m.r, a.u, a.v, a.r};
+}
+
+/// Force of model and effects in a motion that lasts, without what depends on the heading: wind and waves.
+template <template <class> class Model, class S, std::size_t N>
+PlanarForce<S> steady_force(const Model<S>& ship, const AddedForces<S>& added, const PlanarMotion<S>& m, const Controls<S>& controls,
+                            const Branch<S, N>& branch) {
+  const auto own = forces(ship, m, driven(added, m, controls), branch).total();
+  if (!added.any()) return own;
+  auto still = added;
+  still.waves = false;
+  return own + added_force(ship, still, ShipState<S>{S(0.0), S(0.0), S(0.0), m}, steady_hidden(added, m), controls);
+}
+
+template <template <class> class Model, class S>
+PlanarForce<S> steady_force(const Model<S>& ship, const AddedForces<S>& added, const PlanarMotion<S>& m, const Controls<S>& controls) {
+  if (!added.any()) return forces(ship, m, controls).total();
+  return steady_force(ship, added, m, controls, branch_at(ship, m, driven(added, m, controls)));
+}
+
+}  // namespace swayaw

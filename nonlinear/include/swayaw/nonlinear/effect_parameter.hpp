@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+#include "swayaw/core/parameter.hpp"
+
+/// What is known of a number of an effect before any recording is looked at.
+namespace swayaw {
+
+/// Where an effect acts.
+enum class Place { air, water, force, actuator, sensor };
+
+/// "force" for Place::force, alike.
+std::string_view name_of(Place place);
+
+/// What a prior or a floor is counted in: sizes that grow with the ship.
+enum class ShipUnit {
+  one,       ///< the unit of the number itself
+  speed,     ///< service speed U
+  time,      ///< L/U
+  length,    ///< L
+  yaw_rate,  ///< U/L
+  force,     ///< resistance-like force, 1e-3 ½ρL²U²
+  own,       ///< size of the number of the ship that the effect replaces
+};
+
+/// Stands for a number that an effect leaves as it is.
+inline constexpr double unchanged = std::numeric_limits<double>::quiet_NaN();
+
+/// One number of an effect, in SI and radians.
+template <class Part, class Scalar>
+struct EffectParameter {
+  std::string_view key;                ///< name in ship files, with its unit
+  Scalar Part::*member;
+  Range range = any_number;            ///< accepted values
+  double null = 0.0;                   ///< where the effect does nothing; `unchanged`: at the ship's own number
+  double prior = 0.0;                  ///< standard deviation before any data, in `scale`
+  double floor = 0.0;                  ///< a smaller departure from null is a trace, in `scale`
+  ShipUnit scale = ShipUnit::one;
+  bool decides = true;                 ///< the effect is off while every number that decides has its null value
+  bool required = true;                ///< whether a ship file must give it
+  double fallback = 0.0;               ///< value where a file does not give it
+  std::string_view table{};            ///< where the model keeps the number that this one replaces; empty where it replaces none
+  std::array<std::string_view, 2> replaces{};  ///< its key there; models may name it differently
+};
+
+/// The same effect with another scalar.
+template <class To, template <class> class Kind, class From>
+Kind<To> cast_effect(const Kind<From>& effect) {
+  Kind<To> result{};
+  constexpr auto source = Kind<From>::parameters();
+  constexpr auto target = Kind<To>::parameters();
+  for (std::size_t i = 0; i < source.size(); ++i) result.*target[i].member = To(effect.*source[i].member);
+  if constexpr (requires { result.channel; }) result.channel = effect.channel;
+  return result;
+}
+
+}  // namespace swayaw

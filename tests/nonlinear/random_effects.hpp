@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "model_ships.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/windage_sources.hpp"
+
+/// Seeded effects that can act on a ship.
+namespace swayaw::test {
+
+/// A ship with something for the wind to take hold of.
+inline Ship with_areas(const ShipModel& model) {
+  Ship ship = ship_of(model);
+  const double L = length(ship);
+  ship.surroundings.windage = *windage_from({.frontal = 0.02 * L * L, .lateral = 0.08 * L * L, .length = L});
+  return ship;
+}
+
+class RandomEffects {
+ public:
+  explicit RandomEffects(unsigned seed) : random_(seed) {}
+
+  double uniform(double low, double high) { return random_.uniform(low, high); }
+
+  /// Some way off null, in every number that the model has; nothing if the effect cannot act on it.
+  std::optional<Effect> of_kind(std::string_view id, const Ship& ship) {
+    Effect effect = make_effect(id);
+    if (id == ShallowWater<>::id) number_of(effect, 0) = uniform(1.3, 3.0);
+    if (id == RudderStall<>::id) number_of(effect, 0) = uniform(0.1, 0.3);
+    if (!cannot_act(ship.model, effect).empty()) return std::nullopt;
+    if (id == ShallowWater<>::id || id == RudderStall<>::id) return effect;
+    const auto numbers = numbers_of(ship, effect);
+    if (numbers.empty()) return std::nullopt;
+    for (const auto& n : numbers) number_of(effect, n.index) = off_null(n);
+    if (id == HullLinearDerivatives<>::id || id == HullNonlinearDamping<>::id) keep_damped(effect, numbers);
+    if (id == Gust<>::id) set_window(effect, ship);
+    if (auto* gear = std::get_if<SteeringGearLag<>>(&effect)) gear->rate = 0.5 * steering_gear(ship).rate;
+    return effect;
+  }
+
+ private:
+  /// Other derivatives may leave a ship without any bounded motion: more of each is safe.
+  static void keep_damped(Effect& effect, std::span<const EffectNumber> numbers) {
+    for (const auto& n : numbers) number_of(effect, n.index) = n.null;
+    for (const auto& n : numbers)
+      if (n.key == "N_r" || n.key == "Y_v" || n.key == "N_rrr" || n.key == "Y_vvv") number_of(effect, n.index) = n.null - 0.2 * std::abs(n.null) - (n.null == 0.0 ? 0.01 : 0.0);
+  }
+
+  double off_null(const EffectNumber& n) {
+    const double sign = uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0, size = uniform(0.2, 0.4) * n.prior;
+    const double base = std::isfinite(n.null) ? n.null : 0.0;
+    const double value = base + sign * size;
+    return n.range.contains(value) ? value : base - sign * size;
+  }
+
+  void set_window(Effect& effect, const Ship& ship) {
+    const double time_unit = length(ship) / service_speed(ship);
+    auto& gust = std::get<Gust<>>(effect);
+    gust.onset = uniform(1.0, 4.0) * time_unit;
+    gust.end = gust.onset + uniform(1.0, 4.0) * time_unit;
+  }
+
+  RandomModels random_;
+};
+
+}  // namespace swayaw::test
