@@ -4,6 +4,7 @@
 
 #include "linearized_ship.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw {
@@ -62,13 +63,14 @@ std::vector<InverseDynamics> inverse_dynamics(const Ship& ship, const Recording&
   if (run.samples() != estimate.states.size())
     throw Refusal(fmt::format("{}: {} samples, but {} in the estimate", run.name, run.samples(), estimate.states.size()));
   const RecordedControls controls(ship, run);
+  const auto acting = with_effects_applied(ship);
   std::vector<InverseDynamics> result;
   result.reserve(run.samples());
   const auto of_model = [&](const auto& model) {
-    const Dynamics dynamics(model, ship.surroundings);
+    const Dynamics dynamics(model, acting.surroundings);
     for (const auto& state : estimate.states) result.push_back(dynamics.at(state, controls.at(state.time)));
   };
-  std::visit(of_model, ship.model);
+  std::visit(of_model, acting.model);
   return result;
 }
 

@@ -4,6 +4,8 @@
 
 #include "noise_ascent.hpp"
 #include "run_filter.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/sensors.hpp"
 
 namespace swayaw {
 namespace {
@@ -240,10 +242,16 @@ class Estimator {
 
 /// ask(estimator) of the filter that the options want.
 template <class Ask>
-auto with_estimator(const Ship& ship, std::span<const Recording> runs, const EstimationOptions& options, Ask&& ask) {
+auto with_estimator(const Ship& given, std::span<const Recording> recorded, const EstimationOptions& options, Ask&& ask) {
+  const auto sensors = sensor_effects(given);
+  const auto ship = with_effects_applied(without_sensor_effects(given));
+  std::vector<Recording> truth;
+  if (!sensors.empty())
+    for (const auto& run : recorded) truth.push_back(as_it_was(run, sensors));
+  const auto runs = sensors.empty() ? recorded : std::span<const Recording>(truth);
   const auto of_model = [&]<class Model>(const Model& model) {
-    if (options.coloured) return ask(Estimator<9, Model>(ship, model, runs, options));
-    return ask(Estimator<6, Model>(ship, model, runs, options));
+    if (options.coloured) return ask(Estimator<9, Model>(ship, model, runs, options), runs);
+    return ask(Estimator<6, Model>(ship, model, runs, options), runs);
   };
   return std::visit(of_model, ship.model);
 }
@@ -251,11 +259,11 @@ auto with_estimator(const Ship& ship, std::span<const Recording> runs, const Est
 }  // namespace
 
 StateEstimate estimate_states(const Ship& ship, const Recording& run, const EstimationOptions& options) {
-  return with_estimator(ship, {&run, 1}, options, [&](auto&& estimator) { return estimator.states(run); });
+  return with_estimator(ship, {&run, 1}, options, [](auto&& estimator, auto runs) { return estimator.states(runs.front()); });
 }
 
 NoiseEstimate estimate_noise(const Ship& ship, std::span<const Recording> runs, const EstimationOptions& options) {
-  return with_estimator(ship, runs, options, [](auto&& estimator) { return estimator.noise(); });
+  return with_estimator(ship, runs, options, [](auto&& estimator, auto) { return estimator.noise(); });
 }
 
 Recording StateEstimate::recording(const Recording& run) const {
