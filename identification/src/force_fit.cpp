@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "bare_ship.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/identification/inverse_dynamics.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
@@ -260,20 +260,9 @@ std::vector<double> attenuations(const Regression& fit) {
 
 }  // namespace
 
-namespace {
-
-/// What is fitted are the numbers of the file; those that an effect changes on the way are not to be told from recordings.
-void require_own_numbers(const Ship& ship) {
-  for (const auto& effect : ship.effects)
-    if (std::visit([]<class Kind>(const Kind&) { return changes_numbers<Kind>(); }, effect))
-      throw Refusal(fmt::format("{} changes numbers that are to be fitted; take it out of the ship file", id_of(effect)));
-}
-
-}  // namespace
-
 ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, std::vector<StateEstimate> states, const ForceFitOptions& options) {
   if (options.numbers.empty()) throw Refusal("no coefficient is to be found");
-  require_own_numbers(ship);
+  require_known_effects(ship, "force fit", true);
   const auto numbers = ship_numbers(ship, options.numbers);
   Equations equations(ship, numbers);
   for (std::size_t i = 0; i < runs.size(); ++i) equations.add(runs[i], states[i]);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bare_ship.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
@@ -84,6 +85,7 @@ void check(const TrajectoryFitOptions& options) {
 
 TrajectoryProblem problem_of(const Ship& ship, std::span<const Recording> runs, const TrajectoryFitOptions& options) {
   check(options);
+  require_known_effects(ship, "trajectory fit", false);
   if (runs.empty()) throw Refusal("no recording to fit to");
   TrajectoryProblem problem{.numbers = numbers_of(ship, options), .L = length(ship), .U = service_speed(ship), .threads = options.threads};
   for (const auto& run : runs) {
@@ -94,7 +96,7 @@ TrajectoryProblem problem_of(const Ship& ship, std::span<const Recording> runs, 
   }
   problem.channels = channels_of(problem.runs);
   for (const auto& number : problem.numbers) add_bounds(problem, number);
-  problem.sailor = std::visit([&](const auto& model) { return sailor_of(model, ship.surroundings, problem.numbers); }, ship.model);
+  problem.sailor = std::visit([&](const auto& model) { return sailor_of(model, surroundings_at(ship, 0.0), problem.numbers); }, ship.model);
   return problem;
 }
 

@@ -129,7 +129,7 @@ RudderActuator rudder_actuator(const Ship& ship) {
 
 std::vector<Effect> sensor_effects(const Ship& ship) {
   auto effects = active(ship);
-  std::erase_if(effects, [](const Effect& e) { return place_of(e) != Place::sensor; });
+  std::erase_if(effects, [](const Effect& e) { return place_of(e) != EffectPlace::sensor; });
   return effects;
 }
 
@@ -165,7 +165,7 @@ Ship with_effects_applied(const Ship& ship) {
 
 Ship without_sensor_effects(const Ship& ship) {
   Ship result = ship;
-  std::erase_if(result.effects, [](const Effect& e) { return place_of(e) == Place::sensor; });
+  std::erase_if(result.effects, [](const Effect& e) { return place_of(e) == EffectPlace::sensor; });
   return result;
 }
 

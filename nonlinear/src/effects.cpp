@@ -25,7 +25,7 @@ constexpr auto ids = all_ids(std::make_index_sequence<effect_count>());
 
 }  // namespace
 
-std::string_view name_of(Place place) {
+std::string_view name_of(EffectPlace place) {
   constexpr std::array<std::string_view, 5> names{"air", "water", "force", "actuator", "sensor"};
   return names[static_cast<std::size_t>(place)];
 }

@@ -164,7 +164,7 @@ void append(Indices<Slopes>& slopes, const Indices<D>& chunk, std::size_t count)
 /// @throws Refusal  for a ship with effects, which the steps in duals do not have
 void require_bare(const Ship& ship) {
   for (const auto& effect : ship.effects)
-    if (!is_null(effect) && place_of(effect) != Place::water)
+    if (!is_null(effect) && place_of(effect) != EffectPlace::water)
       throw Refusal(fmt::format("exact derivatives of indices are those of a ship without effects; take {} out of the ship file", id_of(effect)));
 }
 

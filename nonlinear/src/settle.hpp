@@ -16,7 +16,7 @@ namespace swayaw {
 
 /// @throws Refusal  for a ship in wind or waves, whose turns never become steady
 inline void require_calm(const Ship& ship, std::string_view manoeuvre) {
-  const auto blows = [](const Effect& e) { return place_of(e) == Place::air && !is_null(e); };
+  const auto blows = [](const Effect& e) { return place_of(e) == EffectPlace::air && !is_null(e); };
   const auto drifts = [](const Effect& e) { return std::holds_alternative<WaveDrift<>>(e) && !is_null(e); };
   if (std::ranges::any_of(ship.effects, drifts)) throw Refusal(fmt::format("no turn is steady in waves, which the {} waits for; take wave_drift out of the ship file", manoeuvre));
   if (ship.surroundings.windy || std::ranges::any_of(ship.effects, blows)) throw Refusal(fmt::format("no turn is steady in wind, which the {} waits for; take the wind out of the ship file", manoeuvre));

@@ -228,7 +228,7 @@ TEMPLATE_TEST_CASE("duals of added forces agree with differences", "[nonlinear][
     const auto controls = random.controls(model);
     std::vector<Effect> list;
     for (const auto id : effect_ids())
-      if (const auto effect = effects.of_kind(id, test::ship_of(model)); effect && place_of(*effect) == Place::force) list.push_back(*effect);
+      if (const auto effect = effects.of_kind(id, test::ship_of(model)); effect && place_of(*effect) == EffectPlace::force) list.push_back(*effect);
     const auto added = added_forces(model, std::span<const Effect>(list));
     const std::array<double, 8> x{0.7, motion.u, motion.v, motion.r, 0.1, 0.02, 0.5 * motion.v, 0.4 * motion.r};
     std::array<D, 8> d;

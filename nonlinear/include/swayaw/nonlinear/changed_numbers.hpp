@@ -164,7 +164,7 @@ void let_wake_change(Model&, const Kind&) {}
 template <class Kind>
 constexpr bool changes_numbers() {
   using K = std::remove_cvref_t<Kind>;
-  return Kind::place == Place::force && (puts_values<K>() || K::id == "rudder_effectiveness" || K::id == "added_resistance" || K::id == "shallow_water");
+  return Kind::place == EffectPlace::force && (puts_values<K>() || K::id == "rudder_effectiveness" || K::id == "added_resistance" || K::id == "shallow_water");
 }
 
 /// Changes the numbers of the model as the effect says; nothing for effects that act otherwise.

@@ -11,10 +11,10 @@
 namespace swayaw {
 
 /// Where an effect acts.
-enum class Place { air, water, force, actuator, sensor };
+enum class EffectPlace { air, water, force, actuator, sensor };
 
-/// "force" for Place::force, alike.
-std::string_view name_of(Place place);
+/// "force" for EffectPlace::force, alike.
+std::string_view name_of(EffectPlace place);
 
 /// What a prior or a floor is counted in: sizes that grow with the ship.
 enum class ShipUnit {

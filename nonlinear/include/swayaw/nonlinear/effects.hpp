@@ -45,7 +45,7 @@ std::string_view id_of(const EffectIn<S>& effect) {
 }
 
 template <class S>
-Place place_of(const EffectIn<S>& effect) {
+EffectPlace place_of(const EffectIn<S>& effect) {
   return std::visit([](const auto& e) { return e.place; }, effect);
 }
 

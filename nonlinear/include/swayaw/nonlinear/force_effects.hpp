@@ -18,7 +18,7 @@ struct SteadyWind {
   S from{};   ///< clockwise from north [rad]
 
   static constexpr std::string_view id = "steady_wind";
-  static constexpr Place place = Place::air;
+  static constexpr EffectPlace place = EffectPlace::air;
   static constexpr auto parameters() {
     using P = EffectParameter<SteadyWind, S>;
     return std::array{
@@ -37,7 +37,7 @@ struct Gust {
   S end = S(std::numeric_limits<double>::infinity());  ///< [s]
 
   static constexpr std::string_view id = "gust";
-  static constexpr Place place = Place::air;
+  static constexpr EffectPlace place = EffectPlace::air;
   static constexpr auto parameters() {
     using P = EffectParameter<Gust, S>;
     constexpr double never = std::numeric_limits<double>::infinity();
@@ -57,7 +57,7 @@ struct SteadyCurrent {
   S to{};     ///< clockwise from north [rad]
 
   static constexpr std::string_view id = "steady_current";
-  static constexpr Place place = Place::water;
+  static constexpr EffectPlace place = EffectPlace::water;
   static constexpr auto parameters() {
     using P = EffectParameter<SteadyCurrent, S>;
     return std::array{
@@ -74,7 +74,7 @@ struct WaveDrift {
   S force{};  ///< F, sway force in beam waves [N]
 
   static constexpr std::string_view id = "wave_drift";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<WaveDrift, S>;
     return std::array{
@@ -90,7 +90,7 @@ struct CrossFlowDrag {
   S C_D{};
 
   static constexpr std::string_view id = "cross_flow_drag";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<CrossFlowDrag, S>;
     return std::array{P{.key = "drag_coefficient", .member = &CrossFlowDrag::C_D, .prior = 0.5, .floor = 0.05}};
@@ -104,7 +104,7 @@ struct PropellerSideForce {
   S constant{};  ///< [N]
 
   static constexpr std::string_view id = "propeller_side_force";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<PropellerSideForce, S>;
     return std::array{
@@ -124,7 +124,7 @@ struct RollCoupling {
   S lever{unchanged};  ///< height of the centre of gravity over the point where the water holds the hull [m]; d/2 unless given
 
   static constexpr std::string_view id = "roll_coupling";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<RollCoupling, S>;
     // container ship of [Son1982], −0.000063 and −0.0001424 in ½ρL²U², L/d = 20.6
@@ -146,7 +146,7 @@ struct FluidMemory {
   S share{};
 
   static constexpr std::string_view id = "fluid_memory";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<FluidMemory, S>;
     return std::array{

@@ -18,7 +18,7 @@ struct RudderOffset {
   S offset{};  ///< [rad]
 
   static constexpr std::string_view id = "rudder_offset";
-  static constexpr Place place = Place::actuator;
+  static constexpr EffectPlace place = EffectPlace::actuator;
   static constexpr auto parameters() {
     using P = EffectParameter<RudderOffset, S>;
     return std::array{P{.key = "offset_rad", .member = &RudderOffset::offset, .range = {-0.6, 0.6}, .prior = radians(2.0), .floor = radians(0.3)}};
@@ -32,7 +32,7 @@ struct SteeringGearLag {
   S rate = S(std::numeric_limits<double>::infinity());  ///< [rad/s]
 
   static constexpr std::string_view id = "steering_gear_lag";
-  static constexpr Place place = Place::actuator;
+  static constexpr EffectPlace place = EffectPlace::actuator;
   static constexpr auto parameters() {
     using P = EffectParameter<SteeringGearLag, S>;
     constexpr double none = std::numeric_limits<double>::infinity();
@@ -49,7 +49,7 @@ struct SteeringGearBacklash {
   S width{};  ///< [rad]
 
   static constexpr std::string_view id = "steering_gear_backlash";
-  static constexpr Place place = Place::actuator;
+  static constexpr EffectPlace place = EffectPlace::actuator;
   static constexpr auto parameters() {
     using P = EffectParameter<SteeringGearBacklash, S>;
     return std::array{P{.key = "width_rad", .member = &SteeringGearBacklash::width, .range = non_negative, .prior = radians(3.0), .floor = radians(0.3)}};
@@ -62,7 +62,7 @@ struct ShaftSpeedDrop {
   S relative_drop{};
 
   static constexpr std::string_view id = "shaft_speed_drop";
-  static constexpr Place place = Place::actuator;
+  static constexpr EffectPlace place = EffectPlace::actuator;
   static constexpr auto parameters() {
     using P = EffectParameter<ShaftSpeedDrop, S>;
     return std::array{P{.key = "relative_drop", .member = &ShaftSpeedDrop::relative_drop, .range = {-0.5, 0.5}, .prior = 0.15, .floor = 0.02}};
@@ -77,7 +77,7 @@ struct HeadingBias {
   S bias{};  ///< [rad]
 
   static constexpr std::string_view id = "heading_bias";
-  static constexpr Place place = Place::sensor;
+  static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<HeadingBias, S>;
     return std::array{P{.key = "bias_rad", .member = &HeadingBias::bias, .range = {-pi, pi}, .prior = radians(2.0), .floor = radians(0.3)}};
@@ -90,7 +90,7 @@ struct GyroBias {
   S bias{};  ///< [rad/s]
 
   static constexpr std::string_view id = "gyro_bias";
-  static constexpr Place place = Place::sensor;
+  static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<GyroBias, S>;
     return std::array{P{.key = "bias_rad_s", .member = &GyroBias::bias, .prior = 0.02, .floor = 0.002, .scale = ShipUnit::yaw_rate}};
@@ -103,7 +103,7 @@ struct LogScale {
   S scale{1.0};
 
   static constexpr std::string_view id = "log_scale";
-  static constexpr Place place = Place::sensor;
+  static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<LogScale, S>;
     return std::array{P{.key = "scale", .member = &LogScale::scale, .range = positive, .null = 1.0, .prior = 0.05, .floor = 0.01}};
@@ -117,7 +117,7 @@ struct AntennaLeverArm {
   S y{};  ///< to starboard [m]
 
   static constexpr std::string_view id = "antenna_lever_arm";
-  static constexpr Place place = Place::sensor;
+  static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<AntennaLeverArm, S>;
     return std::array{
@@ -134,7 +134,7 @@ struct ChannelDelay {
   S delay{};  ///< [s], negative where the record is early
 
   static constexpr std::string_view id = "channel_delay";
-  static constexpr Place place = Place::sensor;
+  static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<ChannelDelay, S>;
     return std::array{P{.key = "delay_s", .member = &ChannelDelay::delay, .prior = 0.1, .floor = 0.01, .scale = ShipUnit::time}};

@@ -23,7 +23,7 @@ struct HullLinearDerivatives {
   S Y_v{unchanged}, Y_r{unchanged}, N_v{unchanged}, N_r{unchanged};
 
   static constexpr std::string_view id = "hull_linear_derivatives";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using H = HullLinearDerivatives;
     constexpr auto term = [](std::string_view key, S H::*member) { return other_value<H, S>(key, member, "hull", key); };
@@ -38,7 +38,7 @@ struct HullNonlinearDamping {
   S N_vvv{unchanged}, N_vvr{unchanged}, N_vrr{unchanged}, N_rrr{unchanged};
 
   static constexpr std::string_view id = "hull_nonlinear_damping";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using H = HullNonlinearDamping;
     constexpr auto term = [](std::string_view key, S H::*member) { return other_value<H, S>(key, member, "hull", key); };
@@ -53,7 +53,7 @@ struct SpeedLossInTurn {
   S X_vv{unchanged}, X_vr{unchanged}, X_rr{unchanged}, X_vvvv{unchanged};
 
   static constexpr std::string_view id = "speed_loss_in_turn";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using H = SpeedLossInTurn;
     constexpr auto term = [](std::string_view key, S H::*member) { return other_value<H, S>(key, member, "hull", key); };
@@ -68,7 +68,7 @@ struct AddedMass {
   S X_udot{unchanged}, Y_vdot{unchanged}, Y_rdot{unchanged}, N_vdot{unchanged}, N_rdot{unchanged};
 
   static constexpr std::string_view id = "added_mass";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using A = AddedMass;
     constexpr auto term = [](std::string_view key, S A::*member) { return other_value<A, S>(key, member, "added_mass", key); };
@@ -83,7 +83,7 @@ struct AddedResistance {
   S relative_increase{};
 
   static constexpr std::string_view id = "added_resistance";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<AddedResistance, S>;
     return std::array{P{.key = "relative_increase", .member = &AddedResistance::relative_increase, .range = {.low = -1.0, .above_low = true}, .prior = 0.3, .floor = 0.05}};
@@ -96,7 +96,7 @@ struct RudderEffectiveness {
   S factor{1.0};
 
   static constexpr std::string_view id = "rudder_effectiveness";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<RudderEffectiveness, S>;
     return std::array{P{.key = "factor", .member = &RudderEffectiveness::factor, .range = positive, .null = 1.0, .prior = 0.2, .floor = 0.05}};
@@ -109,7 +109,7 @@ struct RudderHullInteraction {
   S a_H{unchanged}, x_H{unchanged};
 
   static constexpr std::string_view id = "rudder_hull_interaction";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using R = RudderHullInteraction;
     return std::array{other_value<R, S>("a_H", &R::a_H, "rudder", "a_H"), other_value<R, S>("x_H", &R::x_H, "rudder", "x_H_prime", "x_H")};
@@ -122,7 +122,7 @@ struct FlowStraightening {
   S gamma_R_negative{unchanged}, gamma_R_positive{unchanged}, l_R{unchanged}, kappa_v{unchanged}, kappa_r{unchanged};
 
   static constexpr std::string_view id = "flow_straightening";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using F = FlowStraightening;
     return std::array{other_value<F, S>("gamma_R_negative", &F::gamma_R_negative, "rudder", "gamma_R_negative"),
@@ -139,7 +139,7 @@ struct RaceOnRudder {
   S kappa{unchanged};
 
   static constexpr std::string_view id = "propeller_race";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() { return std::array{other_value<RaceOnRudder, S>("kappa", &RaceOnRudder::kappa, "rudder", "kappa")}; }
 };
 
@@ -149,7 +149,7 @@ struct WakeChange {
   S C_1{unchanged}, C_2_positive{unchanged}, C_2_negative{unchanged};
 
   static constexpr std::string_view id = "wake_change";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using W = WakeChange;
     return std::array{other_value<W, S>("C1", &W::C_1, "propeller", "wake_C1", {}, non_negative),
@@ -164,7 +164,7 @@ struct RudderStall {
   S angle{0.5 * pi};  ///< [rad]
 
   static constexpr std::string_view id = "rudder_stall";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<RudderStall, S>;
     return std::array{P{.key = "stall_angle_rad", .member = &RudderStall::angle, .range = {.low = 0.0, .high = 0.5 * pi, .above_low = true}, .null = 0.5 * pi,
@@ -179,7 +179,7 @@ struct RudderGap {
   S s{};          ///< [1/rad²]
 
   static constexpr std::string_view id = "rudder_gap";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<RudderGap, S>;
     return std::array{P{.key = "delta_lim_rad", .member = &RudderGap::delta_lim, .range = {.low = 0.0, .high = 0.5 * pi}, .prior = 0.2, .decides = false,
@@ -194,7 +194,7 @@ struct ShallowWater {
   S depth_over_draught{std::numeric_limits<double>::infinity()};
 
   static constexpr std::string_view id = "shallow_water";
-  static constexpr Place place = Place::force;
+  static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<ShallowWater, S>;
     return std::array{P{.key = "depth_over_draught", .member = &ShallowWater::depth_over_draught, .range = {.low = 1.1},
