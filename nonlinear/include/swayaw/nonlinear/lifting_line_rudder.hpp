@@ -30,8 +30,8 @@ struct LiftingLineRudder {
   S kappa_r, kappa_r_gamma;  ///< flow straightening of r, and its growth with |gamma_g|
   S delta_lim;           ///< rudder angle beyond which the gap to the horn opens [rad]
   S s;                   ///< strength of the gap, negative [1/rad^2]
-  S alpha_s{};           ///< angle of attack at which the rudder stalls [rad], 0 for none
-  S lift_factor{1.0};    ///< on the lift
+  S alpha_s = S(0.0);    ///< angle of attack at which the rudder stalls [rad], 0 for none
+  S lift_factor = S(1.0); ///< on the lift
   S e_0;                 ///< Oswald efficiency
   S C_D_tune;            ///< factor on induced drag
   S C_D0_tune;           ///< factor on drag without lift; goes with the friction line

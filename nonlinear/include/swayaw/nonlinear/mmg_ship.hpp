@@ -177,9 +177,9 @@ struct MmgRudder {
   S epsilon;           ///< (1 − w_R)/(1 − w_P)
   S kappa;             ///< race increase factor
   S f_alpha;           ///< normal force slope [1/rad]
-  S alpha_s{};         ///< angle of attack at which the rudder stalls [rad], 0 for none
-  S delta_lim{};       ///< rudder angle beyond which the gap to the horn opens [rad]
-  S s{};               ///< strength of the gap, negative [1/rad²], 0 for none
+  S alpha_s = S(0.0);  ///< angle of attack at which the rudder stalls [rad], 0 for none
+  S delta_lim = S(0.0);///< rudder angle beyond which the gap to the horn opens [rad]
+  S s = S(0.0);        ///< strength of the gap, negative [1/rad²], 0 for none
 
   static constexpr auto parameters() {
     using P = Parameter<MmgRudder, S>;
