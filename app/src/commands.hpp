@@ -132,4 +132,14 @@ struct IdentifyArguments {
 };
 void identify(const IdentifyArguments& arguments);
 
+struct DiagnoseArguments {
+  std::filesystem::path ship;
+  std::vector<std::filesystem::path> runs;
+  std::vector<std::filesystem::path> reference;  ///< in which nothing is hidden
+  std::vector<std::filesystem::path> holdout;    ///< not used
+  std::filesystem::path save_model;              ///< empty: none
+  bool json = false;
+};
+void diagnose(const DiagnoseArguments& arguments);
+
 }  // namespace swayaw::app

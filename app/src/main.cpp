@@ -16,7 +16,7 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 10> commands{"compare", "forces", "identify", "indices", "invert", "linearize", "loop", "replay", "simulate", "tune"};
+constexpr std::array<std::string_view, 11> commands{"compare", "diagnose", "forces", "identify", "indices", "invert", "linearize", "loop", "replay", "simulate", "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -199,6 +199,17 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   command.callback([&a] { identify(a); });
 }
 
+void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
+  auto& command = *app.add_subcommand("diagnose", "say what a model leaves out, and whether held-out runs gain by it");
+  add_ship(command, a.ship);
+  command.add_option("runs", a.runs, "recordings (CSV)")->required();
+  command.add_option("--reference", a.reference, "recordings in which nothing is hidden: they calibrate the model first");
+  command.add_option("--holdout", a.holdout, "recordings that are not used but predicted");
+  command.add_option("--save-model", a.save_model, "ship file with the effects found (TOML)");
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { diagnose(a); });
+}
+
 /// Says what was probably meant by a command that does not exist. @return whether there was one
 bool refuse_unknown_command(int count, char** words) {
   if (count < 2 || words[1][0] == '-') return false;
@@ -224,6 +235,7 @@ int run(int count, char** words) {
   LoopArguments loop_arguments;
   TuneArguments tune_arguments;
   IdentifyArguments identify_arguments;
+  DiagnoseArguments diagnose_arguments;
   add_simulate(app, simulate_arguments);
   add_replay(app, replay_arguments);
   add_compare(app, compare_arguments);
@@ -234,6 +246,7 @@ int run(int count, char** words) {
   add_loop(app, loop_arguments);
   add_tune(app, tune_arguments);
   add_identify(app, identify_arguments);
+  add_diagnose(app, diagnose_arguments);
   try {
     app.parse(count, words);
     return done;

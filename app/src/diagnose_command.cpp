@@ -1,0 +1,101 @@
+#include "swayaw/mismatch/diagnose.hpp"
+
+#include "commands.hpp"
+#include "input.hpp"
+#include "json.hpp"
+#include "progress.hpp"
+#include "swayaw/core/version.hpp"
+
+namespace swayaw::app {
+namespace {
+
+std::vector<Recording> load_runs(const std::vector<std::filesystem::path>& files) {
+  std::vector<Recording> runs;
+  for (const auto& file : files) runs.push_back(load_run(file));
+  return runs;
+}
+
+// ---------------------------------------------------------------- JSON
+
+Json place_json(const MismatchPlace& p) {
+  return {{"run", p.run}, {"quantity", p.quantity}, {"from_s", p.from}, {"to_s", p.to}, {"share", number(p.share)}, {"where", p.where}};
+}
+
+Json effect_json(const FoundEffect& e) {
+  Json parameters = Json::object();
+  for (const auto& p : e.parameters) parameters[p.key] = {{"value", number(p.value)}, {"standard_error", number(p.standard_error)}};
+  return {{"effect", id_of(e.effect)}, {"probability", number(e.probability)}, {"onset_s", number(e.onset)}, {"end_s", number(e.end)},
+          {"parameters", std::move(parameters)}, {"indistinguishable_from", e.indistinguishable_from}};
+}
+
+Json errors_json(const std::vector<QuantityError>& errors) {
+  Json json = Json::object();
+  for (const auto& e : errors) json[std::string(name_of(e.quantity))] = number(e.normalised());
+  return json;
+}
+
+Json runs_json(const std::vector<RunErrors>& runs) {
+  Json list = Json::array();
+  for (const auto& r : runs) list.push_back({{"run", r.run}, {"before", errors_json(r.before)}, {"refitted", errors_json(r.refitted)}, {"after", errors_json(r.after)}});
+  return list;
+}
+
+Json document_of(const Diagnosis& d) {
+  Json location = Json::array(), effects = Json::array(), candidates = Json::array();
+  for (const auto& p : d.location) location.push_back(place_json(p));
+  for (const auto& e : d.effects) effects.push_back(effect_json(e));
+  for (const auto& c : d.candidates)
+    candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"log_evidence_gain", number(c.log_evidence_gain)}, {"holdout_gain", nullptr}});
+  return {{"schema", "swayaw.diagnosis/1"}, {"version", version()}, {"verdict", name_of(d.verdict)}, {"words", d.words}, {"location", std::move(location)},
+          {"effects", std::move(effects)}, {"candidates", std::move(candidates)}, {"imperfection", number(d.imperfection)},
+          {"fit", {{"train", runs_json(d.train)}, {"holdout", runs_json(d.holdout)}}}, {"next_manoeuvre", nullptr}};
+}
+
+// ---------------------------------------------------------------- text
+
+void print_runs(std::string_view title, const std::vector<RunErrors>& runs) {
+  if (runs.empty()) return;
+  fmt::print("\n{}: error of replays over two ship lengths, share of the variation: given model, refitted, with the effects\n", title);
+  for (const auto& run : runs) {
+    fmt::print("  {:<24}", run.run);
+    for (std::size_t i = 0; i < run.before.size() && i < run.refitted.size() && i < run.after.size(); ++i)
+      fmt::print("  {} {:.1f}, {:.1f}, {:.1f} %", name_of(run.before[i].quantity), 100.0 * run.before[i].normalised(), 100.0 * run.refitted[i].normalised(),
+                 100.0 * run.after[i].normalised());
+    fmt::print("\n");
+  }
+}
+
+void print_diagnosis(const Ship& ship, const Diagnosis& d) {
+  fmt::print("{}\n{}\n", ship.name, d.words);
+  for (const auto& e : d.effects) {
+    fmt::print("\n{}, probability {:.3f}\n", id_of(e.effect), e.probability);
+    for (const auto& p : e.parameters) fmt::print("  {:<24}{:>12.5g} +- {:.2g}\n", p.key, p.value, p.standard_error);
+    if (!e.indistinguishable_from.empty()) fmt::print("  as well explained by {}\n", fmt::join(e.indistinguishable_from, ", "));
+  }
+  if (!d.location.empty()) fmt::print("\nwhere force is missing\n");
+  for (const auto& p : d.location) fmt::print("  {:<24}{:<14}{:.5g} to {:.5g} s, {:.0f} % of it\n", p.run, p.quantity, p.from, p.to, 100.0 * p.share);
+  fmt::print("\ncandidates\n");
+  for (const auto& c : d.candidates) fmt::print("  {:<26}{:>12.1f}  {:.3f}{}\n", c.effect, c.log_evidence_gain, c.probability, c.trace ? "  too small to matter" : "");
+  print_runs("runs used", d.train);
+  print_runs("runs held out", d.holdout);
+}
+
+}  // namespace
+
+void diagnose(const DiagnoseArguments& a) {
+  const Ship ship = load_nonlinear_ship(a.ship);
+  Progress progress("diagnose");
+  const Interrupt interrupt;
+  DiagnosisOptions options;
+  options.progress = [&](std::string_view what) {
+    progress.tell(what);
+    return !interrupt.asked();
+  };
+  const auto runs = load_runs(a.runs), reference = load_runs(a.reference), holdout = load_runs(a.holdout);
+  const auto diagnosis = swayaw::diagnose(ship, runs, reference, holdout, options);
+  if (!a.save_model.empty()) write_ship(a.save_model, diagnosis.improved, fmt::format("Made by swayaw {} from {}.\n{}", version(), ship.name, diagnosis.words));
+  if (a.json) fmt::print("{}\n", document_of(diagnosis).dump(2));
+  else print_diagnosis(ship, diagnosis);
+}
+
+}  // namespace swayaw::app

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "swayaw/core/recording.hpp"
+#include "swayaw/mismatch/compare.hpp"
+#include "swayaw/nonlinear/effects.hpp"
+#include "swayaw/nonlinear/ship.hpp"
+
+/// What a model left out: where it differs from recordings, which effect explains that, and whether runs that were not used gain by it.
+/// docs/diagnose.md describes the method.
+namespace swayaw {
+
+struct DiagnosisOptions {
+  double detection = 15.0;  ///< gain in log evidence that an effect must bring
+  double further = 20.0;    ///< that a second and third effect must bring
+  std::size_t most_effects = 3;
+  std::size_t confirmed = 8;  ///< candidates of the screening that are fitted until they converge
+  std::function<bool(std::string_view)> progress = {};  ///< told what is going on; false ends the work with what is known
+};
+
+enum class DiagnosisVerdict { missing_physics, nothing_missing, unexplained };
+
+/// "missing_physics"
+std::string_view name_of(DiagnosisVerdict verdict);
+
+/// A number of an effect with its standard error.
+struct EffectParameterEstimate {
+  std::string key;
+  double value;
+  double standard_error;
+};
+
+/// An effect that the recordings show.
+struct FoundEffect {
+  Effect effect;
+  double probability;
+  std::optional<double> onset;  ///< [s]
+  std::optional<double> end;    ///< [s]
+  std::vector<EffectParameterEstimate> parameters;
+  std::vector<std::string> indistinguishable_from;  ///< effects that explain the runs as well
+};
+
+/// An effect that was tried alone.
+struct Candidate {
+  std::string effect;
+  double probability;
+  double log_evidence_gain;
+  bool trace;  ///< too small to matter
+};
+
+/// Where force is missing in a run.
+struct MismatchPlace {
+  std::string run;
+  std::string quantity;  ///< "surge_force", "sway_force", "yaw_moment"
+  double from, to;       ///< [s]
+  double share;          ///< of all unexplained force of that kind
+  std::string where;
+};
+
+/// Errors of replays over windows of two ship lengths, over the variation of each quantity.
+struct RunErrors {
+  std::string run;
+  std::vector<QuantityError> before, refitted, after;
+};
+
+struct Diagnosis {
+  DiagnosisVerdict verdict;
+  std::string words;                    ///< one sentence
+  std::vector<MismatchPlace> location;
+  std::vector<FoundEffect> effects;     ///< most important first
+  std::vector<Candidate> candidates;    ///< best first
+  std::vector<RunErrors> train, holdout;
+  Ship refitted;                        ///< baseline refitted, without effects
+  Ship improved;                        ///< with the effects found
+  double imperfection;                  ///< scale of what stays unexplained; 1 is ordinary
+};
+
+/// @param reference  runs in which nothing is hidden; they calibrate the baseline first
+/// @param holdout    runs that are not used and say whether the effect is real
+///
+/// @throws Refusal  if there is no run, or one tells neither rudder nor speed
+Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference, std::span<const Recording> holdout,
+                   const DiagnosisOptions& options = {});
+
+}  // namespace swayaw

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "swayaw/nonlinear/acting_ship.hpp"
+
+/// Effects in coordinates that a fit moves. Not installed.
+namespace swayaw {
+
+/// One coordinate of an effect: 0 or `centre` where little is known, of order 1 where the effect has its usual size.
+struct Coordinate {
+  std::string name;
+  double centre = 0.0;     ///< mean before any data
+  double deviation = 1.0;  ///< standard deviation before any data
+  double step = 0.02;      ///< of differences
+  double low = -HUGE_VAL;
+  double high = HUGE_VAL;
+};
+
+/// An effect as a function of coordinates. Wind, stream and waves go by their north and east parts, since a direction means nothing where the
+/// speed is 0; a depth by its inverse.
+struct EffectForm {
+  std::string id;  ///< as in ship files
+  std::vector<Coordinate> coordinates;
+  std::function<Effect(std::span<const double>)> at;
+  std::vector<std::vector<double>> starts;  ///< where fits begin: an effect that is not linear has several valleys
+};
+
+/// A rudder whose lift falls a little with its angle, K = 1 − loss (delta)²: what every lift curve does and no linear one knows. It belongs to the
+/// baseline of every ship that has a place for it.
+/// @return nothing for other models
+std::optional<EffectForm> ordinary_lift_loss(const Ship& ship);
+
+/// All candidates for a ship, the channels of her runs and their longest duration [s].
+std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> channels, double duration);
+
+/// Whether an effect is larger than the practical floor in any of its numbers that decide.
+bool is_finding(const Ship& ship, const Effect& effect);
+
+}  // namespace swayaw

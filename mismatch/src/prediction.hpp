@@ -1,0 +1,279 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/dual.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/replay.hpp"
+
+/// One-step predictions of a recorded run by a ship with effects. Not installed.
+namespace swayaw {
+
+/// A channel that the diagnosis looks at, with the standard deviation of its white noise.
+struct SeenChannel {
+  Channel channel;
+  double noise;
+};
+
+/// A recorded run, prepared once.
+struct PreparedRun {
+  const Recording* run;
+  std::vector<SeenChannel> channels;
+  ShipState<double> start;
+  double tau;      ///< memory of the ordinary imperfection [s]
+  double longest;  ///< way made in one step of the integration [m]
+
+  std::size_t samples() const { return run->samples(); }
+  Eigen::Index rows() const { return static_cast<Eigen::Index>(samples() * channels.size()); }
+};
+
+/// Standard deviation of the accelerations that every model leaves out.
+struct OrdinaryImperfection {
+  double u, v, r;  ///< [m/s², m/s², rad/s²]
+};
+
+/// x, y, psi, u, v, r and the unmodelled accelerations.
+inline constexpr int filter_states = 9;
+using FilterState = Eigen::Matrix<double, filter_states, 1>;
+using FilterCovariance = Eigen::Matrix<double, filter_states, filter_states>;
+
+/// What the filter made of a run: gains and whitening of each sample, which stay while parameters change a little.
+struct FilterPass {
+  std::vector<Eigen::MatrixXd> gain;    ///< 9 × channels
+  std::vector<Eigen::MatrixXd> whiten;  ///< L⁻¹ of S = L Lᵀ; rows of missing samples are 0
+  double log_likelihood = 0.0;
+  std::vector<FilterState> filtered;
+};
+
+/// A true motion as the instruments show it: value of a channel.
+double shown(Channel channel, const ShipState<double>& s, const StateVector<double>& rate, std::span<const Effect> sensors);
+
+/// Predicts sample after sample.
+template <class Model>
+class Predictor {
+ public:
+  Predictor(const Ship& ship, const Model& model, const PreparedRun& run)
+      : run_(run), acting_(acting_ship(ship, model)), controls_(ship, *run.run), dual_(cast<D>(acting_.model)), dual_added_(cast<D>(acting_.added)) {
+    for (const double time : run.run->time) at_samples_.push_back(controls_.at(time));
+  }
+
+  /// Extended Kalman filter. S = H P Hᵀ + R of all channels together.
+  FilterPass filter(const OrdinaryImperfection& size) {
+    FilterPass pass;
+    start();
+    FilterCovariance P = start_covariance(size);
+    const auto n = run_.samples();
+    pass.gain.reserve(n), pass.whiten.reserve(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (k > 0) P = sail_with_covariance(k, P, size);
+      take_in(k, P, pass);
+    }
+    return pass;
+  }
+
+  /// Whitened innovations with the gains of a pass.
+  void innovations(const FilterPass& pass, Eigen::Ref<Eigen::VectorXd> out) {
+    start();
+    const auto m = static_cast<Eigen::Index>(run_.channels.size());
+    Eigen::VectorXd e(m);
+    for (std::size_t k = 0; k < run_.samples(); ++k) {
+      if (k > 0) sail(k);
+      errors(k, e);
+      out.segment(static_cast<Eigen::Index>(k) * m, m).noalias() = pass.whiten[k] * e;
+      x_.noalias() += pass.gain[k] * e;
+    }
+  }
+
+ private:
+  using D = Dual<4>;  // of psi, u, v, r
+
+  void start() {
+    const auto& s = run_.start;
+    x_.setZero();
+    x_.head<6>() << s.x, s.y, s.psi, s.motion.u, s.motion.v, s.motion.r;
+    hidden_ = steady_hidden(acting_.added, s.motion);
+    wind_ = 0;
+    around_ = acting_.surroundings;
+  }
+
+  FilterCovariance start_covariance(const OrdinaryImperfection& size) const {
+    const double L = acting_.model.particulars.L, U = acting_.model.particulars.U_0;
+    FilterCovariance P = FilterCovariance::Zero();
+    P.diagonal() << L * L / 16, L * L / 16, 1.0 / 16, U * U / 16, U * U / 16, U * U / (16 * L * L), size.u * size.u, size.v * size.v, size.r * size.r;
+    return P;
+  }
+
+  ShipState<double> state() const { return {x_[0], x_[1], x_[2], {x_[3], x_[4], x_[5]}}; }
+
+  /// Rates of the nine states and of what goes on out of sight.
+  std::pair<FilterState, Hidden<double>> rates(const FilterState& x, const Hidden<double>& hidden, const Controls<double>& c) const {
+    const ShipState<double> s{x[0], x[1], x[2], {x[3], x[4], x[5]}};
+    const auto driven_by = driven(acting_.added, s.motion, c);
+    const auto r = rates_of(acting_.model, around_, acting_.added, s, hidden, c, branch_at(acting_.model, s.motion, driven_by));
+    FilterState rate;
+    rate << r[0], r[1], r[2], r[3] + x[6], r[4] + x[7], r[5] + x[8], -x[6] / run_.tau, -x[7] / run_.tau, -x[8] / run_.tau;
+    return {rate, acting_.added.hidden() ? hidden_rates(acting_.added, s.motion, hidden) : Hidden<double>{}};
+  }
+
+  static Hidden<double> moved(const Hidden<double>& h, const Hidden<double>& rate, double t) {
+    return {h.phi + t * rate.phi, h.p + t * rate.p, h.v + t * rate.v, h.r + t * rate.r};
+  }
+
+  /// The classical Runge–Kutta step.
+  void step(const Controls<double>& a, const Controls<double>& b, double h) {
+    const auto middle = between(a, b, 0.5);
+    const auto [k1, m1] = rates(x_, hidden_, a);
+    const auto [k2, m2] = rates(x_ + 0.5 * h * k1, moved(hidden_, m1, 0.5 * h), middle);
+    const auto [k3, m3] = rates(x_ + 0.5 * h * k2, moved(hidden_, m2, 0.5 * h), middle);
+    const auto [k4, m4] = rates(x_ + h * k3, moved(hidden_, m3, h), b);
+    x_ += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    if (!acting_.added.hidden()) return;
+    const auto mean = [&](double Hidden<double>::*q) { return (m1.*q + 2.0 * m2.*q + 2.0 * m3.*q + m4.*q) / 6.0; };
+    hidden_ = moved(hidden_, {mean(&Hidden<double>::phi), mean(&Hidden<double>::p), mean(&Hidden<double>::v), mean(&Hidden<double>::r)}, h);
+  }
+
+  static Controls<double> between(const Controls<double>& a, const Controls<double>& b, double share) {
+    const auto mix = [&](double x, double y) { return x + share * (y - x); };
+    return {mix(a.delta, b.delta), mix(a.rev, b.rev), {mix(a.thrust.port, b.thrust.port), mix(a.thrust.starboard, b.thrust.starboard)}, a.by_thrust};
+  }
+
+  /// Controls at a time between samples k − 1 and k; a rudder with a motion of its own is asked for it.
+  Controls<double> controls_between(std::size_t k, double from, double time, double h) const {
+    if (controls_.track()) return controls_.at(time);
+    return between(at_samples_[k - 1], at_samples_[k], (time - from) / h);
+  }
+
+  /// Calls f(begin, end, duration) for short steps from sample k − 1 to k, cut where the wind changes.
+  template <class F>
+  void for_steps(std::size_t k, F&& f) {
+    const double from = run_.run->time[k - 1], to = run_.run->time[k], h = to - from;
+    double now = from;
+    while (now < to) {
+      while (wind_ < acting_.winds.size() && acting_.winds[wind_].time <= now) {
+        around_.wind = acting_.winds[wind_].wind;
+        around_.windy = acting_.winds[wind_++].windy;
+      }
+      const double edge = wind_ < acting_.winds.size() ? std::min(to, acting_.winds[wind_].time) : to;
+      const int steps = std::max(1, static_cast<int>(std::ceil((edge - now) * std::hypot(x_[3], x_[4]) / run_.longest)));
+      for (int i = 0; i < steps; ++i) {
+        const double a = now + (edge - now) * i / steps, b = now + (edge - now) * (i + 1) / steps;
+        f(controls_between(k, from, a, h), controls_between(k, from, b, h), b - a);
+      }
+      now = edge;
+    }
+  }
+
+  void sail(std::size_t k) {
+    for_steps(k, [&](const Controls<double>& a, const Controls<double>& b, double h) { step(a, b, h); });
+  }
+
+  /// dx/dx of the nine states, by duals.
+  FilterCovariance jacobian(const Controls<double>& c) const {
+    const auto s = state();
+    const ShipState<D> dual{D(s.x), D(s.y), D(s.psi, 0), {D(s.motion.u, 1), D(s.motion.v, 2), D(s.motion.r, 3)}};
+    const Hidden<D> hidden{D(hidden_.phi), D(hidden_.p), D(hidden_.v), D(hidden_.r)};
+    const Surroundings<D> around{.windage = cast_part<D>(around_.windage), .wind = {D(around_.wind.speed), D(around_.wind.from)},
+                                 .current = {D(around_.current.speed), D(around_.current.to)}, .windy = around_.windy};
+    const auto controls = cast<D>(c);
+    const auto r = rates_of(dual_, around, dual_added_, dual, hidden, controls, branch_at(dual_, dual.motion, driven(dual_added_, dual.motion, controls)));
+    FilterCovariance A = FilterCovariance::Zero();
+    for (int i = 0; i < 6; ++i) A.template block<1, 4>(i, 2) = r[static_cast<std::size_t>(i)].v.transpose();
+    A.template block<3, 3>(3, 6).setIdentity();
+    A.template block<3, 3>(6, 6).diagonal().setConstant(-1.0 / run_.tau);
+    return A;
+  }
+
+  FilterCovariance sail_with_covariance(std::size_t k, FilterCovariance P, const OrdinaryImperfection& size) {
+    for_steps(k, [&](const Controls<double>& a, const Controls<double>& b, double h) {
+      const FilterCovariance A = h * jacobian(a);
+      const FilterCovariance Phi = FilterCovariance::Identity() + A + 0.5 * A * A;
+      step(a, b, h);
+      P = Phi * P * Phi.transpose();
+      const double share = -std::expm1(-2.0 * h / run_.tau);
+      P(6, 6) += share * size.u * size.u, P(7, 7) += share * size.v * size.v, P(8, 8) += share * size.r * size.r;
+    });
+    return P;
+  }
+
+  StateVector<double> rates_now(std::size_t k) const {
+    const auto [rate, out_of_sight] = rates(x_, hidden_, at_samples_[k]);
+    return {rate[0], rate[1], rate[2], rate[3], rate[4], rate[5]};
+  }
+
+  /// Measured less expected; 0 where a sample is missing.
+  void errors(std::size_t k, Eigen::VectorXd& e) const {
+    const bool late = std::ranges::any_of(acting_.sensors, [](const Effect& s) { return std::holds_alternative<ChannelDelay<double>>(s); });
+    const auto rate = late ? rates_now(k) : StateVector<double>{};
+    for (std::size_t i = 0; i < run_.channels.size(); ++i) {
+      const auto channel = run_.channels[i].channel;
+      const double measured = (*run_.run)[channel][k];
+      double& error = e[static_cast<Eigen::Index>(i)];
+      error = std::isnan(measured) ? 0.0 : measured - shown(channel, state(), rate, acting_.sensors);
+      if (channel == Channel::psi) error = wrapped(error);
+    }
+  }
+
+  /// How the channels change with the state, by differences.
+  Eigen::MatrixXd slopes(std::size_t k) const {
+    const auto m = static_cast<Eigen::Index>(run_.channels.size());
+    Eigen::MatrixXd H = Eigen::MatrixXd::Zero(m, filter_states);
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const auto channel = run_.channels[static_cast<std::size_t>(i)].channel;
+      if (std::isnan((*run_.run)[channel][k])) continue;
+      for (int j = 0; j < 6; ++j) {
+        const double h = j < 2 ? 1.0 : 1e-6;
+        FilterState up = x_, down = x_;
+        up[j] += h, down[j] -= h;
+        const auto at = [&](const FilterState& x) { return shown(channel, {x[0], x[1], x[2], {x[3], x[4], x[5]}}, {}, acting_.sensors); };
+        H(i, j) = (at(up) - at(down)) / (2.0 * h);
+      }
+    }
+    return H;
+  }
+
+  void take_in(std::size_t k, FilterCovariance& P, FilterPass& pass) {
+    const auto m = static_cast<Eigen::Index>(run_.channels.size());
+    Eigen::VectorXd e(m);
+    errors(k, e);
+    const Eigen::MatrixXd H = slopes(k), PH = P * H.transpose();
+    Eigen::MatrixXd S = H * PH;
+    std::vector<Eigen::Index> gone;
+    for (Eigen::Index i = 0; i < m; ++i) {
+      const auto& [channel, noise] = run_.channels[static_cast<std::size_t>(i)];
+      const bool is_missing = std::isnan((*run_.run)[channel][k]);
+      S(i, i) += is_missing ? 1.0 : noise * noise;
+      if (is_missing) gone.push_back(i);
+    }
+    const Eigen::LLT<Eigen::MatrixXd> factor(S);
+    const Eigen::MatrixXd K = factor.solve(PH.transpose()).transpose();
+    Eigen::MatrixXd W = Eigen::MatrixXd::Identity(m, m);
+    factor.matrixL().solveInPlace(W);
+    for (const auto i : gone) W.row(i).setZero();
+    const Eigen::VectorXd white = W * e;
+    pass.log_likelihood -= 0.5 * white.squaredNorm() + factor.matrixLLT().diagonal().array().log().sum();
+    x_ += K * e;
+    P -= K * PH.transpose();
+    P = (0.5 * (P + P.transpose())).eval();
+    pass.gain.push_back(K);
+    pass.whiten.push_back(std::move(W));
+    pass.filtered.push_back(x_);
+  }
+
+  const PreparedRun& run_;
+  ActingShip<Model> acting_;
+  RecordedControls controls_;
+  decltype(cast<D>(std::declval<Model>())) dual_;
+  AddedForces<D> dual_added_;
+  std::vector<Controls<double>> at_samples_;
+  FilterState x_;
+  Hidden<double> hidden_;
+  Surroundings<double> around_;
+  std::size_t wind_ = 0;
+};
+
+}  // namespace swayaw

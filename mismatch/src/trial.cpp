@@ -1,0 +1,331 @@
+#include "trial.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace swayaw {
+
+// ---------------------------------------------------------------- what instruments show
+
+double shown(Channel channel, const ShipState<double>& s, const StateVector<double>& rate, std::span<const Effect> sensors) {
+  double value = 0.0, slope = 0.0;
+  switch (channel) {
+    case Channel::x: value = s.x, slope = rate[0]; break;
+    case Channel::y: value = s.y, slope = rate[1]; break;
+    case Channel::psi: value = s.psi, slope = rate[2]; break;
+    case Channel::u: case Channel::speed_through_water: value = s.motion.u, slope = rate[3]; break;
+    case Channel::v: value = s.motion.v, slope = rate[4]; break;
+    case Channel::r: value = s.motion.r, slope = rate[5]; break;
+    default: break;
+  }
+  for (const auto& effect : sensors) {
+    if (const auto* heading = std::get_if<HeadingBias<double>>(&effect)) value += channel == Channel::psi ? heading->bias : 0.0;
+    if (const auto* gyro = std::get_if<GyroBias<double>>(&effect)) value += channel == Channel::r ? gyro->bias : 0.0;
+    if (const auto* log = std::get_if<LogScale<double>>(&effect)) value *= channel == Channel::u || channel == Channel::speed_through_water ? log->scale : 1.0;
+    if (const auto* antenna = std::get_if<AntennaLeverArm<double>>(&effect)) {
+      const double sine = std::sin(s.psi), cosine = std::cos(s.psi);
+      if (channel == Channel::x) value += antenna->x * cosine - antenna->y * sine;
+      if (channel == Channel::y) value += antenna->x * sine + antenna->y * cosine;
+    }
+    if (const auto* late = std::get_if<ChannelDelay<double>>(&effect))
+      if (late->channel == channel || (late->channel == Channel::x && channel == Channel::y)) value -= late->delay * slope;
+  }
+  return value;
+}
+
+// ---------------------------------------------------------------- trial
+
+namespace {
+
+constexpr std::array seeable{Channel::x, Channel::y, Channel::psi, Channel::r, Channel::u, Channel::v, Channel::speed_through_water};
+
+/// Standard deviation of white noise from third differences, by their median: robust against what moves slowly and against outliers.
+double noise_of(std::span<const double> values, double least) {
+  std::vector<double> sizes;
+  for (std::size_t i = 3; i < values.size(); ++i) {
+    const double third = values[i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3];
+    if (std::isfinite(third)) sizes.push_back(std::abs(third));
+  }
+  if (sizes.size() < 10) return least;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::ranges::nth_element(sizes, middle);
+  return std::max(least, *middle / (0.6745 * std::sqrt(20.0)));
+}
+
+/// Rounding of files.
+double least_noise(Channel channel, double L, double U) {
+  switch (channel) {
+    case Channel::x: case Channel::y: return 1e-5 * L;
+    case Channel::psi: return 1e-5;
+    case Channel::r: return 1e-5 * U / L;
+    default: return 1e-5 * U;
+  }
+}
+
+PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Channel> channels) {
+  const double L = length(ship), U = service_speed(ship);
+  PreparedRun result{.run = &run, .channels = {}, .start = recorded_state(ship, run, run.time.front()), .tau = L / U, .longest = 0.04 * L};
+  for (const auto channel : channels)
+    if (run.has(channel)) result.channels.push_back({channel, noise_of(run[channel], least_noise(channel, L, U))});
+  return result;
+}
+
+/// Accelerations that no model has, by scale: a fraction of U²/L and U²/L².
+OrdinaryImperfection imperfection(const Ship& ship, double scale) {
+  const double U = service_speed(ship), L = length(ship), a = 0.002 * scale * U * U / L;
+  return {0.3 * a, a, 1.5 * a / L};
+}
+
+constexpr std::array scales{0.1, 0.25, 0.6, 1.5, 4.0, 10.0, 25.0};
+
+/// Calls f(run, predictor, first row) for each run of a ship.
+template <class F>
+void for_each_run(const Trial& trial, const Ship& ship, F&& f) {
+  const auto of_model = [&]<class Model>(const Model& model) {
+    Eigen::Index row = 0;
+    for (std::size_t i = 0; i < trial.runs.size(); ++i) {
+      Predictor<Model> predictor(ship, model, trial.runs[i]);
+      f(i, predictor, row);
+      row += trial.runs[i].rows();
+    }
+  };
+  std::visit(of_model, ship.model);
+}
+
+std::vector<FilterPass> passes_of(const Trial& trial, const Ship& ship, double scale) {
+  std::vector<FilterPass> passes(trial.runs.size());
+  for_each_run(trial, ship, [&](std::size_t i, auto& predictor, Eigen::Index) { passes[i] = predictor.filter(imperfection(trial.ship, scale)); });
+  return passes;
+}
+
+Eigen::VectorXd residuals_of(const Trial& trial, const Ship& ship, const std::vector<FilterPass>& passes) {
+  Eigen::VectorXd e(trial.rows());
+  for_each_run(trial, ship, [&](std::size_t i, auto& predictor, Eigen::Index row) { predictor.innovations(passes[i], e.segment(row, trial.runs[i].rows())); });
+  return e;
+}
+
+double total(const std::vector<FilterPass>& passes) {
+  double sum = 0.0;
+  for (const auto& pass : passes) sum += pass.log_likelihood;
+  return sum;
+}
+
+/// Limits, steps and prior of all coordinates of a hypothesis.
+struct Space {
+  Eigen::VectorXd mean, low, high, step;
+  Eigen::MatrixXd precision;
+
+  Point clamped(const Point& p) const { return p.cwiseMax(low).cwiseMin(high); }
+  double prior(const Point& p) const { return (p - mean).dot(precision * (p - mean)); }
+};
+
+Space space_of(const Trial& trial, const Hypothesis& hypothesis) {
+  const auto base = trial.baseline_size();
+  Eigen::Index size = base;
+  for (const auto* form : hypothesis) size += static_cast<Eigen::Index>(form->coordinates.size());
+  Space space{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Constant(size, -HUGE_VAL), Eigen::VectorXd::Constant(size, HUGE_VAL),
+              Eigen::VectorXd::Constant(size, 0.2), Eigen::MatrixXd::Zero(size, size)};
+  space.mean.head(base) = trial.mean;
+  space.precision.topLeftCorner(base, base) = trial.precision;
+  if (trial.lift_loss) space.low[base - 1] = 0.0;
+  Eigen::Index i = base;
+  for (const auto* form : hypothesis)
+    for (const auto& c : form->coordinates) {
+      space.mean[i] = c.centre, space.low[i] = c.low, space.high[i] = c.high, space.step[i] = c.step;
+      space.precision(i, i) = 1.0 / (c.deviation * c.deviation);
+      ++i;
+    }
+  return space;
+}
+
+bool takes_lift(const EffectForm* form) { return form->id == "rudder_gap" || form->id == "rudder_stall"; }
+
+/// d(residuals)/d(point), columns from..to.
+void differences(const Trial& trial, const Hypothesis& hypothesis, const Space& space, const Point& point, const std::vector<FilterPass>& passes,
+                 const Eigen::VectorXd& residuals, Eigen::Index from, Eigen::MatrixXd& slopes) {
+  for (Eigen::Index i = from; i < point.size(); ++i) {
+    Point moved = point;
+    const double step = point[i] + space.step[i] > space.high[i] ? -space.step[i] : space.step[i];
+    moved[i] += step;
+    slopes.col(i) = (residuals_of(trial, ship_at(trial, hypothesis, moved), passes) - residuals) / step;
+  }
+}
+
+double log_determinant(const Eigen::MatrixXd& positive) { return positive.ldlt().vectorD().array().abs().log().sum(); }
+
+}  // namespace
+
+Eigen::Index Trial::rows() const {
+  Eigen::Index sum = 0;
+  for (const auto& run : runs) sum += run.rows();
+  return sum;
+}
+
+std::vector<Channel> seen_channels(std::span<const Recording> runs) {
+  std::vector<Channel> seen;
+  for (const auto channel : seeable)
+    if (std::ranges::any_of(runs, [&](const Recording& run) { return run.has(channel); })) seen.push_back(channel);
+  return seen;
+}
+
+Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
+  Trial trial{.ship = ship, .numbers = {}, .lift_loss = ordinary_lift_loss(ship), .mean = {}, .precision = {}, .runs = {}};
+  for (const auto& n : ship_numbers(ship))
+    if (n.role == Role::coefficient && n.deviation > 0.0) trial.numbers.push_back(n);
+  const auto size = trial.baseline_size();
+  trial.mean = Eigen::VectorXd::Zero(size);
+  trial.precision = Eigen::MatrixXd::Identity(size, size);
+  if (trial.lift_loss) trial.precision(size - 1, size - 1) = 1.0 / std::pow(trial.lift_loss->coordinates.front().deviation, 2);
+  for (const auto& run : runs) trial.runs.push_back(prepared(ship, run, channels));
+  return trial;
+}
+
+Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < trial.numbers.size(); ++i) values.push_back(trial.numbers[i].value + trial.numbers[i].deviation * point[static_cast<Eigen::Index>(i)]);
+  Ship ship = with_values(trial.ship, trial.numbers, values);
+  Eigen::Index next = trial.baseline_size();
+  if (trial.lift_loss && std::ranges::none_of(hypothesis, takes_lift)) {
+    const double loss = std::max(0.0, point[next - 1]);
+    ship.effects.push_back(trial.lift_loss->at({&loss, 1}));
+  }
+  for (const auto* form : hypothesis) {
+    const auto size = form->coordinates.size();
+    ship.effects.push_back(form->at({point.data() + next, size}));
+    next += static_cast<Eigen::Index>(size);
+  }
+  return ship;
+}
+
+Point with_start(const Trial& trial, const Hypothesis& hypothesis, const Point& before, std::span<const double> last_start) {
+  Point point(before.size() + static_cast<Eigen::Index>(last_start.size()));
+  point.head(before.size()) = before;
+  for (std::size_t i = 0; i < last_start.size(); ++i) point[before.size() + static_cast<Eigen::Index>(i)] = last_start[i];
+  (void)trial, (void)hypothesis;
+  return point;
+}
+
+std::vector<FilterPass> filter_passes(const Trial& trial, const Ship& ship, double scale) { return passes_of(trial, ship, scale); }
+
+Likelihood best_scale(const Trial& trial, const Ship& ship, double scale) {
+  const auto nearest = std::ranges::min_element(scales, {}, [&](double s) { return std::abs(std::log(s / scale)); });
+  const auto start = static_cast<std::size_t>(nearest - scales.begin());
+  Likelihood best{-HUGE_VAL, scale};
+  const auto better = [&](std::size_t i) {
+    const double value = total(passes_of(trial, ship, scales[i]));
+    if (!(value > best.log_likelihood)) return false;
+    best = {value, scales[i]};
+    return true;
+  };
+  better(start);
+  std::size_t i = start;
+  while (i > 0 && better(i - 1)) --i;
+  if (i == start)
+    while (i + 1 < scales.size() && better(i + 1)) ++i;
+  return best;
+}
+
+MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, double scale, int rounds) {
+  const Space space = space_of(trial, hypothesis);
+  const auto base = trial.baseline_size();
+  Point point = space.clamped(start);
+  Eigen::MatrixXd slopes(trial.rows(), point.size());
+  MapFit best;
+  for (int round = 0; round < rounds; ++round) {
+    const auto passes = passes_of(trial, ship_at(trial, hypothesis, point), scale);
+    Eigen::VectorXd e = residuals_of(trial, ship_at(trial, hypothesis, point), passes);
+    double cost = e.squaredNorm() + space.prior(point), damping = 1e-3;
+    for (int iteration = 0; iteration < 10; ++iteration) {
+      differences(trial, hypothesis, space, point, passes, e, iteration == 0 ? 0 : base, slopes);
+      const Eigen::MatrixXd A = slopes.transpose() * slopes + space.precision;
+      const Eigen::VectorXd b = -slopes.transpose() * e - space.precision * (point - space.mean);
+      double gain = 0.0;
+      for (int attempt = 0; attempt < 6 && gain == 0.0; ++attempt, damping = std::max(8.0 * damping, 1e-3)) {
+        Eigen::MatrixXd damped = A;
+        damped.diagonal() *= 1.0 + damping;
+        const Eigen::VectorXd step = damped.ldlt().solve(b);
+        if (!step.allFinite()) continue;
+        const Point moved = space.clamped(point + step);
+        const Eigen::VectorXd there = residuals_of(trial, ship_at(trial, hypothesis, moved), passes);
+        const double cost_there = there.squaredNorm() + space.prior(moved);
+        if (!(cost_there < cost)) continue;
+        gain = cost - cost_there;
+        point = moved, e = there, cost = cost_there;
+        damping = std::max(damping / 40.0, 1e-7);
+      }
+      if (gain < 0.05) break;
+    }
+    const auto [log_likelihood, found] = best_scale(trial, ship_at(trial, hypothesis, point), scale);
+    const Eigen::MatrixXd A = slopes.transpose() * slopes + space.precision;
+    const double evidence = log_likelihood - 0.5 * space.prior(point) + 0.5 * (log_determinant(space.precision) - log_determinant(A));
+    if (evidence > best.log_evidence) {
+      const Point baseline = point.head(base) - trial.mean;
+      best = {point, evidence, log_likelihood, found, baseline.dot(trial.precision * baseline), A.inverse()};
+    }
+    if (found == scale && round > 0) break;
+    scale = found;
+  }
+  return best;
+}
+
+Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& null) {
+  const auto ship = ship_at(trial, accepted, null.point);
+  Screen screen{.baseline = null.point, .scale = null.scale, .passes = passes_of(trial, ship, null.scale), .residuals = {}, .slopes = {}, .inverse = {}};
+  const Space space = space_of(trial, accepted);
+  screen.residuals = residuals_of(trial, ship, screen.passes);
+  screen.slopes.resize(trial.rows(), null.point.size());
+  differences(trial, accepted, space, null.point, screen.passes, screen.residuals, 0, screen.slopes);
+  screen.inverse = (screen.slopes.transpose() * screen.slopes + space.precision).inverse();
+  return screen;
+}
+
+Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form, std::span<const double> start) {
+  Hypothesis hypothesis = accepted;
+  hypothesis.push_back(&form);
+  const Space space = space_of(trial, hypothesis);
+  const auto base = screen.baseline.size(), size = static_cast<Eigen::Index>(form.coordinates.size());
+  // with the baseline's numbers eliminated: cost(e) = eᵀe − eᵀJ (JᵀJ + Λ)⁻¹ Jᵀe, but for its prior, which stands at its optimum
+  const auto projected = [&](const Eigen::MatrixXd& e) -> Eigen::MatrixXd { return e - screen.slopes * (screen.inverse * (screen.slopes.transpose() * e)); };
+  const auto prior = [&](const Point& p) {
+    double sum = 0.0;
+    for (Eigen::Index i = base; i < p.size(); ++i) sum += space.precision(i, i) * std::pow(p[i] - space.mean[i], 2);
+    return sum;
+  };
+  const auto quadratic = [&](const Eigen::VectorXd& e) { return (e.transpose() * projected(e)).value(); };
+  const double before = quadratic(screen.residuals);
+  Point point = space.clamped(with_start(trial, hypothesis, screen.baseline, start));
+  Eigen::VectorXd e = residuals_of(trial, ship_at(trial, hypothesis, point), screen.passes);
+  double cost = quadratic(e) + prior(point), damping = 1e-3;
+  Eigen::MatrixXd slopes(trial.rows(), point.size());
+  Eigen::MatrixXd A = Eigen::MatrixXd::Identity(size, size);
+  for (int iteration = 0; iteration < 5; ++iteration) {
+    differences(trial, hypothesis, space, point, screen.passes, e, base, slopes);
+    const Eigen::MatrixXd J = slopes.rightCols(size), MJ = projected(J);
+    const Eigen::MatrixXd Lambda = space.precision.bottomRightCorner(size, size);
+    A = J.transpose() * MJ + Lambda;
+    const Eigen::VectorXd b = -MJ.transpose() * e - Lambda * (point - space.mean).tail(size);
+    double gain = 0.0;
+    for (int attempt = 0; attempt < 4 && gain == 0.0; ++attempt, damping = std::max(10.0 * damping, 1e-3)) {
+      Eigen::MatrixXd damped = A;
+      damped.diagonal() *= 1.0 + damping;
+      Point moved = point;
+      moved.tail(size) += damped.ldlt().solve(b);
+      if (!moved.allFinite()) continue;
+      moved = space.clamped(moved);
+      const Eigen::VectorXd there = residuals_of(trial, ship_at(trial, hypothesis, moved), screen.passes);
+      const double cost_there = quadratic(there) + prior(moved);
+      if (!(cost_there < cost)) continue;
+      gain = cost - cost_there;
+      point = moved, e = there, cost = cost_there;
+      damping = std::max(damping / 100.0, 1e-7);
+    }
+    if (gain < 0.5) break;
+  }
+  const double occam = 0.5 * (log_determinant(space.precision.bottomRightCorner(size, size)) - log_determinant(A));
+  return {0.5 * (before - cost) + occam, {point.data() + base, point.data() + point.size()}};
+}
+
+}  // namespace swayaw

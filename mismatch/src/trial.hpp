@@ -1,0 +1,88 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "effect_forms.hpp"
+#include "prediction.hpp"
+#include "swayaw/nonlinear/coefficients.hpp"
+
+/// A ship, her recorded runs, and fits of her numbers and of effects to them. Not installed.
+namespace swayaw {
+
+/// What is to be explained, and what is known before: the baseline's numbers as (value − mean)/deviation, normal with a precision matrix.
+struct Trial {
+  Ship ship;
+  std::vector<ShipNumber> numbers;        ///< of the baseline that may be a little wrong
+  std::optional<EffectForm> lift_loss;    ///< of the rudder, part of the baseline
+  Eigen::VectorXd mean;                   ///< of the baseline's coordinates
+  Eigen::MatrixXd precision;
+  std::vector<PreparedRun> runs;
+
+  Eigen::Index rows() const;
+  Eigen::Index baseline_size() const { return static_cast<Eigen::Index>(numbers.size()) + (lift_loss ? 1 : 0); }
+};
+
+/// @param runs  must outlive the trial
+Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels);
+
+/// Channels of the runs that the diagnosis understands.
+std::vector<Channel> seen_channels(std::span<const Recording> runs);
+
+/// Effects that act together.
+using Hypothesis = std::vector<const EffectForm*>;
+
+/// Coordinates of the baseline, then of each effect.
+using Point = Eigen::VectorXd;
+
+Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
+
+/// The baseline at a point and the effects at their first starts.
+Point with_start(const Trial& trial, const Hypothesis& hypothesis, const Point& baseline, std::span<const double> last_start);
+
+/// A hypothesis at its most probable point.
+struct MapFit {
+  Point point;
+  double log_evidence = -HUGE_VAL;   ///< Laplace: ln p(runs | point) + ln prior + ½ ln det of the posterior covariance
+  double log_likelihood = -HUGE_VAL;
+  double scale = 1.0;                ///< of the ordinary imperfection
+  double shift = 0.0;                ///< of the baseline, squared, in its prior deviations
+  Eigen::MatrixXd covariance;        ///< of the point
+};
+
+/// Converged fit, the gains of the filter and the scale of the imperfection renewed as often as they change.
+MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, double scale, int rounds = 3);
+
+/// The likelihood of a ship, over scales of the imperfection.
+struct Likelihood {
+  double log_likelihood;
+  double scale;
+};
+
+Likelihood best_scale(const Trial& trial, const Ship& ship, double scale);
+
+/// The filter's passes over all runs.
+std::vector<FilterPass> filter_passes(const Trial& trial, const Ship& ship, double scale);
+
+/// What a screening keeps of the fitted baseline: gains, residuals, and what its own numbers can explain.
+struct Screen {
+  Point baseline;
+  double scale;
+  std::vector<FilterPass> passes;
+  Eigen::VectorXd residuals;
+  Eigen::MatrixXd slopes;   ///< of the residuals by the baseline
+  Eigen::MatrixXd inverse;  ///< (slopesᵀ slopes + precision)⁻¹
+};
+
+Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& null);
+
+/// Gain in log evidence that a further effect promises, with gains and baseline slopes frozen, and the coordinates where it does.
+struct Promise {
+  double gain = -HUGE_VAL;
+  std::vector<double> coordinates;
+};
+
+Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form, std::span<const double> start);
+
+}  // namespace swayaw
