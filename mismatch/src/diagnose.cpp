@@ -84,9 +84,10 @@ std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, con
     Hypothesis hypothesis = accepted;
     hypothesis.push_back(candidates[i].form);
     try {
-      auto found = fit(trial, hypothesis, with_start(trial, hypothesis, now.point, candidates[i].promise.coordinates), now.scale);
+      auto found = fit(trial, hypothesis, with_start(trial, hypothesis, now.point, candidates[i].promise.coordinates), now.noise);
       const auto effect = last_effect(trial, hypothesis, found.point);
       const double gain = found.log_evidence - now.log_evidence;
+      if (!std::isfinite(gain)) return;
       fits[i] = Tried{candidates[i].form, std::move(found), gain, effect, !is_finding(trial.ship, effect)};
     } catch (const Refusal&) {
     }
@@ -102,7 +103,7 @@ std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, con
 void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> reference, std::span<const Channel> channels) {
   if (reference.empty()) return;
   const auto calm = trial_of(ship, reference, channels);
-  const auto found = fit(calm, {}, calm.mean, 1.0);
+  const auto found = fit(calm, {}, calm.mean, Noise{});
   trial.mean = found.point;
   trial.precision = (2.0 * found.covariance).inverse();  // a little wider: no two days are alike
 }
@@ -252,15 +253,16 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   if (working) calibrate(trial, ship, reference, channels);
   const auto forms = effect_forms(ship, channels, duration_of(runs));
   working = goes_on("fitting the baseline") && working;
-  const MapFit null = fit(trial, {}, trial.mean, 1.5);
+  const MapFit null = fit(trial, {}, trial.mean, Noise{});
+  if (null.point.size() == 0) throw Refusal("the model cannot follow these runs at all: look at them with compare first");
   MapFit now = null;
   Hypothesis accepted;
   std::vector<Tried> first;
   Diagnosis result{.verdict = DiagnosisVerdict::nothing_missing, .words = {}, .location = {}, .effects = {}, .candidates = {}, .train = {}, .holdout = {},
-                   .refitted = ship_at(trial, {}, null.point), .improved = {}, .imperfection = null.scale};
+                   .refitted = ship_at(trial, {}, null.point), .improved = {}, .imperfection = null.noise.scale};
   std::vector<std::vector<std::string>> rivals;
   std::vector<double> gains;
-  while (working && accepted.size() < options.most_effects && (accepted.empty() || now.scale > 0.6)) {
+  while (working && accepted.size() < options.most_effects && (accepted.empty() || now.noise.scale > 0.6)) {
     working = goes_on(accepted.empty() ? "trying every effect" : "trying a further effect");
     auto tried = confirmed(trial, accepted, now, screened(trial, accepted, now, forms), options.confirmed);
     const double needed = accepted.empty() ? options.detection : options.further;
@@ -272,8 +274,8 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
     gains.push_back(best->gain);
     now = best->fit;
   }
-  const bool adequate = now.scale <= ordinary;
-  result.imperfection = now.scale;
+  const bool adequate = now.noise.scale <= ordinary;
+  result.imperfection = now.noise.scale;
   result.improved = ship_at(trial, accepted, now.point);
   result.candidates = ranked(first, adequate);
   Eigen::Index from = trial.baseline_size();
@@ -290,7 +292,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   else if (!result.effects.empty()) result.verdict = DiagnosisVerdict::missing_physics;
   if (result.verdict != DiagnosisVerdict::nothing_missing) {
     goes_on("where");
-    result.location = location_of(trial, filter_passes(trial, result.refitted, null.scale));
+    result.location = location_of(trial, filter_passes(trial, result.refitted, null.noise));
   }
   result.train = errors_of(ship, result.refitted, result.improved, runs);
   result.holdout = errors_of(ship, result.refitted, result.improved, holdout);

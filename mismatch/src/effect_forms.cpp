@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "swayaw/core/angle.hpp"
 
@@ -10,16 +11,64 @@ namespace {
 
 bool is_direction(const EffectNumber& n) { return n.key.ends_with("from_rad") || n.key.ends_with("to_rad"); }
 
-/// North and east part of what has a size and a direction, over its usual size.
-EffectForm by_parts(const Effect& null, const EffectNumber& size, const EffectNumber& direction) {
+const EffectNumber& number_named(std::span<const EffectNumber> numbers, std::string_view key) { return *std::ranges::find(numbers, key, &EffectNumber::key); }
+
+// ---------------------------------------------------------------- one coordinate, one number
+
+/// A number of an effect as a function of a coordinate.
+struct Move {
+  Coordinate coordinate;
+  std::size_t index;
+  std::function<double(double)> value;
+};
+
+/// From null in prior deviations, within the number's range.
+Move from_null(const EffectNumber& n) {
+  const double low = n.range.low > -HUGE_VAL ? (n.range.low - n.null) / n.prior + (n.range.above_low ? 1e-3 : 0.0) : -HUGE_VAL;
+  const double high = n.range.high < HUGE_VAL ? (n.range.high - n.null) / n.prior : HUGE_VAL;
+  return {{.name = std::string(n.key), .low = low, .high = high}, n.index, [n](double c) { return n.null + n.prior * c; }};
+}
+
+/// A positive number that is known but for a factor: exp(c) times its null value.
+Move by_factor(const EffectNumber& n, double deviation) {
+  return {{.name = std::string(n.key), .deviation = deviation, .step = 0.05, .low = -4.0, .high = 4.0}, n.index, [n](double c) { return n.null * std::exp(c); }};
+}
+
+EffectForm by_moves(const Effect& null, std::vector<Move> moves, std::vector<std::vector<double>> starts) {
+  EffectForm form{.id = std::string(id_of(null)), .coordinates = {}, .at = {}, .starts = std::move(starts)};
+  for (const auto& m : moves) form.coordinates.push_back(m.coordinate);
+  form.at = [null, moves = std::move(moves)](std::span<const double> c) {
+    Effect effect = null;
+    for (std::size_t i = 0; i < moves.size(); ++i) number_of(effect, moves[i].index) = moves[i].value(c[i]);
+    return effect;
+  };
+  return form;
+}
+
+EffectForm by_numbers(const Effect& null, std::span<const EffectNumber> numbers) {
+  std::vector<Move> moves;
+  for (const auto& n : numbers) moves.push_back(from_null(n));
+  const std::vector<double> start(moves.size(), 0.0);
+  return by_moves(null, std::move(moves), {start});
+}
+
+// ---------------------------------------------------------------- directions
+
+/// North and east part of what has a size and a direction, over its usual size; then further numbers.
+EffectForm by_parts(const Effect& null, const EffectNumber& size, const EffectNumber& direction, std::vector<Move> further = {}) {
   EffectForm form{.id = std::string(id_of(null)), .coordinates = {{"north"}, {"east"}}, .at = {}, .starts = {}};
-  form.at = [null, a = size.index, b = direction.index, unit = size.prior](std::span<const double> c) {
+  for (const auto& m : further) form.coordinates.push_back(m.coordinate);
+  for (int i = 0; i < 4; ++i) {
+    form.starts.push_back({std::cos(0.4 + 0.5 * pi * i), std::sin(0.4 + 0.5 * pi * i)});
+    for (const auto& m : further) form.starts.back().push_back(m.coordinate.centre);
+  }
+  form.at = [null, a = size.index, b = direction.index, unit = size.prior, further = std::move(further)](std::span<const double> c) {
     Effect effect = null;
     number_of(effect, a) = unit * std::hypot(c[0], c[1]);
     number_of(effect, b) = std::atan2(c[1], c[0]);
+    for (std::size_t i = 0; i < further.size(); ++i) number_of(effect, further[i].index) = further[i].value(c[2 + i]);
     return effect;
   };
-  for (int i = 0; i < 4; ++i) form.starts.push_back({std::cos(0.4 + 0.5 * pi * i), std::sin(0.4 + 0.5 * pi * i)});
   return form;
 }
 
@@ -42,61 +91,61 @@ EffectForm in_window(EffectForm form, const Ship& ship, double duration) {
   return form;
 }
 
-/// A number through a function of one coordinate.
-template <class F>
-EffectForm one_number(const Effect& null, Coordinate coordinate, std::vector<std::vector<double>> starts, F&& value) {
-  return {.id = std::string(id_of(null)), .coordinates = {std::move(coordinate)},
-          .at = [null, value](std::span<const double> c) {
-            Effect effect = null;
-            number_of(effect, 0) = value(c[0]);
-            return effect;
-          },
-          .starts = std::move(starts)};
+EffectForm wave_form(const Effect& null, std::span<const EffectNumber> numbers) {
+  auto ahead = from_null(number_named(numbers, "ahead")), moment = from_null(number_named(numbers, "moment"));
+  return by_parts(null, number_named(numbers, "force_N"), number_named(numbers, "wave_from_rad"), {std::move(ahead), std::move(moment)});
 }
 
-/// Numbers that a fit leaves where they are: they decide little, and no run tells them apart from the others.
-bool is_left(std::string_view id, std::string_view key) {
-  return (id == "steering_gear_lag" && key == "rate_rad_s") || (id == "propeller_side_force" && key == "constant_N") ||
-         (id == "roll_coupling" && key != "Y_phi" && key != "N_phi");
-}
+// ---------------------------------------------------------------- forms of their own
 
-/// Each number over its prior deviation.
-EffectForm by_numbers(const Effect& null, std::span<const EffectNumber> numbers) {
-  EffectForm form{.id = std::string(id_of(null)), .coordinates = {}, .at = {}, .starts = {}};
-  std::vector<EffectNumber> moved;
-  for (const auto& n : numbers)
-    if (n.prior > 0.0 && !is_left(form.id, n.key)) moved.push_back(n);
-  for (const auto& n : moved) {
-    const double low = n.range.low > -HUGE_VAL ? (n.range.low - n.null) / n.prior + (n.range.above_low ? 1e-3 : 0.0) : -HUGE_VAL;
-    const double high = n.range.high < HUGE_VAL ? (n.range.high - n.null) / n.prior : HUGE_VAL;
-    form.coordinates.push_back({.name = std::string(n.key), .low = low, .high = high});
-  }
-  form.at = [null, moved](std::span<const double> c) {
-    Effect effect = null;
-    for (std::size_t i = 0; i < moved.size(); ++i) number_of(effect, moved[i].index) = moved[i].null + moved[i].prior * c[i];
-    return effect;
+/// Draught over depth, and how much of the usual growth she shows: all of it, and each kind.
+EffectForm shallow_form(const Effect& null) {
+  EffectForm form{.id = std::string(id_of(null)), .coordinates = {{.name = "draught over depth", .deviation = 0.5, .low = 0.0, .high = 0.9}}, .at = {}, .starts = {}};
+  for (const auto* kind : {"growth", "sway", "yaw", "cubic", "mass", "resistance"}) form.coordinates.push_back({.name = kind, .deviation = 0.4, .low = -3.0, .high = 3.0});
+  form.coordinates.push_back({.name = "wake", .centre = 0.5, .deviation = 0.5, .low = 0.0, .high = 2.0});
+  form.at = [](std::span<const double> c) {
+    if (c[0] < 0.02) return Effect(ShallowWater<double>{});
+    const auto grown = [&](std::size_t i) { return std::exp(c[1] + c[i]); };
+    return Effect(ShallowWater<double>{1.0 / c[0], grown(2), grown(3), grown(4), grown(5), grown(6), c[7]});
   };
-  form.starts = {std::vector<double>(moved.size(), 0.0)};
+  for (const double x : {0.45, 0.7}) form.starts.push_back({x, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5});
   return form;
 }
 
-/// Lag and play are 0 or more, and the likelihood has a corner there.
-EffectForm begun_at(EffectForm form, std::vector<std::vector<double>> starts) {
-  form.starts = std::move(starts);
+EffectForm stall_form(const Effect& null, std::span<const EffectNumber> numbers) {
+  const auto& [angle, depth, width] = std::tie(numbers[0], numbers[1], numbers[2]);
+  Move at{{.name = "stall angle", .centre = 0.6, .deviation = 0.5, .low = 0.08, .high = 0.5 * pi}, angle.index, [](double c) { return c; }};
+  return by_moves(null, {std::move(at), from_null(depth), by_factor(width, 0.5)}, {{0.25, 0.0, 0.0}, {0.4, 0.0, 0.0}});
+}
+
+EffectForm gap_form(const Effect& null) {
+  EffectForm form{.id = std::string(id_of(null)), .coordinates = {{.name = "from", .deviation = 0.3, .low = 0.0, .high = 0.5}, {.name = "loss", .low = 0.0, .high = 10.0}},
+                  .at = [](std::span<const double> c) { return Effect(RudderGap<double>{c[0], -c[1]}); }, .starts = {{0.1, 0.3}}};
   return form;
 }
 
-EffectForm memory(const Effect& null, std::span<const EffectNumber> numbers, double T) {
-  auto form = by_numbers(null, numbers);
-  form.coordinates[0] = {.name = "tau", .centre = 0.5, .deviation = 0.5, .low = 0.02, .high = 10.0};
-  form.at = [null, T, unit = numbers[1].prior](std::span<const double> c) {
-    Effect effect = null;
-    number_of(effect, 0) = c[0] * T;
-    number_of(effect, 1) = unit * c[1];
-    return effect;
+/// Lag over its usual size, and how many times slower than the ship's gear the rudder moves; 0 for no limit.
+EffectForm gear_form(const Effect& null, const Ship& ship, const EffectNumber& lag) {
+  EffectForm form{.id = std::string(id_of(null)), .coordinates = {{.name = "lag", .low = 0.0}, {.name = "slowness", .deviation = 0.7, .low = 0.0}}, .at = {},
+                  .starts = {{0.3, 0.5}, {1.0, 0.1}}};
+  form.at = [unit = lag.prior, rate = steering_gear(ship).rate](std::span<const double> c) {
+    SteeringGearLag<double> gear{.lag = unit * c[0]};
+    if (c[1] > 0.02) gear.rate = rate / c[1];
+    return Effect(gear);
   };
-  form.starts = {{0.5, 0.5}};
   return form;
+}
+
+/// Heel: its moment and damping are known but for factors. The lever counts with GM alone.
+EffectForm roll_form(const Effect& null, std::span<const EffectNumber> numbers) {
+  auto GM = by_factor(number_named(numbers, "GM_m"), 1.0), zeta = by_factor(number_named(numbers, "zeta"), 0.7);
+  auto Y = from_null(number_named(numbers, "Y_phi")), N = from_null(number_named(numbers, "N_phi"));
+  return by_moves(null, {std::move(GM), std::move(Y), std::move(N), std::move(zeta)}, {{0.0, 0.1, -0.1, 0.0}, {-1.2, 0.1, -0.1, 0.0}});
+}
+
+EffectForm memory_form(const Effect& null, std::span<const EffectNumber> numbers, double T) {
+  Move tau{{.name = "tau", .centre = 0.5, .deviation = 0.5, .low = 0.02, .high = 10.0}, 0, [T](double c) { return c * T; }};
+  return by_moves(null, {std::move(tau), from_null(numbers[1])}, {{0.5, 0.5}});
 }
 
 std::vector<EffectForm> delays(const Effect& null, const EffectNumber& delay, std::span<const Channel> channels) {
@@ -116,6 +165,30 @@ std::vector<EffectForm> delays(const Effect& null, const EffectNumber& delay, st
   return forms;
 }
 
+EffectForm begun_at(EffectForm form, std::vector<std::vector<double>> starts) {
+  form.starts = std::move(starts);
+  return form;
+}
+
+/// The form of any effect but a delay.
+EffectForm form_of(const Effect& null, std::span<const EffectNumber> numbers, const Ship& ship, double duration) {
+  const auto id = id_of(null);
+  if (id == "wave_drift") return wave_form(null, numbers);
+  if (id == "shallow_water") return shallow_form(null);
+  if (id == "rudder_stall") return stall_form(null, numbers);
+  if (id == "rudder_gap") return gap_form(null);
+  if (id == "steering_gear_lag") return gear_form(null, ship, numbers.front());
+  if (id == "roll_coupling") return roll_form(null, numbers);
+  if (id == "fluid_memory") return memory_form(null, numbers, length(ship) / service_speed(ship));
+  if (id == "steering_gear_backlash") return begun_at(by_numbers(null, numbers), {{0.3}});
+  if (id == "propeller_side_force") return by_numbers(null, numbers.first(1));  // a constant force is a rudder offset's twin
+  const auto size = std::ranges::find_if(numbers, &EffectNumber::decides), toward = std::ranges::find_if(numbers, is_direction);
+  if (toward == numbers.end()) return by_numbers(null, numbers);
+  const auto parts = by_parts(null, *size, *toward);
+  if (id == "gust") return in_window(parts, ship, duration);
+  return id == "steady_current" ? begun_at(parts, {{0.0, 0.0}}) : parts;
+}
+
 }  // namespace
 
 std::optional<EffectForm> ordinary_lift_loss(const Ship& ship) {
@@ -131,34 +204,13 @@ std::optional<EffectForm> ordinary_lift_loss(const Ship& ship) {
 }
 
 std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> channels, double duration) {
-  const double T = length(ship) / service_speed(ship);
   std::vector<EffectForm> forms;
   for (const auto id : effect_ids()) {
     const Effect null = make_effect(id);
     const auto numbers = numbers_of(ship, null);
     if (numbers.empty()) continue;
-    const auto size = std::ranges::find_if(numbers, &EffectNumber::decides), toward = std::ranges::find_if(numbers, is_direction);
-    if (id == "steady_current") forms.push_back(begun_at(by_parts(null, *size, *toward), {{0.0, 0.0}}));
-    else if (id == "gust") forms.push_back(in_window(by_parts(null, *size, *toward), ship, duration));
-    else if (toward != numbers.end()) forms.push_back(by_parts(null, *size, *toward));
-    else if (id == "shallow_water")
-      forms.push_back(one_number(null, {.name = "draught over depth", .deviation = 0.5, .low = 0.0, .high = 0.83}, {{0.6}},
-                                 [](double x) { return x > 0.02 ? 1.0 / x : HUGE_VAL; }));
-    else if (id == "rudder_stall")
-      forms.push_back(one_number(null, {.name = "stall angle", .centre = 0.6, .deviation = 0.5, .low = 0.08, .high = 0.5 * pi}, {{0.25}, {0.4}}, [](double x) { return x; }));
-    else if (id == "rudder_gap") {
-      EffectForm form = by_numbers(null, numbers);
-      form.coordinates = {{.name = "from", .deviation = 0.3, .low = 0.0, .high = 0.5}, {.name = "loss", .low = 0.0, .high = 10.0}};
-      form.at = [null](std::span<const double> c) {
-        Effect effect = null;
-        std::get<RudderGap<double>>(effect) = {c[0], -c[1]};
-        return effect;
-      };
-      forms.push_back(begun_at(std::move(form), {{0.1, 0.3}}));
-    } else if (id == "fluid_memory") forms.push_back(memory(null, numbers, T));
-    else if (id == "steering_gear_lag" || id == "steering_gear_backlash") forms.push_back(begun_at(by_numbers(null, numbers), {{0.3}}));
-    else if (id == "channel_delay") std::ranges::move(delays(null, numbers.front(), channels), std::back_inserter(forms));
-    else forms.push_back(by_numbers(null, numbers));
+    if (id == "channel_delay") std::ranges::move(delays(null, numbers.front(), channels), std::back_inserter(forms));
+    else forms.push_back(form_of(null, numbers, ship, duration));
   }
   return forms;
 }

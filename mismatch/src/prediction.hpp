@@ -1,13 +1,17 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
+#include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
@@ -42,6 +46,15 @@ inline constexpr int filter_states = 9;
 using FilterState = Eigen::Matrix<double, filter_states, 1>;
 using FilterCovariance = Eigen::Matrix<double, filter_states, filter_states>;
 
+/// What no model and no instrument gets right, found by likelihood.
+struct Noise {
+  double scale = 1.5;                            ///< of the ordinary imperfection
+  std::array<double, channel_count> factor{};    ///< on the noise of each channel, 1 where third differences tell all of it
+
+  Noise() { factor.fill(1.0); }
+  bool operator==(const Noise&) const = default;
+};
+
 /// What the filter made of a run: gains and whitening of each sample, which stay while parameters change a little.
 struct FilterPass {
   std::vector<Eigen::MatrixXd> gain;    ///< 9 × channels
@@ -50,8 +63,15 @@ struct FilterPass {
   std::vector<FilterState> filtered;
 };
 
+/// A moment of a ship.
+struct Instant {
+  ShipState<double> state;
+  StateVector<double> rate;  ///< of x, y, psi; of u, v, r where something is late
+  double phi = 0.0;          ///< heel
+};
+
 /// A true motion as the instruments show it: value of a channel.
-double shown(Channel channel, const ShipState<double>& s, const StateVector<double>& rate, std::span<const Effect> sensors);
+double shown(Channel channel, const Instant& now, std::span<const Effect> sensors);
 
 /// Predicts sample after sample.
 template <class Model>
@@ -63,8 +83,10 @@ class Predictor {
   }
 
   /// Extended Kalman filter. S = H P Hᵀ + R of all channels together.
-  FilterPass filter(const OrdinaryImperfection& size) {
+  /// @throws Refusal  if the motion runs away
+  FilterPass filter(const OrdinaryImperfection& size, const Noise& noise) {
     FilterPass pass;
+    for (const auto& [channel, deviation] : run_.channels) noise_.push_back(deviation * noise.factor[index_of(channel)]);
     start();
     FilterCovariance P = start_covariance(size);
     const auto n = run_.samples();
@@ -152,6 +174,7 @@ class Predictor {
   template <class F>
   void for_steps(std::size_t k, F&& f) {
     const double from = run_.run->time[k - 1], to = run_.run->time[k], h = to - from;
+    if (!(std::hypot(x_[3], x_[4]) < 1e3 * acting_.model.particulars.U_0)) throw Refusal(fmt::format("{}: no motion can be followed at {:.6g} s", run_.run->name, from));
     double now = from;
     while (now < to) {
       while (wind_ < acting_.winds.size() && acting_.winds[wind_].time <= now) {
@@ -200,21 +223,35 @@ class Predictor {
     return P;
   }
 
-  StateVector<double> rates_now(std::size_t k) const {
-    const auto [rate, out_of_sight] = rates(x_, hidden_, at_samples_[k]);
-    return {rate[0], rate[1], rate[2], rate[3], rate[4], rate[5]};
+  /// What the instruments look at, with accelerations where one of them is late.
+  Instant instant(std::size_t k, bool with_accelerations) const {
+    Instant now{state(), {}, hidden_.phi};
+    if (with_accelerations) {
+      const auto [rate, out_of_sight] = rates(x_, hidden_, at_samples_[k]);
+      for (std::size_t i = 0; i < 6; ++i) now.rate[i] = rate[static_cast<Eigen::Index>(i)];
+    } else {
+      now.rate = way(x_);
+    }
+    return now;
+  }
+
+  /// Rates of place and heading alone.
+  StateVector<double> way(const FilterState& x) const {
+    const auto [s, c] = sin_cos(x[2]);
+    const auto& [V_c, psi_c] = around_.current;
+    return {x[3] * c - x[4] * s + V_c * std::cos(psi_c), x[3] * s + x[4] * c + V_c * std::sin(psi_c), x[5], 0.0, 0.0, 0.0};
   }
 
   /// Measured less expected; 0 where a sample is missing.
   void errors(std::size_t k, Eigen::VectorXd& e) const {
     const bool late = std::ranges::any_of(acting_.sensors, [](const Effect& s) { return std::holds_alternative<ChannelDelay<double>>(s); });
-    const auto rate = late ? rates_now(k) : StateVector<double>{};
+    const auto now = instant(k, late);
     for (std::size_t i = 0; i < run_.channels.size(); ++i) {
       const auto channel = run_.channels[i].channel;
       const double measured = (*run_.run)[channel][k];
       double& error = e[static_cast<Eigen::Index>(i)];
-      error = std::isnan(measured) ? 0.0 : measured - shown(channel, state(), rate, acting_.sensors);
-      if (channel == Channel::psi) error = wrapped(error);
+      error = std::isnan(measured) ? 0.0 : measured - shown(channel, now, acting_.sensors);
+      if (channel == Channel::psi || channel == Channel::course_over_ground) error = wrapped(error);
     }
   }
 
@@ -229,7 +266,7 @@ class Predictor {
         const double h = j < 2 ? 1.0 : 1e-6;
         FilterState up = x_, down = x_;
         up[j] += h, down[j] -= h;
-        const auto at = [&](const FilterState& x) { return shown(channel, {x[0], x[1], x[2], {x[3], x[4], x[5]}}, {}, acting_.sensors); };
+        const auto at = [&](const FilterState& x) { return shown(channel, {{x[0], x[1], x[2], {x[3], x[4], x[5]}}, way(x), hidden_.phi}, acting_.sensors); };
         H(i, j) = (at(up) - at(down)) / (2.0 * h);
       }
     }
@@ -244,8 +281,8 @@ class Predictor {
     Eigen::MatrixXd S = H * PH;
     std::vector<Eigen::Index> gone;
     for (Eigen::Index i = 0; i < m; ++i) {
-      const auto& [channel, noise] = run_.channels[static_cast<std::size_t>(i)];
-      const bool is_missing = std::isnan((*run_.run)[channel][k]);
+      const bool is_missing = std::isnan((*run_.run)[run_.channels[static_cast<std::size_t>(i)].channel][k]);
+      const double noise = noise_[static_cast<std::size_t>(i)];
       S(i, i) += is_missing ? 1.0 : noise * noise;
       if (is_missing) gone.push_back(i);
     }
@@ -270,6 +307,7 @@ class Predictor {
   decltype(cast<D>(std::declval<Model>())) dual_;
   AddedForces<D> dual_added_;
   std::vector<Controls<double>> at_samples_;
+  std::vector<double> noise_;  ///< of each channel
   FilterState x_;
   Hidden<double> hidden_;
   Surroundings<double> around_;

@@ -6,11 +6,14 @@
 #include <array>
 #include <cmath>
 
+#include "swayaw/core/refusal.hpp"
+
 namespace swayaw {
 
 // ---------------------------------------------------------------- what instruments show
 
-double shown(Channel channel, const ShipState<double>& s, const StateVector<double>& rate, std::span<const Effect> sensors) {
+double shown(Channel channel, const Instant& now, std::span<const Effect> sensors) {
+  const auto& [s, rate, phi] = now;
   double value = 0.0, slope = 0.0;
   switch (channel) {
     case Channel::x: value = s.x, slope = rate[0]; break;
@@ -19,6 +22,11 @@ double shown(Channel channel, const ShipState<double>& s, const StateVector<doub
     case Channel::u: case Channel::speed_through_water: value = s.motion.u, slope = rate[3]; break;
     case Channel::v: value = s.motion.v, slope = rate[4]; break;
     case Channel::r: value = s.motion.r, slope = rate[5]; break;
+    case Channel::u_ground: value = rate[0] * std::cos(s.psi) + rate[1] * std::sin(s.psi), slope = rate[3]; break;
+    case Channel::v_ground: value = rate[1] * std::cos(s.psi) - rate[0] * std::sin(s.psi), slope = rate[4]; break;
+    case Channel::speed_over_ground: value = std::hypot(rate[0], rate[1]), slope = rate[3]; break;
+    case Channel::course_over_ground: value = std::atan2(rate[1], rate[0]), slope = rate[2]; break;
+    case Channel::phi: value = phi; break;
     default: break;
   }
   for (const auto& effect : sensors) {
@@ -40,7 +48,8 @@ double shown(Channel channel, const ShipState<double>& s, const StateVector<doub
 
 namespace {
 
-constexpr std::array seeable{Channel::x, Channel::y, Channel::psi, Channel::r, Channel::u, Channel::v, Channel::speed_through_water};
+constexpr std::array seeable{Channel::x, Channel::y, Channel::psi, Channel::r, Channel::u, Channel::v, Channel::speed_through_water,
+                             Channel::u_ground, Channel::v_ground, Channel::speed_over_ground, Channel::course_over_ground, Channel::phi};
 
 /// Standard deviation of white noise from third differences, by their median: robust against what moves slowly and against outliers.
 double noise_of(std::span<const double> values, double least) {
@@ -55,13 +64,13 @@ double noise_of(std::span<const double> values, double least) {
   return std::max(least, *middle / (0.6745 * std::sqrt(20.0)));
 }
 
-/// Rounding of files.
+/// The least that is believed of an instrument, whatever the smoothness of its record.
 double least_noise(Channel channel, double L, double U) {
   switch (channel) {
-    case Channel::x: case Channel::y: return 1e-5 * L;
-    case Channel::psi: return 1e-5;
-    case Channel::r: return 1e-5 * U / L;
-    default: return 1e-5 * U;
+    case Channel::x: case Channel::y: return 1e-4 * L;
+    case Channel::psi: case Channel::course_over_ground: case Channel::phi: return 2e-4;
+    case Channel::r: return 2e-4 * U / L;
+    default: return 2e-4 * U;
   }
 }
 
@@ -79,7 +88,7 @@ OrdinaryImperfection imperfection(const Ship& ship, double scale) {
   return {0.3 * a, a, 1.5 * a / L};
 }
 
-constexpr std::array scales{0.1, 0.25, 0.6, 1.5, 4.0, 10.0, 25.0};
+constexpr std::array scales{0.1, 0.25, 0.6, 1.5, 4.0, 10.0, 25.0, 60.0, 150.0, 400.0};
 
 /// Calls f(run, predictor, first row) for each run of a ship.
 template <class F>
@@ -95,9 +104,9 @@ void for_each_run(const Trial& trial, const Ship& ship, F&& f) {
   std::visit(of_model, ship.model);
 }
 
-std::vector<FilterPass> passes_of(const Trial& trial, const Ship& ship, double scale) {
+std::vector<FilterPass> passes_of(const Trial& trial, const Ship& ship, const Noise& noise) {
   std::vector<FilterPass> passes(trial.runs.size());
-  for_each_run(trial, ship, [&](std::size_t i, auto& predictor, Eigen::Index) { passes[i] = predictor.filter(imperfection(trial.ship, scale)); });
+  for_each_run(trial, ship, [&](std::size_t i, auto& predictor, Eigen::Index) { passes[i] = predictor.filter(imperfection(trial.ship, noise.scale), noise); });
   return passes;
 }
 
@@ -105,6 +114,15 @@ Eigen::VectorXd residuals_of(const Trial& trial, const Ship& ship, const std::ve
   Eigen::VectorXd e(trial.rows());
   for_each_run(trial, ship, [&](std::size_t i, auto& predictor, Eigen::Index row) { predictor.innovations(passes[i], e.segment(row, trial.runs[i].rows())); });
   return e;
+}
+
+/// The same, huge where the ship cannot sail or her motion runs away.
+Eigen::VectorXd residuals_if_any(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const std::vector<FilterPass>& passes) {
+  try {
+    return residuals_of(trial, ship_at(trial, hypothesis, point), passes);
+  } catch (const Refusal&) {
+    return Eigen::VectorXd::Constant(trial.rows(), 1e6);
+  }
 }
 
 double total(const std::vector<FilterPass>& passes) {
@@ -150,7 +168,7 @@ void differences(const Trial& trial, const Hypothesis& hypothesis, const Space& 
     Point moved = point;
     const double step = point[i] + space.step[i] > space.high[i] ? -space.step[i] : space.step[i];
     moved[i] += step;
-    slopes.col(i) = (residuals_of(trial, ship_at(trial, hypothesis, moved), passes) - residuals) / step;
+    slopes.col(i) = (residuals_if_any(trial, hypothesis, moved, passes) - residuals) / step;
   }
 }
 
@@ -208,34 +226,75 @@ Point with_start(const Trial& trial, const Hypothesis& hypothesis, const Point& 
   return point;
 }
 
-std::vector<FilterPass> filter_passes(const Trial& trial, const Ship& ship, double scale) { return passes_of(trial, ship, scale); }
+std::vector<FilterPass> filter_passes(const Trial& trial, const Ship& ship, const Noise& noise) { return passes_of(trial, ship, noise); }
 
-Likelihood best_scale(const Trial& trial, const Ship& ship, double scale) {
-  const auto nearest = std::ranges::min_element(scales, {}, [&](double s) { return std::abs(std::log(s / scale)); });
-  const auto start = static_cast<std::size_t>(nearest - scales.begin());
-  Likelihood best{-HUGE_VAL, scale};
-  const auto better = [&](std::size_t i) {
-    const double value = total(passes_of(trial, ship, scales[i]));
-    if (!(value > best.log_likelihood)) return false;
-    best = {value, scales[i]};
+namespace {
+
+double log_likelihood(const Trial& trial, const Ship& ship, const Noise& noise) {
+  try {
+    return total(passes_of(trial, ship, noise));
+  } catch (const Refusal&) {
+    return -HUGE_VAL;
+  }
+}
+
+/// Climbs a number along its grid from where it is. @return whether it moved
+template <class Set>
+bool climbed(const Trial& trial, const Ship& ship, Likelihood& best, int first, int last, int here, double worth, Set&& set) {
+  int at = here;
+  const auto better = [&](int i) {
+    if (i < first || i > last) return false;
+    Noise noise = best.noise;
+    set(noise, i);
+    const double value = log_likelihood(trial, ship, noise);
+    if (!(value > best.log_likelihood + worth)) return false;
+    best = {value, noise};
+    at = i;
     return true;
   };
-  better(start);
-  std::size_t i = start;
-  while (i > 0 && better(i - 1)) --i;
-  if (i == start)
-    while (i + 1 < scales.size() && better(i + 1)) ++i;
+  for (const int way : {-1, 1}) {
+    while (better(at + way)) {}
+    if (at != here) break;
+  }
+  return at != here;
+}
+
+bool scale_climbed(const Trial& trial, const Ship& ship, Likelihood& best) {
+  const auto nearest = std::ranges::min_element(scales, {}, [&](double s) { return std::abs(std::log(s / best.noise.scale)); });
+  return climbed(trial, ship, best, 0, static_cast<int>(scales.size()) - 1, static_cast<int>(nearest - scales.begin()), 0.0,
+                 [](Noise& noise, int i) { noise.scale = scales[static_cast<std::size_t>(i)]; });
+}
+
+/// Noise of the channels by powers of two; a channel must gain by it.
+bool factors_climbed(const Trial& trial, const Ship& ship, Likelihood& best, bool all) {
+  bool moved = false;
+  for (const auto channel : seeable) {
+    if (std::ranges::none_of(trial.runs, [&](const PreparedRun& r) { return std::ranges::count(r.channels, channel, &SeenChannel::channel) > 0; })) continue;
+    const double factor = best.noise.factor[index_of(channel)];
+    if (!all && factor == 1.0) continue;
+    moved |= climbed(trial, ship, best, 0, 12, static_cast<int>(std::lround(std::log2(factor))), 5.0,
+                     [&](Noise& noise, int i) { noise.factor[index_of(channel)] = std::ldexp(1.0, i); });
+  }
+  return moved;
+}
+
+}  // namespace
+
+Likelihood best_noise(const Trial& trial, const Ship& ship, const Noise& start, bool every_channel) {
+  Likelihood best{log_likelihood(trial, ship, start), start};
+  scale_climbed(trial, ship, best);
+  for (int i = 0; i < 3 && factors_climbed(trial, ship, best, every_channel); ++i) scale_climbed(trial, ship, best);
   return best;
 }
 
-MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, double scale, int rounds) {
+MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, int rounds) {
   const Space space = space_of(trial, hypothesis);
   const auto base = trial.baseline_size();
   Point point = space.clamped(start);
   Eigen::MatrixXd slopes(trial.rows(), point.size());
   MapFit best;
   for (int round = 0; round < rounds; ++round) {
-    const auto passes = passes_of(trial, ship_at(trial, hypothesis, point), scale);
+    const auto passes = passes_of(trial, ship_at(trial, hypothesis, point), noise);
     Eigen::VectorXd e = residuals_of(trial, ship_at(trial, hypothesis, point), passes);
     double cost = e.squaredNorm() + space.prior(point), damping = 1e-3;
     for (int iteration = 0; iteration < 10; ++iteration) {
@@ -249,7 +308,7 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
         const Eigen::VectorXd step = damped.ldlt().solve(b);
         if (!step.allFinite()) continue;
         const Point moved = space.clamped(point + step);
-        const Eigen::VectorXd there = residuals_of(trial, ship_at(trial, hypothesis, moved), passes);
+        const Eigen::VectorXd there = residuals_if_any(trial, hypothesis, moved, passes);
         const double cost_there = there.squaredNorm() + space.prior(moved);
         if (!(cost_there < cost)) continue;
         gain = cost - cost_there;
@@ -258,22 +317,22 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
       }
       if (gain < 0.05) break;
     }
-    const auto [log_likelihood, found] = best_scale(trial, ship_at(trial, hypothesis, point), scale);
+    const auto [log_likelihood, found] = best_noise(trial, ship_at(trial, hypothesis, point), noise, hypothesis.empty());
     const Eigen::MatrixXd A = slopes.transpose() * slopes + space.precision;
     const double evidence = log_likelihood - 0.5 * space.prior(point) + 0.5 * (log_determinant(space.precision) - log_determinant(A));
     if (evidence > best.log_evidence) {
       const Point baseline = point.head(base) - trial.mean;
       best = {point, evidence, log_likelihood, found, baseline.dot(trial.precision * baseline), A.inverse()};
     }
-    if (found == scale && round > 0) break;
-    scale = found;
+    if (found == noise && round > 0) break;
+    noise = found;
   }
   return best;
 }
 
 Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& null) {
   const auto ship = ship_at(trial, accepted, null.point);
-  Screen screen{.baseline = null.point, .scale = null.scale, .passes = passes_of(trial, ship, null.scale), .residuals = {}, .slopes = {}, .inverse = {}};
+  Screen screen{.baseline = null.point, .passes = passes_of(trial, ship, null.noise), .residuals = {}, .slopes = {}, .inverse = {}};
   const Space space = space_of(trial, accepted);
   screen.residuals = residuals_of(trial, ship, screen.passes);
   screen.slopes.resize(trial.rows(), null.point.size());
@@ -315,7 +374,7 @@ Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& sc
       moved.tail(size) += damped.ldlt().solve(b);
       if (!moved.allFinite()) continue;
       moved = space.clamped(moved);
-      const Eigen::VectorXd there = residuals_of(trial, ship_at(trial, hypothesis, moved), screen.passes);
+      const Eigen::VectorXd there = residuals_if_any(trial, hypothesis, moved, screen.passes);
       const double cost_there = quadratic(there) + prior(moved);
       if (!(cost_there < cost)) continue;
       gain = cost - cost_there;

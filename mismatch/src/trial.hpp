@@ -46,29 +46,29 @@ struct MapFit {
   Point point;
   double log_evidence = -HUGE_VAL;   ///< Laplace: ln p(runs | point) + ln prior + ½ ln det of the posterior covariance
   double log_likelihood = -HUGE_VAL;
-  double scale = 1.0;                ///< of the ordinary imperfection
+  Noise noise;
   double shift = 0.0;                ///< of the baseline, squared, in its prior deviations
   Eigen::MatrixXd covariance;        ///< of the point
 };
 
-/// Converged fit, the gains of the filter and the scale of the imperfection renewed as often as they change.
-MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, double scale, int rounds = 3);
+/// Converged fit, the gains of the filter and the noise renewed as often as they change.
+MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, int rounds = 3);
 
-/// The likelihood of a ship, over scales of the imperfection.
+/// The likelihood of a ship, at the noise that suits her best.
 struct Likelihood {
   double log_likelihood;
-  double scale;
+  Noise noise;
 };
 
-Likelihood best_scale(const Trial& trial, const Ship& ship, double scale);
+/// @param every_channel  whether channels whose noise was as expected so far may prove noisier
+Likelihood best_noise(const Trial& trial, const Ship& ship, const Noise& start, bool every_channel);
 
 /// The filter's passes over all runs.
-std::vector<FilterPass> filter_passes(const Trial& trial, const Ship& ship, double scale);
+std::vector<FilterPass> filter_passes(const Trial& trial, const Ship& ship, const Noise& noise);
 
 /// What a screening keeps of the fitted baseline: gains, residuals, and what its own numbers can explain.
 struct Screen {
   Point baseline;
-  double scale;
   std::vector<FilterPass> passes;
   Eigen::VectorXd residuals;
   Eigen::MatrixXd slopes;   ///< of the residuals by the baseline

@@ -186,6 +186,7 @@ double one_of(ShipUnit unit, const Ship& ship, double own) {
   switch (unit) {
     case ShipUnit::one: return 1.0;
     case ShipUnit::speed: return U;
+    case ShipUnit::wind: return std::sqrt(U * U + 0.1 * effect_gravity * L);
     case ShipUnit::time: return L / U;
     case ShipUnit::length: return L;
     case ShipUnit::yaw_rate: return U / L;
@@ -220,7 +221,8 @@ std::vector<EffectNumber> numbers_of(const Ship& ship, const Effect& effect) {
     std::optional<double> own = std::isnan(p.null) || !p.table.empty() ? own_number(ship.model, defaults, p) : 0.0;
     if (!own) return;
     const double one = one_of(p.scale, ship, *own), null = std::isnan(p.null) ? *own : p.null;
-    numbers.push_back({p.key, place, p.range, std::isnan(value) ? null : value, null, p.prior * one, p.floor * one, p.decides});
+    const double floor = p.scale == ShipUnit::wind ? p.floor * service_speed(ship) : p.floor * one;
+    numbers.push_back({p.key, place, p.range, std::isnan(value) ? null : value, null, p.prior * one, floor, p.decides});
   });
   return numbers;
 }

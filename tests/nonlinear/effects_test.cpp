@@ -155,10 +155,14 @@ TEMPLATE_TEST_CASE("drag, heel and memory are the same to both sides", "[nonline
   }
 }
 
-TEST_CASE("a shaft that slows in a turn slows as much to both sides", "[nonlinear][symmetry]") {
-  CHECK(load_in_turn(0.0) == 0.0);
-  CHECK_THAT(load_in_turn(0.6), WithinRel(1.0, 1e-14));
-  for (const double r : {0.1, 0.37, 0.9}) CHECK(load_in_turn(r) == load_in_turn(-r));
+TEST_CASE("a shaft slows with the speed that the ship loses, as much to both sides", "[nonlinear][symmetry]") {
+  const auto ship = test::kvlcc2_l7();
+  const auto acting = acting_ship(with_effect(ship, ShaftSpeedDrop<>{0.4}), test::mmg(ship));
+  const double U = test::mmg(ship).particulars.U_0;
+  const auto rev_at = [&](const PlanarMotion<double>& m) { return driven(acting.added, m, Controls<double>{.rev = 10.0}).rev; };
+  CHECK(rev_at({U, 0.0, 0.0}) == 10.0);
+  CHECK_THAT(rev_at({0.5 * U, 0.1, 0.02}), WithinRel(10.0 * (1.0 - 0.4 * 0.5), 1e-14));
+  CHECK(rev_at({0.6 * U, 0.2, 0.05}) == rev_at({0.6 * U, -0.2, -0.05}));
 }
 
 TEST_CASE("wind, waves and current turn with the run", "[nonlinear][symmetry]") {
@@ -276,10 +280,11 @@ TEST_CASE("the effects on the rudder are the numbers of the rudder", "[nonlinear
   CHECK(acting.model.rudder.s == -1.5);
   const PlanarMotion<double> ahead{1.18, 0.0, 0.0};
   const auto turned = [&](const MmgShip<double>& m, double delta) { return forces(m, ahead, Controls<double>{.delta = delta, .rev = 11.0}).rudder.Y; };
-  // below the stall angle only the factor acts
-  CHECK_THAT(turned(acting.model, 0.2), WithinRel(0.8 * turned(model, 0.2), 1e-12));
-  const double x = 0.2;  // beyond the stall angle, straight ahead alpha = delta
-  const double stalled = 1.0 / (1.0 + 2.5 * x * x * x / (x * x + 0.0025)), gap = 1.0 - 1.5 * 0.15 * 0.15;
+  // far below the stall angle only the factor acts
+  CHECK_THAT(turned(acting.model, 0.01), WithinRel(0.8 * turned(model, 0.01), 1e-3));
+  const auto l = [](double alpha) { return 1.0 / (1.0 + std::exp(-(alpha - 0.25) / 0.05)); };
+  // straight ahead alpha = delta
+  const double stalled = 1.0 - 0.5 * (l(0.45) - l(0.0)) / (1.0 - l(0.0)), gap = 1.0 - 1.5 * 0.15 * 0.15;
   CHECK_THAT(turned(acting.model, 0.45), WithinRel(0.8 * stalled * gap * turned(model, 0.45), 1e-12));
 }
 
@@ -287,30 +292,35 @@ TEST_CASE("a stalled or gapped rudder of the lifting line loses its lift by the 
   const auto model = sailing_ship<PiShip<double>>();
   const auto ship = with_effect(test::ship_of(model), RudderEffectiveness<>{0.9});
   CHECK(acting_ship(ship, model).model.rudder.lift_factor == 0.9);
-  CHECK(stall_factor(0.3, 0.29) == 1.0);
-  CHECK(stall_factor(0.0, 1.0) == 1.0);
-  CHECK(stall_factor(0.3, -0.5) == stall_factor(0.3, 0.5));
-  const double h = 1e-4;  // slope −k
-  CHECK_THAT((stall_factor(0.3, 0.3 + h) - 1.0) / h, WithinAbs(0.0, 1e-4));
+  const Stall<double> stall{0.3, 0.6, 0.04}, none{0.0, 0.6, 0.04};
+  CHECK(stall_factor(stall, 0.0) == 1.0);
+  CHECK(stall_factor(none, 1.0) == 1.0);
+  CHECK(stall_factor(stall, -0.5) == stall_factor(stall, 0.5));
+  CHECK_THAT(stall_factor(stall, 0.3), WithinAbs(1.0 - 0.3, 1e-3));  // half of the loss at alpha_s
+  CHECK_THAT(stall_factor(stall, 1.5), WithinAbs(1.0 - 0.6, 1e-9));
 }
 
 // ---------------------------------------------------------------- shallow water
 
 TEST_CASE("shallow water goes over into deep water", "[nonlinear][limit]") {
-  const ShallowHull<double> kvlcc2{320.0, 58.0, 20.8, 0.81};
   const auto all = [](const ShallowWaterFactors<double>& f) {
-    return std::array{f.R_0, f.X_vr, f.Y_v, f.Y_r, f.N_v, f.N_r, f.N_vvr, f.N_vrr, f.m_x, f.m_y, f.J_z, f.one_minus_t, f.one_minus_w, f.gamma_R};
+    return std::array{f.sway, f.yaw, f.cubic, f.R_0, f.m_x, f.m_y, f.J_z, f.one_minus_t, f.one_minus_w, f.gamma_R};
   };
-  for (const double factor : all(shallow_water_factors(kvlcc2, 1e6))) CHECK_THAT(factor, WithinAbs(1.0, 1e-4));
-  // damping and added mass grow as the bottom comes nearer
+  const ShallowWaterGrowth<double> usual;
+  for (const double factor : all(shallow_water_factors(0.81, 1e6, usual))) CHECK_THAT(factor, WithinAbs(1.0, 1e-6));
+  // damping and added mass grow as the bottom comes nearer, sway most
   double before = 1.0;
   for (const double depth : {2.5, 2.0, 1.5, 1.2}) {
-    const auto f = shallow_water_factors(kvlcc2, depth);
-    CHECK(f.Y_v > before);
-    CHECK(f.N_v > 1.0);
-    CHECK(f.m_y > 1.0);
-    before = f.Y_v;
+    const auto f = shallow_water_factors(0.81, depth, usual);
+    CHECK(f.sway > before);
+    CHECK(f.sway > f.cubic);
+    CHECK(f.cubic > f.m_y);
+    CHECK(f.m_y > f.R_0);
+    CHECK(f.R_0 > 1.0);
+    before = f.sway;
   }
+  CHECK(before > 2.0);
+  CHECK(before < 5.0);
 }
 
 TEST_CASE("a ship turns wider in shallow water", "[nonlinear][limit]") {

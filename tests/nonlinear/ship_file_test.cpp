@@ -117,7 +117,7 @@ TEST_CASE("every number of the KVLCC2 model is where it belongs, in SI", "[nonli
       -0.137, -0.049, -0.03, -0.294, 0.055, -0.013,                                        // hull N
       0.216, -0.48, 0.22, 0.4, 0.2931, -0.2753, -0.1385, 2, 1.6, 1.1, 0, 0, 0,             // propeller
       0.0539, 0.345, -0.5, 0.387, 0.312, -0.464, -0.71, 0.395, 0.64, 1.09, 0.5, 2.747,     // rudder
-      0, 0, 0,                                                                             // its stall and gap
+      0, 0.5, 0.05, 0, 0,                                                                  // its stall and gap
       radians(15.8), radians(35), 0, 0,                                                    // steering gear
       0,                                                                                   // engine
   };

@@ -111,6 +111,7 @@ AddedForces<S> added_forces(const Model& model, std::span<const EffectIn<S>> eff
   AddedForces<S> a;
   a.rho = model.water.rho;
   a.L = model.particulars.L;
+  a.U_0 = model.particulars.U_0;
   if constexpr (requires { model.particulars.d; }) {
     const auto& p = model.particulars;
     a.d = p.d;

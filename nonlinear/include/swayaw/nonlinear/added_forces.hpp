@@ -27,6 +27,7 @@ template <class S = double>
 struct AddedForces {
   bool cross_flow = false, waves = false, side_force = false, roll = false, memory = false, droop = false;
   S rho{}, L{}, d{};
+  S U_0{1.0};  ///< service speed [m/s]
   S x_P{};   ///< propeller forward of midship [m]
   S k_xx{};  ///< radius of gyration in roll [m]
   CrossFlowDrag<S> drag;
@@ -43,7 +44,7 @@ struct AddedForces {
 /// The same with another scalar.
 template <class To, class From>
 AddedForces<To> cast(const AddedForces<From>& a) {
-  return {a.cross_flow, a.waves, a.side_force, a.roll, a.memory, a.droop, To(a.rho), To(a.L), To(a.d), To(a.x_P), To(a.k_xx), cast_effect<To>(a.drag),
+  return {a.cross_flow, a.waves, a.side_force, a.roll, a.memory, a.droop, To(a.rho), To(a.L), To(a.d), To(a.U_0), To(a.x_P), To(a.k_xx), cast_effect<To>(a.drag),
           cast_effect<To>(a.wave), cast_effect<To>(a.side), cast_effect<To>(a.coupling), cast_effect<To>(a.lag), cast_effect<To>(a.drop)};
 }
 
@@ -51,20 +52,11 @@ inline constexpr double effect_gravity = 9.81;  ///< [m/s²]
 
 // ---------------------------------------------------------------- actuator
 
-/// How much a turn loads the engine: 0 straight ahead, 1 at r' = 0.6, smooth between the sides.
-///
-///     (sqrt(r'² + b²) − b)/(sqrt(0.6² + b²) − b),   b = 0.05
-template <class S>
-S load_in_turn(const S& r_prime) {
-  constexpr double b = 0.05, full = 0.6 * 0.6 / 0.6520797289396148;  // sqrt(0.6² + b²) − b = 0.6²/(sqrt(0.6² + b²) + b)
-  return (sqrt(r_prime * r_prime + b * b) - b) / full;
-}
-
-/// The controls with the shaft speed that is left in a turn, n (1 − relative_drop · load). A thrust stays as it is.
+/// The controls with the shaft speed that an engine keeps when the ship loses speed, n (1 − relative_drop (1 − u/U_0)). A thrust stays as it is.
 template <class S>
 Controls<S> driven(const AddedForces<S>& added, const PlanarMotion<S>& m, Controls<S> controls) {
   if (!added.droop) return controls;
-  controls.rev = controls.rev * (1.0 - added.drop.relative_drop * load_in_turn(S(m.r * added.L / speed(m))));
+  controls.rev = controls.rev * (1.0 - added.drop.relative_drop * (1.0 - m.u / added.U_0));
   return controls;
 }
 
@@ -90,14 +82,14 @@ PlanarForce<S> cross_flow_force(const AddedForces<S>& a, const PlanarMotion<S>& 
 
 /// Mean drift of waves that come in at alpha = from − psi, 0 from ahead.
 ///
-///     X = −0.3 F cos(alpha),   Y = −F sin(alpha) |sin(alpha)|,   N = −0.05 F L sin(2 alpha)
+///     X = −ahead F cos(alpha),   Y = −F sin(alpha) |sin(alpha)|,   N = moment F L sin(2 alpha)
 ///
-/// The shapes of X and N are a choice within what seakeeping tests show; waves on the bow turn her beam on.
+/// Seakeeping tests show both signs of the moment, by ship and wave length.
 template <class S>
 PlanarForce<S> wave_drift_force(const AddedForces<S>& a, const S& psi) {
   const auto [s, c] = sin_cos(S(a.wave.from - psi));
   const S& F = a.wave.force;
-  return {.X = -0.3 * F * c, .Y = -F * s * size_of(s), .N = -0.1 * F * a.L * s * c};
+  return {.X = -a.wave.ahead * F * c, .Y = -F * s * size_of(s), .N = 2.0 * a.wave.moment * F * a.L * s * c};
 }
 
 /// Y = share T + constant,  N = x_P Y.

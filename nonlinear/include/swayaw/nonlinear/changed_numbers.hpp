@@ -95,22 +95,17 @@ void change(Ship& ship, const AddedResistance<typename Ship::Scalar>& e) {
 
 // ---------------------------------------------------------------- finite depth
 
-template <class Ship>
-auto shallow_factors(const Ship& ship, const typename Ship::Scalar& depth_over_draught) {
-  using S = typename Ship::Scalar;
+template <class Ship, class S>
+ShallowWaterFactors<S> shallow_factors(const Ship& ship, const ShallowWater<S>& e) {
   const auto& p = ship.particulars;
-  return shallow_water_factors(ShallowHull<S>{p.L, p.B, p.d, p.nabla / (p.L * p.B * p.d)}, depth_over_draught);
+  return shallow_water_factors(S(p.nabla / (p.L * p.B * p.d)), e.depth_over_draught, e.growth());
 }
 
 template <class Hull, class S>
 void change_hull(Hull& h, const ShallowWaterFactors<S>& f) {
-  h.X_vr = h.X_vr * f.X_vr;
-  h.Y_v = h.Y_v * f.Y_v;
-  h.Y_r = h.Y_r * f.Y_r;
-  h.N_v = h.N_v * f.N_v;
-  h.N_r = h.N_r * f.N_r;
-  h.N_vvr = h.N_vvr * f.N_vvr;
-  h.N_vrr = h.N_vrr * f.N_vrr;
+  for (S* linear : {&h.Y_v, &h.N_v}) *linear = *linear * f.sway;
+  for (S* linear : {&h.Y_r, &h.N_r}) *linear = *linear * f.yaw;
+  for (S* cubic : {&h.Y_vvv, &h.Y_vvr, &h.Y_vrr, &h.Y_rrr, &h.N_vvv, &h.N_vvr, &h.N_vrr, &h.N_rrr}) *cubic = *cubic * f.cubic;
 }
 
 /// 1 − t and 1 − w of a propeller.
@@ -122,7 +117,7 @@ void change_wake(S& t, S& w, const ShallowWaterFactors<S>& f) {
 
 template <class S>
 void change(MmgShip<S>& ship, const ShallowWater<S>& e) {
-  const auto f = shallow_factors(ship, e.depth_over_draught);
+  const auto f = shallow_factors(ship, e);
   ship.hull.R_0 = ship.hull.R_0 * f.R_0;
   change_hull(ship.hull, f);
   ship.added_mass.m_x = ship.added_mass.m_x * f.m_x;
@@ -135,7 +130,7 @@ void change(MmgShip<S>& ship, const ShallowWater<S>& e) {
 
 template <PrimeShip Ship>
 void change(Ship& ship, const ShallowWater<typename Ship::Scalar>& e) {
-  const auto f = shallow_factors(ship, e.depth_over_draught);
+  const auto f = shallow_factors(ship, e);
   ship.hull.X_0 = ship.hull.X_0 * f.R_0;
   ship.hull.X_u = ship.hull.X_u * f.R_0;
   change_hull(ship.hull, f);

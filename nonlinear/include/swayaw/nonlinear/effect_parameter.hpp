@@ -20,6 +20,7 @@ std::string_view name_of(EffectPlace place);
 enum class ShipUnit {
   one,       ///< the unit of the number itself
   speed,     ///< service speed U
+  wind,      ///< sqrt(U² + 0.1 gL): what blows where ships of that size sail; a floor counts U alone
   time,      ///< L/U
   length,    ///< L
   yaw_rate,  ///< U/L

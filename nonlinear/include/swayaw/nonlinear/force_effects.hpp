@@ -22,7 +22,7 @@ struct SteadyWind {
   static constexpr auto parameters() {
     using P = EffectParameter<SteadyWind, S>;
     return std::array{
-        P{.key = "wind_speed_m_s", .member = &SteadyWind::speed, .range = non_negative, .prior = 1.0, .floor = 0.2, .scale = ShipUnit::speed},
+        P{.key = "wind_speed_m_s", .member = &SteadyWind::speed, .range = non_negative, .prior = 1.0, .floor = 0.2, .scale = ShipUnit::wind},
         P{.key = "wind_from_rad", .member = &SteadyWind::from, .range = direction, .prior = pi, .decides = false},
     };
   }
@@ -42,7 +42,7 @@ struct Gust {
     using P = EffectParameter<Gust, S>;
     constexpr double never = std::numeric_limits<double>::infinity();
     return std::array{
-        P{.key = "wind_speed_m_s", .member = &Gust::speed, .range = non_negative, .prior = 1.0, .floor = 0.2, .scale = ShipUnit::speed},
+        P{.key = "wind_speed_m_s", .member = &Gust::speed, .range = non_negative, .prior = 1.0, .floor = 0.2, .scale = ShipUnit::wind},
         P{.key = "wind_from_rad", .member = &Gust::from, .range = direction, .prior = pi, .decides = false},
         P{.key = "onset_s", .member = &Gust::onset, .prior = 5.0, .scale = ShipUnit::time, .decides = false},
         P{.key = "end_s", .member = &Gust::end, .null = never, .prior = 5.0, .scale = ShipUnit::time, .decides = false, .required = false, .fallback = never},
@@ -70,8 +70,10 @@ struct SteadyCurrent {
 /// Mean second-order force of the waves.
 template <class S = double>
 struct WaveDrift {
-  S from{};   ///< where the waves come from, clockwise from north [rad]
-  S force{};  ///< F, sway force in beam waves [N]
+  S from{};       ///< where the waves come from, clockwise from north [rad]
+  S force{};      ///< F, sway force in beam waves [N]
+  S ahead{0.4};   ///< surge force in head waves over F
+  S moment{};     ///< yaw moment in waves on the bow, 45 deg, over F L
 
   static constexpr std::string_view id = "wave_drift";
   static constexpr EffectPlace place = EffectPlace::force;
@@ -80,6 +82,8 @@ struct WaveDrift {
     return std::array{
         P{.key = "wave_from_rad", .member = &WaveDrift::from, .range = direction, .prior = pi, .decides = false},
         P{.key = "force_N", .member = &WaveDrift::force, .range = non_negative, .prior = 1.0, .floor = 0.05, .scale = ShipUnit::force},
+        P{.key = "ahead", .member = &WaveDrift::ahead, .null = 0.4, .prior = 0.3, .decides = false, .required = false, .fallback = 0.4},
+        P{.key = "moment", .member = &WaveDrift::moment, .prior = 0.1, .decides = false, .required = false},
     };
   }
 };

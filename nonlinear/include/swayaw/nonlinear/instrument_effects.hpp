@@ -56,7 +56,7 @@ struct SteeringGearBacklash {
   }
 };
 
-/// The shaft turns slower than recorded in a turn, n (1 − relative_drop · load); see load_in_turn.
+/// The shaft turns slower than recorded where the ship has lost speed, n (1 − relative_drop (1 − u/U_0)): an engine at its limit of torque.
 template <class S = double>
 struct ShaftSpeedDrop {
   S relative_drop{};
@@ -65,7 +65,7 @@ struct ShaftSpeedDrop {
   static constexpr EffectPlace place = EffectPlace::actuator;
   static constexpr auto parameters() {
     using P = EffectParameter<ShaftSpeedDrop, S>;
-    return std::array{P{.key = "relative_drop", .member = &ShaftSpeedDrop::relative_drop, .range = {-0.5, 0.5}, .prior = 0.15, .floor = 0.02}};
+    return std::array{P{.key = "relative_drop", .member = &ShaftSpeedDrop::relative_drop, .range = {-1.0, 1.0}, .prior = 0.3, .floor = 0.02}};
   }
 };
 

@@ -111,7 +111,7 @@ LiftAndDrag<S> lift_and_drag(const LiftingLineRudder<S>& k, const S& rho, const 
                              const RudderInflow<S>& in, const S& alpha, const Mask<S>& alpha_positive, const S& K_gap) {
   const S size = select(alpha_positive, alpha, S(-alpha));  // |alpha|
   S C_L = K_gap * k.lift_factor * alpha * (plan.slope + plan.cross_flow * size / plan.AR_e);
-  if (any(k.alpha_s > S(0.0))) C_L = C_L * stall_factor(k.alpha_s, alpha);
+  if (any(k.alpha_s > S(0.0))) C_L = C_L * stall_factor(k.stall(), alpha);
   const S A_RU = select(k.A_RU > S(0.0), k.A_RU, S(k.A_R - k.A_RC));
   const S VV_C = in.V_RxC * in.V_RxC + in.V_Ry * in.V_Ry;  // V_RC²
   const S VV_U = in.V_RxU * in.V_RxU + in.V_Ry * in.V_Ry;  // V_RU²

@@ -4,6 +4,7 @@
 
 #include "swayaw/core/parameter.hpp"
 #include "swayaw/core/scalar.hpp"
+#include "swayaw/nonlinear/rudder_lift_loss.hpp"
 
 namespace swayaw {
 
@@ -30,7 +31,9 @@ struct LiftingLineRudder {
   S kappa_r, kappa_r_gamma;  ///< flow straightening of r, and its growth with |gamma_g|
   S delta_lim;           ///< rudder angle beyond which the gap to the horn opens [rad]
   S s;                   ///< strength of the gap, negative [1/rad^2]
-  S alpha_s = S(0.0);    ///< angle of attack at which the rudder stalls [rad], 0 for none
+  S alpha_s = S(0.0);    ///< angle of attack at which the rudder stalls [rad], 0 for none; see stall_factor
+  S stall_depth = S(0.5);
+  S stall_width = S(0.05);  ///< [rad]
   S lift_factor = S(1.0); ///< on the lift
   S e_0;                 ///< Oswald efficiency
   S C_D_tune;            ///< factor on induced drag
@@ -43,6 +46,8 @@ struct LiftingLineRudder {
 
   bool ittc57() const { return friction_line.index == 1; }
   bool gap_clipped() const { return gap_factor.index == 1; }
+
+  Stall<S> stall() const { return {alpha_s, stall_depth, stall_width}; }
 
   static constexpr auto parameters() {
     using R = LiftingLineRudder;
@@ -80,6 +85,8 @@ struct LiftingLineRudder {
         optional(fact("gap_angle_rad", &R::delta_lim, non_negative, "rad")),
         optional(coefficient("gap_strength", &R::s, {.high = 0.0}, "1/rad2")),
         optional(coefficient("stall_angle_rad", &R::alpha_s, non_negative, "rad")),
+        optional(coefficient("stall_depth", &R::stall_depth, {0.0, 1.0}), 0.5),
+        optional(coefficient("stall_width_rad", &R::stall_width, positive, "rad"), 0.05),
         optional(coefficient("lift_factor", &R::lift_factor, positive), 1.0),
         optional(coefficient("oswald_efficiency", &R::e_0, positive), 0.9),
         optional(coefficient("drag_factor", &R::C_D_tune, non_negative), 1.0),

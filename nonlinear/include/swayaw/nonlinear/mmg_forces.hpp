@@ -163,7 +163,7 @@ PlanarForce<S> rudder_force(const MmgShip<S>& ship, const PlanarMotion<S>& motio
   const S sin_delta = -sin_to_port;
   const S U_R = sqrt(u_R * u_R + v_R * v_R);
   S F_N = 0.5 * ship.water.rho * k.A_R * k.f_alpha * U_R * (u_R * sin_delta - v_R * cos_delta);
-  if (any(k.alpha_s > S(0.0))) F_N = F_N * stall_factor(k.alpha_s, S(-delta_to_port - angle_of(v_R, u_R)));
+  if (any(k.alpha_s > S(0.0))) F_N = F_N * stall_factor(k.stall(), S(-delta_to_port - angle_of(v_R, u_R)));
   if (any(k.s < S(0.0))) F_N = F_N * open_gap_factor(k.delta_lim, k.s, delta_to_port);
   const S lever = ship.particulars.L * (k.x_R + k.a_H * k.x_H);
   return {.X = -(1.0 - k.t_R) * F_N * sin_delta, .Y = -(1.0 + k.a_H) * F_N * cos_delta, .N = -lever * F_N * cos_delta};

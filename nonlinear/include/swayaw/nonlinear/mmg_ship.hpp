@@ -6,6 +6,7 @@
 
 #include "swayaw/core/parameter.hpp"
 #include "swayaw/core/steering_gear.hpp"
+#include "swayaw/nonlinear/rudder_lift_loss.hpp"
 
 /// The numbers of a ship in the MMG standard model, part by part.
 ///
@@ -177,9 +178,13 @@ struct MmgRudder {
   S epsilon;           ///< (1 − w_R)/(1 − w_P)
   S kappa;             ///< race increase factor
   S f_alpha;           ///< normal force slope [1/rad]
-  S alpha_s = S(0.0);  ///< angle of attack at which the rudder stalls [rad], 0 for none
+  S alpha_s = S(0.0);  ///< angle of attack at which the rudder stalls [rad], 0 for none; see stall_factor
+  S stall_depth = S(0.5);
+  S stall_width = S(0.05);  ///< [rad]
   S delta_lim = S(0.0);///< rudder angle beyond which the gap to the horn opens [rad]
   S s = S(0.0);        ///< strength of the gap, negative [1/rad²], 0 for none
+
+  Stall<S> stall() const { return {alpha_s, stall_depth, stall_width}; }
 
   static constexpr auto parameters() {
     using P = Parameter<MmgRudder, S>;
@@ -198,6 +203,8 @@ struct MmgRudder {
         P{"kappa", &MmgRudder::kappa, "-", any_number, coefficient},
         P{"f_alpha", &MmgRudder::f_alpha, "1/rad", positive, coefficient},
         P{.key = "stall_angle_rad", .member = &MmgRudder::alpha_s, .unit = "rad", .range = non_negative, .role = coefficient, .required = false},
+        P{.key = "stall_depth", .member = &MmgRudder::stall_depth, .range = {0.0, 1.0}, .role = coefficient, .required = false, .fallback = 0.5},
+        P{.key = "stall_width_rad", .member = &MmgRudder::stall_width, .unit = "rad", .range = positive, .role = coefficient, .required = false, .fallback = 0.05},
         P{.key = "gap_angle_rad", .member = &MmgRudder::delta_lim, .unit = "rad", .range = non_negative, .required = false},
         P{.key = "gap_strength", .member = &MmgRudder::s, .unit = "1/rad2", .range = {.high = 0.0}, .role = coefficient, .required = false},
     };

@@ -5,6 +5,7 @@
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/effect_parameter.hpp"
+#include "swayaw/nonlinear/shallow_water.hpp"
 
 /// Effects that change numbers of the model: other values, or factors. docs/effects.md tells formulas and sources.
 namespace swayaw {
@@ -162,13 +163,19 @@ struct WakeChange {
 template <class S = double>
 struct RudderStall {
   S angle{0.5 * pi};  ///< [rad]
+  S depth{0.5};
+  S width{0.05};      ///< [rad]
 
   static constexpr std::string_view id = "rudder_stall";
   static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<RudderStall, S>;
     return std::array{P{.key = "stall_angle_rad", .member = &RudderStall::angle, .range = {.low = 0.0, .high = 0.5 * pi, .above_low = true}, .null = 0.5 * pi,
-                        .prior = 0.6, .floor = 0.05, .table = "rudder", .replaces = {"stall_angle_rad", {}}}};
+                        .prior = 0.6, .floor = 0.05, .table = "rudder", .replaces = {"stall_angle_rad", {}}},
+                      P{.key = "depth", .member = &RudderStall::depth, .range = {0.0, 1.0}, .null = 0.5, .prior = 0.2, .decides = false, .required = false,
+                        .fallback = 0.5, .table = "rudder", .replaces = {"stall_depth", {}}},
+                      P{.key = "width_rad", .member = &RudderStall::width, .range = positive, .null = 0.05, .prior = 0.02, .decides = false, .required = false,
+                        .fallback = 0.05, .table = "rudder", .replaces = {"stall_width_rad", {}}}};
   }
 };
 
@@ -192,13 +199,22 @@ struct RudderGap {
 template <class S = double>
 struct ShallowWater {
   S depth_over_draught{std::numeric_limits<double>::infinity()};
+  S sway{1.0}, yaw{1.0}, cubic{1.0}, mass{1.0}, resistance{1.0}, wake{0.5};
+
+  ShallowWaterGrowth<S> growth() const { return {sway, yaw, cubic, mass, resistance, wake}; }
 
   static constexpr std::string_view id = "shallow_water";
   static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
-    using P = EffectParameter<ShallowWater, S>;
-    return std::array{P{.key = "depth_over_draught", .member = &ShallowWater::depth_over_draught, .range = {.low = 1.1},
-                        .null = std::numeric_limits<double>::infinity(), .prior = 2.0, .floor = 0.1}};
+    using W = ShallowWater;
+    using P = EffectParameter<W, S>;
+    constexpr auto growth = [](std::string_view key, S W::*member, double usual) {
+      return P{.key = key, .member = member, .range = non_negative, .null = usual, .prior = 0.5, .decides = false, .required = false, .fallback = usual};
+    };
+    return std::array{P{.key = "depth_over_draught", .member = &W::depth_over_draught, .range = {.low = 1.1}, .null = std::numeric_limits<double>::infinity(),
+                        .prior = 2.0, .floor = 0.1},
+                      growth("sway", &W::sway, 1.0), growth("yaw", &W::yaw, 1.0), growth("cubic", &W::cubic, 1.0), growth("mass", &W::mass, 1.0),
+                      growth("resistance", &W::resistance, 1.0), growth("wake", &W::wake, 0.5)};
   }
 };
 

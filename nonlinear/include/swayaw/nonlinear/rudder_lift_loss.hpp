@@ -5,17 +5,31 @@
 /// What a rudder loses of its lift: to stall, and to the gap above it.
 namespace swayaw {
 
-/// Share of the lift that is left at an angle of attack beyond the stall angle alpha_s; 1 below it, and where alpha_s is 0: no stall.
-///
-///     1/(1 + k x³/(x² + w²)),   x = |alpha| − alpha_s > 0,   k = 2.5/rad, w = 0.05 rad
-///
-/// It falls with slope −k once the stall is w = 3 deg deep, and is smooth to the second derivative at alpha_s.
-/// The slope is a choice, a quarter of the lift lost 7 to 8 deg beyond: low-aspect rudders of [Whicker1958] lose 20 to 35 %.
+/// 1/(1 + exp(−x)).
 template <class S>
-S stall_factor(const S& alpha_s, const S& alpha) {
-  constexpr double k = 2.5, w = 0.05;
-  const S x = select(alpha_s > S(0.0), positive_part(S(size_of(alpha) - alpha_s)), S(0.0));
-  return 1.0 / (1.0 + k * x * x * x / (x * x + w * w));
+S logistic(const S& x) {
+  const S e = decay(S(size_of(x)));
+  return select(x < S(0.0), S(e / (1.0 + e)), S(1.0 / (1.0 + e)));
+}
+
+/// A rudder that stalls: alpha_s is the angle of attack where half of what it loses is lost.
+template <class S = double>
+struct Stall {
+  S alpha_s;  ///< [rad], 0 for none
+  S depth;    ///< share of the lift lost in the end, 0 to 1
+  S width;    ///< w [rad]: from 12 to 88 % of the loss over 4 w
+};
+
+/// Share of the lift that is left at an angle of attack; 1 at 0, and where alpha_s is 0: no stall.
+///
+///     1 − depth (l(|alpha|) − l(0))/(1 − l(0)),   l(alpha) = 1/(1 + exp(−(alpha − alpha_s)/w))
+///
+/// It goes over to the lower lift of a separated flow. Low-aspect rudders of [Whicker1958] lose 20 to 35 % within 8 deg of the largest lift and more beyond.
+template <class S>
+S stall_factor(const Stall<S>& stall, const S& alpha) {
+  const S w = stall.width, at_0 = logistic(S(-stall.alpha_s / w));
+  const S lost = stall.depth * (logistic(S((size_of(alpha) - stall.alpha_s) / w)) - at_0) / (1.0 - at_0);
+  return select(stall.alpha_s > S(0.0), S(1.0 - lost), S(1.0));
 }
 
 /// Share of the lift that is left with a gap that opens beyond delta_lim, 1 + s (|delta| − delta_lim)², never below 0; s ≤ 0.
