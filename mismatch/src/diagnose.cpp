@@ -297,6 +297,10 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   result.train = errors_of(ship, result.refitted, result.improved, runs);
   result.holdout = errors_of(ship, result.refitted, result.improved, holdout);
   (void)gain_of;
+  if (options.pictures && goes_on("drawing the runs")) {
+    result.train_pictures = run_pictures(ship, result.refitted, result.improved, runs, null.noise);
+    result.holdout_pictures = run_pictures(ship, result.refitted, result.improved, holdout, null.noise);
+  }
   result.words = words_of(result);
   return result;
 }

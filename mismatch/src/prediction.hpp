@@ -12,6 +12,7 @@
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/mismatch/noise.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
@@ -46,15 +47,6 @@ inline constexpr int filter_states = 9;
 using FilterState = Eigen::Matrix<double, filter_states, 1>;
 using FilterCovariance = Eigen::Matrix<double, filter_states, filter_states>;
 
-/// What no model and no instrument gets right, found by likelihood.
-struct Noise {
-  double scale = 1.5;                            ///< of the ordinary imperfection
-  std::array<double, channel_count> factor{};    ///< on the noise of each channel, 1 where third differences tell all of it
-
-  Noise() { factor.fill(1.0); }
-  bool operator==(const Noise&) const = default;
-};
-
 /// What the filter made of a run: gains and whitening of each sample, which stay while parameters change a little.
 struct FilterPass {
   std::vector<Eigen::MatrixXd> gain;    ///< 9 × channels
@@ -68,6 +60,14 @@ struct Instant {
   ShipState<double> state;
   StateVector<double> rate;  ///< of x, y, psi; of u, v, r where something is late
   double phi = 0.0;          ///< heel
+};
+
+/// What a smoother needs of a pass, sample after sample.
+struct FilterTrace {
+  std::vector<FilterState> predicted;                  ///< before the sample is taken in
+  std::vector<FilterCovariance> predicted_covariance;
+  std::vector<FilterCovariance> filtered_covariance;
+  std::vector<FilterCovariance> transition;            ///< d(predicted)/d(filtered at the sample before)
 };
 
 /// A true motion as the instruments show it: value of a channel.
@@ -84,7 +84,7 @@ class Predictor {
 
   /// Extended Kalman filter. S = H P Hᵀ + R of all channels together.
   /// @throws Refusal  if the motion runs away
-  FilterPass filter(const OrdinaryImperfection& size, const Noise& noise) {
+  FilterPass filter(const OrdinaryImperfection& size, const Noise& noise, FilterTrace* trace = nullptr) {
     FilterPass pass;
     for (const auto& [channel, deviation] : run_.channels) noise_.push_back(deviation * noise.factor[index_of(channel)]);
     start();
@@ -92,8 +92,11 @@ class Predictor {
     const auto n = run_.samples();
     pass.gain.reserve(n), pass.whiten.reserve(n);
     for (std::size_t k = 0; k < n; ++k) {
-      if (k > 0) P = sail_with_covariance(k, P, size);
+      if (trace) trace->transition.push_back(FilterCovariance::Identity());
+      if (k > 0) P = sail_with_covariance(k, P, size, trace ? &trace->transition.back() : nullptr);
+      if (trace) trace->predicted.push_back(x_), trace->predicted_covariance.push_back(P);
       take_in(k, P, pass);
+      if (trace) trace->filtered_covariance.push_back(P);
     }
     return pass;
   }
@@ -211,12 +214,13 @@ class Predictor {
     return A;
   }
 
-  FilterCovariance sail_with_covariance(std::size_t k, FilterCovariance P, const OrdinaryImperfection& size) {
+  FilterCovariance sail_with_covariance(std::size_t k, FilterCovariance P, const OrdinaryImperfection& size, FilterCovariance* transition) {
     for_steps(k, [&](const Controls<double>& a, const Controls<double>& b, double h) {
       const FilterCovariance A = h * jacobian(a);
       const FilterCovariance Phi = FilterCovariance::Identity() + A + 0.5 * A * A;
       step(a, b, h);
       P = Phi * P * Phi.transpose();
+      if (transition) *transition = (Phi * *transition).eval();
       const double share = -std::expm1(-2.0 * h / run_.tau);
       P(6, 6) += share * size.u * size.u, P(7, 7) += share * size.v * size.v, P(8, 8) += share * size.r * size.r;
     });

@@ -82,12 +82,6 @@ PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Cha
   return result;
 }
 
-/// Accelerations that no model has, by scale: a fraction of U²/L and U²/L².
-OrdinaryImperfection imperfection(const Ship& ship, double scale) {
-  const double U = service_speed(ship), L = length(ship), a = 0.002 * scale * U * U / L;
-  return {0.3 * a, a, 1.5 * a / L};
-}
-
 constexpr std::array scales{0.1, 0.25, 0.6, 1.5, 4.0, 10.0, 25.0, 60.0, 150.0, 400.0};
 
 /// Calls f(run, predictor, first row) for each run of a ship.
@@ -175,6 +169,11 @@ void differences(const Trial& trial, const Hypothesis& hypothesis, const Space& 
 double log_determinant(const Eigen::MatrixXd& positive) { return positive.ldlt().vectorD().array().abs().log().sum(); }
 
 }  // namespace
+
+OrdinaryImperfection imperfection(const Ship& ship, double scale) {
+  const double U = service_speed(ship), L = length(ship), a = 0.002 * scale * U * U / L;
+  return {0.3 * a, a, 1.5 * a / L};
+}
 
 Eigen::Index Trial::rows() const {
   Eigen::Index sum = 0;

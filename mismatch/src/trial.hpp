@@ -24,6 +24,9 @@ struct Trial {
   Eigen::Index baseline_size() const { return static_cast<Eigen::Index>(numbers.size()) + (lift_loss ? 1 : 0); }
 };
 
+/// Accelerations that no model has, by scale: a fraction of U²/L and U²/L².
+OrdinaryImperfection imperfection(const Ship& ship, double scale);
+
 /// @param runs  must outlive the trial
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels);
 

@@ -8,6 +8,7 @@
 
 #include "swayaw/core/recording.hpp"
 #include "swayaw/mismatch/compare.hpp"
+#include "swayaw/mismatch/run_picture.hpp"
 #include "swayaw/nonlinear/effects.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
@@ -20,6 +21,7 @@ struct DiagnosisOptions {
   double further = 20.0;    ///< that a second and third effect must bring
   std::size_t most_effects = 3;
   std::size_t confirmed = 8;  ///< candidates of the screening that are fitted until they converge
+  bool pictures = false;      ///< whether the runs are wanted as people look at them
   std::function<bool(std::string_view)> progress = {};  ///< told what is going on; false ends the work with what is known
 };
 
@@ -68,6 +70,19 @@ struct RunErrors {
   std::vector<QuantityError> before, refitted, after;
 };
 
+/// What to sail next.
+struct Advice {
+  std::string advice;                  ///< a manoeuvre in words
+  std::vector<std::string> separates;  ///< effects that it tells apart
+};
+
+/// Number of an effect at which these runs would have shown it.
+struct DetectableSize {
+  std::string effect;
+  std::string key;
+  double value;
+};
+
 struct Diagnosis {
   DiagnosisVerdict verdict;
   std::string words;                    ///< one sentence
@@ -78,6 +93,9 @@ struct Diagnosis {
   Ship refitted;                        ///< baseline refitted, without effects
   Ship improved;                        ///< with the effects found
   double imperfection;                  ///< scale of what stays unexplained; 1 is ordinary
+  std::optional<Advice> next{};
+  std::vector<DetectableSize> detectable{};
+  std::vector<RunPicture> train_pictures{}, holdout_pictures{};  ///< if asked for
 };
 
 /// @param reference  runs in which nothing is hidden; they calibrate the baseline first

@@ -1,0 +1,161 @@
+#include "swayaw/mismatch/run_picture.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "swayaw/core/parallel.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "trial.hpp"
+
+namespace swayaw {
+namespace {
+
+constexpr std::size_t most_points = 500;
+
+// ---------------------------------------------------------------- smoother
+
+struct Smoothed {
+  std::vector<FilterState> mean;
+  std::vector<FilterCovariance> covariance;
+};
+
+/// From the last sample back to the first,
+///
+///     C = P_k Φᵀ P⁻_{k+1}⁻¹,   x̂_k = x_k + C (x̂_{k+1} − x⁻_{k+1}),   P̂_k = P_k + C (P̂_{k+1} − P⁻_{k+1}) Cᵀ
+Smoothed smoothed(const FilterPass& pass, const FilterTrace& trace) {
+  Smoothed s{pass.filtered, trace.filtered_covariance};
+  for (std::size_t k = s.mean.size() - 1; k-- > 0;) {
+    const auto& ahead = trace.predicted_covariance[k + 1];
+    const FilterCovariance cross = trace.transition[k + 1] * trace.filtered_covariance[k];  // Φ P = (P Φᵀ)ᵀ
+    const FilterCovariance C = ahead.ldlt().solve(cross).transpose();
+    s.mean[k] += C * (s.mean[k + 1] - trace.predicted[k + 1]);
+    s.covariance[k] += C * (s.covariance[k + 1] - ahead) * C.transpose();
+  }
+  return s;
+}
+
+// ---------------------------------------------------------------- force
+
+/// M of M a = F, from the accelerations that unit forces give the resting ship.
+template <class Model>
+Eigen::Matrix3d mass_matrix(const Model& model) {
+  Eigen::Matrix3d mobility;
+  for (int i = 0; i < 3; ++i) {
+    const auto a = acceleration(model, PlanarMotion<double>{}, PlanarForce<double>{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0});
+    mobility.col(i) << a.u, a.v, a.r;
+  }
+  return mobility.inverse();
+}
+
+Eigen::Vector3d deviations(const Eigen::Matrix3d& covariance) { return covariance.diagonal().cwiseMax(0.0).cwiseSqrt(); }
+
+PlanarAcceleration<double> as_acceleration(const Eigen::Vector3d& a) { return {a[0], a[1], a[2]}; }
+
+PlanarForce<double> as_force(const Eigen::Vector3d& f) { return {f[0], f[1], f[2]}; }
+
+MissingForce missing_force_of(const FilterState& x, const FilterCovariance& P, const Eigen::Matrix3d& M) {
+  const Eigen::Vector3d a = x.tail<3>();
+  const Eigen::Matrix3d spread = P.bottomRightCorner<3, 3>();
+  return {.motion = {x[3], x[4], x[5]},
+          .acceleration = as_acceleration(a),
+          .acceleration_deviation = as_acceleration(deviations(spread)),
+          .force = as_force(M * a),
+          .force_deviation = as_force(deviations(M * spread * M.transpose()))};
+}
+
+// ---------------------------------------------------------------- fewer points
+
+/// Samples evenly through a run, the first and the last among them.
+std::vector<std::size_t> kept_samples(std::size_t samples) {
+  const std::size_t points = std::min(samples, most_points);
+  std::vector<std::size_t> kept{0};
+  for (std::size_t i = 1; i < points; ++i) kept.push_back(i * (samples - 1) / (points - 1));
+  return kept;
+}
+
+template <class Value>
+std::vector<Value> thinned(const std::vector<Value>& values, const std::vector<std::size_t>& kept) {
+  std::vector<Value> result;
+  if (!values.empty())
+    for (const auto i : kept) result.push_back(values[i]);
+  return result;
+}
+
+/// Samples to keep; where one is missing, the next that is there before the next one kept, so that a slow channel stays.
+Recording thinned(const Recording& run, const std::vector<std::size_t>& kept) {
+  Recording result{.name = run.name, .facts = run.facts, .time = thinned(run.time, kept), .channels = {}, .extra = {}};
+  for (std::size_t c = 0; c < channel_count; ++c) {
+    const auto& values = run.channels[c];
+    if (values.empty()) continue;
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+      const auto end = values.begin() + static_cast<std::ptrdiff_t>(k + 1 < kept.size() ? kept[k + 1] : run.samples());
+      const auto there = std::find_if(values.begin() + static_cast<std::ptrdiff_t>(kept[k]), end, [](double x) { return !std::isnan(x); });
+      result.channels[c].push_back(there == end ? swayaw::missing : *there);
+    }
+  }
+  return result;
+}
+
+// ---------------------------------------------------------------- pictures
+
+/// What an estimate or a replay gives, or nothing where the ship or the run does not allow it.
+template <class F>
+auto unless_refused(F&& f) -> std::optional<decltype(f())> {
+  try {
+    return f();
+  } catch (const Refusal&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::vector<MissingForce> missing_force(const Ship& ship, const Recording& run, const Noise& noise) {
+  const std::span<const Recording> runs(&run, 1);
+  const auto trial = trial_of(ship, runs, seen_channels(runs));
+  std::vector<MissingForce> result;
+  const auto of_model = [&](const auto& model) {
+    FilterTrace trace;
+    const auto pass = Predictor(ship, model, trial.runs.front()).filter(imperfection(ship, noise.scale), noise, &trace);
+    const auto s = smoothed(pass, trace);
+    const auto M = mass_matrix(acting_ship(ship, model).model);
+    for (std::size_t k = 0; k < run.samples(); ++k) result.push_back(missing_force_of(s.mean[k], s.covariance[k], M));
+  };
+  std::visit(of_model, ship.model);
+  return result;
+}
+
+PlanarForce<double> ordinary_force(const Ship& ship) {
+  const auto size = imperfection(ship, 1.0);
+  const Eigen::Matrix3d spread = Eigen::Vector3d(size.u * size.u, size.v * size.v, size.r * size.r).asDiagonal();
+  return visit_acting(ship, [&](const auto& acting) {
+    const auto M = mass_matrix(acting.model);
+    return as_force(deviations(M * spread * M.transpose()));
+  });
+}
+
+RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& after, const Recording& run, const Noise& noise) {
+  const auto kept = kept_samples(run.samples());
+  const auto lacking = [&](const Ship& ship) {
+    const auto all = unless_refused([&] { return missing_force(ship, run, noise); });
+    return all ? thinned(*all, kept) : std::vector<MissingForce>{};
+  };
+  const auto replayed = [&](const Ship& ship) { return unless_refused([&] { return thinned(replay(ship, run), kept); }); };
+  return {.run = run.name,
+          .recorded = thinned(run, kept),
+          .missing_before = lacking(refitted),
+          .missing_after = lacking(after),
+          .given = replayed(given),
+          .refitted = replayed(refitted),
+          .after = replayed(after)};
+}
+
+std::vector<RunPicture> run_pictures(const Ship& given, const Ship& refitted, const Ship& after, std::span<const Recording> runs, const Noise& noise) {
+  std::vector<RunPicture> pictures(runs.size());
+  in_parallel(runs.size(), 0, [&](std::size_t i) { pictures[i] = run_picture(given, refitted, after, runs[i], noise); });
+  return pictures;
+}
+
+}  // namespace swayaw
