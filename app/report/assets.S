@@ -13,6 +13,7 @@ swayaw_report_\name\()_end:
     embed page_js, page.js
     embed compare_js, compare.js
     embed loop_js, loop.js
+    embed diagnose_js, diagnose.js
     embed plotly_js, plotly-basic.min.js
 
     .section .note.GNU-stack, "", %progbits

@@ -19,7 +19,6 @@ const SOURCES = [
   { id: 'windows', label: 'Simulated, restarted', line: { color: '#e07b00', width: 1.9 } },
 ];
 
-const WORST_FILL = '#e6def2';
 const RENDER_ALL_UP_TO = 4;
 const JUMP_LIST_ABOVE = 3;
 const PANEL_HEIGHT = 158;
@@ -38,10 +37,6 @@ function kindOf(id) {
 function nameWithUnit(id) {
   const { name, unit } = kindOf(id);
   return unit ? `${name}, ${unit}` : name;
-}
-
-function between(from, to) {
-  return `${seconds(from)} to ${seconds(to)} s`;
 }
 
 // ---- channels ----------------------------------------------------------------------------
@@ -130,17 +125,6 @@ function worstShade(run, panel, index) {
   };
 }
 
-function panelAxes(panels) {
-  const gap = 0.022;
-  const height = (1 - gap * (panels.length - 1)) / panels.length;
-  const axes = {};
-  panels.forEach((panel, index) => {
-    const top = 1 - index * (height + gap);
-    axes[`yaxis${index + 1}`] = axis(panel.title, { domain: [Math.max(top - height, 0), top], nticks: 6 });
-  });
-  return axes;
-}
-
 function panelTraces(run, panel, index) {
   const hovertemplate = '%{y:.4~g}';
   return partsOf(run)
@@ -161,36 +145,6 @@ function drawTimeSeries(run, panels, node) {
     }),
     ...panelAxes(panels),
     shapes: panels.map((panel, index) => worstShade(run, panel, index)).filter(Boolean),
-  });
-}
-
-// The hull seen from above, as [forward, starboard] in ship lengths.
-const HULL = [
-  [0.5, 0], [0.32, 0.085], [-0.46, 0.085], [-0.5, 0.06],
-  [-0.5, -0.06], [-0.46, -0.085], [0.32, -0.085], [0.5, 0],
-];
-
-function hullAt(north, east, heading, length) {
-  const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
-  return HULL.map(([ahead, starboard]) => [
-    north + length * (ahead * cos - starboard * sin),
-    east + length * (ahead * sin + starboard * cos),
-  ]);
-}
-
-// Samples a fixed distance apart along the track, where a hull is drawn.
-function stations(part, length) {
-  const complete = part.x_m.map((_, i) => i)
-    .filter((i) => [part.x_m, part.y_m, part.psi_rad].every((channel) => isNumber(channel[i])));
-  const steps = complete.map((i, k) => (k === 0 ? 0
-    : Math.hypot(part.x_m[i] - part.x_m[complete[k - 1]], part.y_m[i] - part.y_m[complete[k - 1]])));
-  const spacing = Math.max(2 * length, steps.reduce((sum, step) => sum + step, 0) / 14);
-  let travelled = spacing;
-  return complete.filter((_, k) => {
-    travelled += steps[k];
-    if (travelled < spacing) return false;
-    travelled = 0;
-    return true;
   });
 }
 
@@ -384,12 +338,6 @@ function regionBlock(run) {
 
 // ---- tables ------------------------------------------------------------------------------
 
-// White at nothing, deep orange from 40 %.
-function shade(fraction) {
-  if (!isNumber(fraction)) return 'transparent';
-  return `rgba(224, 123, 0, ${(0.75 * Math.min(Math.abs(fraction) / 0.4, 1)).toFixed(3)})`;
-}
-
 function quantityOrder(runs) {
   const present = new Set(runs.flatMap((run) => run.quantities.map(({ quantity }) => quantity)));
   const known = Object.keys(QUANTITIES).filter((id) => present.delete(id));
@@ -399,10 +347,6 @@ function quantityOrder(runs) {
 function normalisedOf(quantities, id) {
   const found = quantities.find(({ quantity }) => quantity === id);
   return found ? found.normalised : null;
-}
-
-function shaded(fraction, content = percent(fraction)) {
-  return el('td', { style: `background:${shade(fraction)}` }, content);
 }
 
 function summaryRow(run, order) {
@@ -600,16 +544,6 @@ function footer(report, lengths) {
       'Heading and yaw rate are positive to starboard, rudder angle to port. The drift angle is positive ' +
       'when the bow points to starboard of the course, as in a turn to starboard.'),
     el('p', {}, `Made by swayaw ${report.version || ''}. Plots by Plotly.js, MIT licence.`));
-}
-
-function renderWhenSeen() {
-  const seen = new IntersectionObserver((entries) => {
-    for (const entry of entries.filter(({ isIntersecting }) => isIntersecting)) {
-      seen.unobserve(entry.target);
-      render(entry.target);
-    }
-  }, { rootMargin: '800px' });
-  for (const node of pending.keys()) seen.observe(node);
 }
 
 function prepared(report) {

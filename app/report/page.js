@@ -2,7 +2,7 @@
 
 const DEGREES = 180 / Math.PI;
 const MISSING = '–';
-
+const WORST_FILL = '#e6def2';
 const MARGIN = { l: 58, r: 10, t: 26, b: 42 };
 
 // ---- words and numbers -------------------------------------------------------------------
@@ -34,6 +34,10 @@ function counted(count, noun) {
   return `${count} ${noun}${count === 1 ? '' : 's'}`;
 }
 
+function between(from, to) {
+  return `${seconds(from)} to ${seconds(to)} s`;
+}
+
 // ---- elements ----------------------------------------------------------------------------
 
 function el(tag, attributes = {}, ...children) {
@@ -52,6 +56,16 @@ function table(className, headings, rows) {
     el('table', { class: className },
       el('thead', {}, row(...headings)),
       el('tbody', {}, ...rows)));
+}
+
+// White at nothing, deep orange from 40 %.
+function shade(fraction) {
+  if (!isNumber(fraction)) return 'transparent';
+  return `rgba(224, 123, 0, ${(0.75 * Math.min(Math.abs(fraction) / 0.4, 1)).toFixed(3)})`;
+}
+
+function shaded(fraction, content = percent(fraction)) {
+  return el('td', { style: `background:${shade(fraction)}` }, content);
 }
 
 // ---- channels ----------------------------------------------------------------------------
@@ -122,9 +136,62 @@ function axis(title, more = {}) {
   };
 }
 
+function panelAxes(panels) {
+  const gap = 0.022;
+  const height = (1 - gap * (panels.length - 1)) / panels.length;
+  const axes = {};
+  panels.forEach((panel, index) => {
+    const top = 1 - index * (height + gap);
+    axes[`yaxis${index + 1}`] = axis(panel.title, { domain: [Math.max(top - height, 0), top], nticks: 6 });
+  });
+  return axes;
+}
+
+// ---- ships ------------------------------------------------------------------------------
+
+// The hull seen from above, as [forward, starboard] in ship lengths.
+const HULL = [
+  [0.5, 0], [0.32, 0.085], [-0.46, 0.085], [-0.5, 0.06],
+  [-0.5, -0.06], [-0.46, -0.085], [0.32, -0.085], [0.5, 0],
+];
+
+function hullAt(north, east, heading, length) {
+  const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
+  return HULL.map(([ahead, starboard]) => [
+    north + length * (ahead * cos - starboard * sin),
+    east + length * (ahead * sin + starboard * cos),
+  ]);
+}
+
+// Samples a fixed distance apart along the track, where a hull is drawn.
+function stations(part, length) {
+  const complete = part.x_m.map((_, i) => i)
+    .filter((i) => [part.x_m, part.y_m, part.psi_rad].every((channel) => isNumber(channel[i])));
+  const steps = complete.map((i, k) => (k === 0 ? 0
+    : Math.hypot(part.x_m[i] - part.x_m[complete[k - 1]], part.y_m[i] - part.y_m[complete[k - 1]])));
+  const spacing = Math.max(2 * length, steps.reduce((sum, step) => sum + step, 0) / 14);
+  let travelled = spacing;
+  return complete.filter((_, k) => {
+    travelled += steps[k];
+    if (travelled < spacing) return false;
+    travelled = 0;
+    return true;
+  });
+}
+
 // ---- printing ----------------------------------------------------------------------------
 
 const renderAll = () => [...pending.keys()].forEach(render);
+
+function renderWhenSeen() {
+  const seen = new IntersectionObserver((entries) => {
+    for (const entry of entries.filter(({ isIntersecting }) => isIntersecting)) {
+      seen.unobserve(entry.target);
+      render(entry.target);
+    }
+  }, { rootMargin: '800px' });
+  for (const node of pending.keys()) seen.observe(node);
+}
 
 function fitToBoxes() {
   for (const node of document.querySelectorAll('.js-plotly-plot')) {

@@ -20,6 +20,8 @@ extern const char swayaw_report_compare_js[];
 extern const char swayaw_report_compare_js_end[];
 extern const char swayaw_report_loop_js[];
 extern const char swayaw_report_loop_js_end[];
+extern const char swayaw_report_diagnose_js[];
+extern const char swayaw_report_diagnose_js_end[];
 extern const char swayaw_report_plotly_js[];
 extern const char swayaw_report_plotly_js_end[];
 }
@@ -191,6 +193,11 @@ std::string comparison_page(const json& document) {
 std::string loop_page(const json& document) {
   const auto script = between(swayaw_report_loop_js, swayaw_report_loop_js_end);
   return fill(skeleton(), {script, document_text(document)});
+}
+
+std::string diagnosis_page(const json& document) {
+  const auto script = between(swayaw_report_diagnose_js, swayaw_report_diagnose_js_end);
+  return fill(skeleton(), {script, document_text(compact(document))});
 }
 
 }  // namespace swayaw

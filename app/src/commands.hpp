@@ -138,6 +138,7 @@ struct DiagnoseArguments {
   std::vector<std::filesystem::path> reference;  ///< in which nothing is hidden
   std::vector<std::filesystem::path> holdout;    ///< not used
   std::filesystem::path save_model;              ///< empty: none
+  std::filesystem::path report;                  ///< empty: no page
   bool json = false;
 };
 void diagnose(const DiagnoseArguments& arguments);

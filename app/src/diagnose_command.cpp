@@ -1,6 +1,7 @@
 #include "swayaw/mismatch/diagnose.hpp"
 
 #include "commands.hpp"
+#include "diagnose_report.hpp"
 #include "input.hpp"
 #include "json.hpp"
 #include "progress.hpp"
@@ -40,15 +41,26 @@ Json runs_json(const std::vector<RunErrors>& runs) {
   return list;
 }
 
+Json advice_json(const std::optional<Advice>& next) {
+  if (!next) return nullptr;
+  return {{"advice", next->advice}, {"separates", next->separates}};
+}
+
+Json detectable_json(const std::vector<DetectableSize>& sizes) {
+  Json list = Json::array();
+  for (const auto& size : sizes) list.push_back({{"effect", size.effect}, {"parameter", size.key}, {"value", number(size.value)}});
+  return list;
+}
+
 Json document_of(const Diagnosis& d) {
   Json location = Json::array(), effects = Json::array(), candidates = Json::array();
   for (const auto& p : d.location) location.push_back(place_json(p));
   for (const auto& e : d.effects) effects.push_back(effect_json(e));
   for (const auto& c : d.candidates)
-    candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"log_evidence_gain", number(c.log_evidence_gain)}, {"holdout_gain", nullptr}});
+    candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"log_evidence_gain", number(c.log_evidence_gain)}, {"holdout_gain", nullptr}, {"trace", c.trace}});
   return {{"schema", "swayaw.diagnosis/1"}, {"version", version()}, {"verdict", name_of(d.verdict)}, {"words", d.words}, {"location", std::move(location)},
           {"effects", std::move(effects)}, {"candidates", std::move(candidates)}, {"imperfection", number(d.imperfection)},
-          {"fit", {{"train", runs_json(d.train)}, {"holdout", runs_json(d.holdout)}}}, {"next_manoeuvre", nullptr}};
+          {"fit", {{"train", runs_json(d.train)}, {"holdout", runs_json(d.holdout)}}}, {"next_manoeuvre", advice_json(d.next)}, {"detectable", detectable_json(d.detectable)}};
 }
 
 // ---------------------------------------------------------------- text
@@ -83,10 +95,12 @@ void print_diagnosis(const Ship& ship, const Diagnosis& d) {
 }  // namespace
 
 void diagnose(const DiagnoseArguments& a) {
+  require_folder(a.report);
   const Ship ship = load_nonlinear_ship(a.ship);
   Progress progress("diagnose");
   const Interrupt interrupt;
   DiagnosisOptions options;
+  options.pictures = !a.report.empty();
   options.progress = [&](std::string_view what) {
     progress.tell(what);
     return !interrupt.asked();
@@ -94,6 +108,13 @@ void diagnose(const DiagnoseArguments& a) {
   const auto runs = load_runs(a.runs), reference = load_runs(a.reference), holdout = load_runs(a.holdout);
   const auto diagnosis = swayaw::diagnose(ship, runs, reference, holdout, options);
   if (!a.save_model.empty()) write_ship(a.save_model, diagnosis.improved, fmt::format("Made by swayaw {} from {}.\n{}", version(), ship.name, diagnosis.words));
+  if (!a.report.empty()) {
+    Json document = document_of(diagnosis);
+    document["ship_file"] = a.ship.string();
+    document["reference_runs"] = a.reference.size();
+    document["needed_gain"] = options.detection;
+    write_diagnosis_report(std::move(document), ship, diagnosis, a.report);
+  }
   if (a.json) fmt::print("{}\n", document_of(diagnosis).dump(2));
   else print_diagnosis(ship, diagnosis);
 }

@@ -206,6 +206,7 @@ void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
   command.add_option("--reference", a.reference, "recordings in which nothing is hidden: they calibrate the model first");
   command.add_option("--holdout", a.holdout, "recordings that are not used but predicted");
   command.add_option("--save-model", a.save_model, "ship file with the effects found (TOML)");
+  command.add_option("--report", a.report, "write an HTML page that needs no network");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { diagnose(a); });
 }

@@ -170,6 +170,18 @@ void the_loop_page_carries_its_document() {
   check(!contains(page, "<Tanker>"), "the ship's name cannot become markup");
 }
 
+void the_diagnosis_page_carries_its_document() {
+  const json effect = {{"effect", "steady_wind"}, {"probability", 0.98}, {"parameters", {{"wind_speed_m_s", {{"value", 11.25}, {"standard_error", 0.4}}}}}};
+  const json document = {{"schema", "swayaw.diagnosis/1"}, {"ship", "<Tanker>"}, {"effects", {effect}}, {"runs", {run_of("zz10.csv", 40)}}};
+  const auto page = swayaw::diagnosis_page(document);
+  const json shown = json::parse(document_text(page));
+  check(shown["effects"] == document["effects"], "the effects are carried unchanged");
+  check(shown["runs"][0]["series"]["time_s"].size() == 40, "the series are in the page");
+  check(contains(page, "showDiagnosis"), "the page of a diagnosis has its own script");
+  check(!contains(page, "<Tanker>"), "the ship's name cannot become markup");
+  check(!swayaw::diagnosis_page(json::object()).empty(), "an empty document gives a page");
+}
+
 int main() {
   the_page_carries_the_document();
   the_page_is_whole();
@@ -180,5 +192,6 @@ int main() {
   three_runs_stay_small();
   sparse_documents_are_accepted();
   the_loop_page_carries_its_document();
+  the_diagnosis_page_carries_its_document();
   return failures == 0 ? 0 : 1;
 }

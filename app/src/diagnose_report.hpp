@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "json.hpp"
+#include "swayaw/mismatch/diagnose.hpp"
+
+namespace swayaw::app {
+
+/// @throws FileError  if there is no folder for the page: better before the work than after it
+void require_folder(const std::filesystem::path& page);
+
+/// Writes the page of a diagnosis whose pictures were asked for.
+/// @param document  the diagnosis as JSON
+void write_diagnosis_report(Json document, const Ship& ship, const Diagnosis& diagnosis, const std::filesystem::path& page);
+
+}  // namespace swayaw::app

@@ -1,0 +1,92 @@
+#include <catch.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "files.hpp"
+#include "program.hpp"
+#include "random_ships.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/recording_csv.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+
+/// `swayaw diagnose --report` from the outside.
+namespace swayaw {
+namespace {
+
+using nlohmann::json;
+using test::refusal;
+using test::run;
+using test::Scratch;
+
+const std::string ship_path = test::ship_file("kvlcc2_l7.toml");
+
+/// The text of an element of a page that begins with these words.
+std::string element(const std::string& page, const std::string& opening) {
+  const auto start = page.find(opening) + opening.size();
+  return page.substr(start, page.find("</script>", start) - start);
+}
+
+/// Three runs of a thousand samples and one to be held out, of a ship whose rudder stands two degrees off.
+std::string write_runs(const Scratch& scratch) {
+  const Ship ship = with_effect(test::kvlcc2_l7(), RudderOffset<double>{.offset = radians(2)});
+  const ManoeuvreOptions options{.duration = 200.0, .step = 0.2};
+  write_recording(zigzag(ship, {.rudder = radians(10), .heading = radians(10)}, options).run, scratch / "zz10.csv");
+  write_recording(zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, options).run, scratch / "zz20.csv");
+  write_recording(zigzag(ship, {.rudder = radians(15), .heading = radians(10), .first = Side::port}, options).run, scratch / "zz15_10_port.csv");
+  write_recording(zigzag(ship, {.rudder = radians(20), .heading = radians(10)}, options).run, scratch / "held.csv");
+  return (scratch / "zz10.csv").string() + " " + (scratch / "zz20.csv").string() + " " + (scratch / "zz15_10_port.csv").string() + " --holdout " +
+         (scratch / "held.csv").string();
+}
+
+/// Numbers of a list, none of them missing.
+bool all_numbers(const json& list) {
+  return !list.empty() && std::ranges::all_of(list, [](const json& value) { return value.is_number(); });
+}
+
+TEST_CASE("diagnose writes a page that holds its document, the missing force and the replays", "[app]") {
+  const Scratch scratch;
+  const auto file = (scratch / "page.html").string();
+  const auto outcome = run(scratch, "diagnose " + ship_path + " " + write_runs(scratch) + " --json --report " + file);
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const auto printed = json::parse(outcome.out);
+  auto page = read_text(file);
+  CHECK(page.size() < 3'000'000);
+
+  const auto library = element(page, "<script id=\"plotly\">");
+  const auto text = element(page, "<script id=\"document\" type=\"application/json\">");
+  page.erase(page.find(library), library.size());
+  CHECK_THAT(page, !ContainsSubstring("http://") && !ContainsSubstring("https://") && !ContainsSubstring("src="));
+  CHECK_THAT(text, !ContainsSubstring("NaN") && !ContainsSubstring("nan") && !ContainsSubstring("inf,"));
+
+  const auto shown = json::parse(text);
+  for (const auto& [key, value] : printed.items())
+    if (key != "effects") CHECK(shown.at(key) == value);
+  REQUIRE(printed.at("effects").size() > 0);
+  for (std::size_t i = 0; i < printed.at("effects").size(); ++i) CHECK(shown.at("effects")[i].at("parameters") == printed.at("effects")[i].at("parameters"));
+  CHECK_FALSE(printed.contains("runs"));
+
+  REQUIRE(shown.at("runs").size() == 4);
+  for (const auto& r : shown.at("runs")) {
+    CHECK(r.at("held_out") == (r.at("run") == "held.csv"));
+    const auto& series = r.at("series");
+    const auto points = series.at("time_s").size();
+    CHECK((points > 400 && points <= 500));
+    for (const char* stage : {"missing_before", "missing_after"})
+      for (const auto& [key, list] : series.at(stage).items()) CHECK((list.size() == points && all_numbers(list)));
+    for (const char* replayed : {"given", "refitted", "after"})
+      for (const char* channel : {"x_m", "y_m", "psi_rad", "r_rad_s"}) CHECK(series.at(replayed).at(channel).size() == points);
+    CHECK(all_numbers(series.at("motion").at("drift_rad")));
+  }
+}
+
+TEST_CASE("a report to a folder that does not exist is refused before the work begins", "[app][refusal]") {
+  const Scratch scratch;
+  const auto file = (scratch / "no/such.html").string();
+  CHECK_THAT(refusal("diagnose " + ship_path + " " + (test::example_recordings / "weak_rudder_zz10_10.csv").string() + " --report " + file),
+             ContainsSubstring(file));
+}
+
+}  // namespace
+}  // namespace swayaw
