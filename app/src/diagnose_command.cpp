@@ -25,6 +25,7 @@ Json place_json(const MismatchPlace& p) {
 Json effect_json(const FoundEffect& e) {
   Json parameters = Json::object();
   for (const auto& p : e.parameters) parameters[p.key] = {{"value", number(p.value)}, {"standard_error", number(p.standard_error)}};
+  if (const auto* late = std::get_if<ChannelDelay<double>>(&e.effect)) parameters["channel"] = {{"value", short_name(late->channel)}, {"standard_error", nullptr}};
   return {{"effect", id_of(e.effect)}, {"probability", number(e.probability)}, {"onset_s", number(e.onset)}, {"end_s", number(e.end)},
           {"parameters", std::move(parameters)}, {"indistinguishable_from", e.indistinguishable_from}};
 }
@@ -52,14 +53,21 @@ Json detectable_json(const std::vector<DetectableSize>& sizes) {
   return list;
 }
 
+Json shifts_json(const std::vector<BaselineShift>& shifts) {
+  Json list = Json::array();
+  for (const auto& s : shifts) list.push_back({{"key", s.key}, {"given", number(s.given)}, {"refitted", number(s.refitted)}, {"deviations", number(s.deviations)}});
+  return list;
+}
+
 Json document_of(const Diagnosis& d) {
   Json location = Json::array(), effects = Json::array(), candidates = Json::array();
   for (const auto& p : d.location) location.push_back(place_json(p));
   for (const auto& e : d.effects) effects.push_back(effect_json(e));
   for (const auto& c : d.candidates)
-    candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"log_evidence_gain", number(c.log_evidence_gain)}, {"holdout_gain", nullptr}, {"trace", c.trace}});
+    candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"log_evidence_gain", number(c.log_evidence_gain)}, {"holdout_gain", number(c.holdout_gain)}, {"trace", c.trace}});
   return {{"schema", "swayaw.diagnosis/1"}, {"version", version()}, {"verdict", name_of(d.verdict)}, {"words", d.words}, {"location", std::move(location)},
-          {"effects", std::move(effects)}, {"candidates", std::move(candidates)}, {"imperfection", number(d.imperfection)},
+          {"effects", std::move(effects)}, {"candidates", std::move(candidates)}, {"imperfection", {{"refitted", number(d.refitted_imperfection)}, {"after", number(d.imperfection)}}},
+          {"symmetry", d.symmetry}, {"traces", d.traces}, {"baseline_shift", shifts_json(d.shifts)},
           {"fit", {{"train", runs_json(d.train)}, {"holdout", runs_json(d.holdout)}}}, {"next_manoeuvre", advice_json(d.next)}, {"detectable", detectable_json(d.detectable)}};
 }
 
@@ -85,7 +93,13 @@ void print_diagnosis(const Ship& ship, const Diagnosis& d) {
     if (!e.indistinguishable_from.empty()) fmt::print("  as well explained by {}\n", fmt::join(e.indistinguishable_from, ", "));
   }
   if (!d.location.empty()) fmt::print("\nwhere force is missing\n");
-  for (const auto& p : d.location) fmt::print("  {:<24}{:<14}{:.5g} to {:.5g} s, {:.0f} % of it\n", p.run, p.quantity, p.from, p.to, 100.0 * p.share);
+  for (const auto& p : d.location) fmt::print("  {:<24}{:<14}{:.5g} to {:.5g} s, {:.0f} % of it; {}\n", p.run, p.quantity, p.from, p.to, 100.0 * p.share, p.where);
+  if (!d.symmetry.empty()) fmt::print("  {}\n", d.symmetry);
+  if (!d.shifts.empty()) fmt::print("\nnumbers of the model beyond two of their deviations\n");
+  for (const auto& s : d.shifts) fmt::print("  {:<24}{:>12.5g} -> {:<12.5g} {:+.1f} deviations\n", s.key, s.given, s.refitted, s.deviations);
+  if (d.next) fmt::print("\nwhat to sail next\n  {}\n  it separates {}\n", d.next->advice, fmt::join(d.next->separates, ", "));
+  if (!d.detectable.empty()) fmt::print("\nsmallest effects that these runs would have shown\n");
+  for (const auto& x : d.detectable) fmt::print("  {:<26}{:<20}{:.3g}\n", x.effect, x.key, x.value);
   fmt::print("\ncandidates\n");
   for (const auto& c : d.candidates) fmt::print("  {:<26}{:>12.1f}  {:.3f}{}\n", c.effect, c.log_evidence_gain, c.probability, c.trace ? "  too small to matter" : "");
   print_runs("runs used", d.train);

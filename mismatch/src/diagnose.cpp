@@ -1,17 +1,21 @@
 #include "swayaw/mismatch/diagnose.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
-#include <map>
-#include <numeric>
+#include <utility>
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "advice.hpp"
+#include "location.hpp"
+#include "search.hpp"
 #include "trial.hpp"
 
 namespace swayaw {
@@ -19,84 +23,10 @@ namespace {
 
 constexpr double ordinary = 1.5;  ///< largest scale of the imperfection that an adequate model leaves
 
-// ---------------------------------------------------------------- search
-
-/// A candidate, fitted beside the effects that are accepted already.
-struct Tried {
-  const EffectForm* form;
-  MapFit fit;
-  double gain;
-  Effect effect;
-  bool trace;
-};
-
 double duration_of(std::span<const Recording> runs) {
   double longest = 0.0;
   for (const auto& run : runs) longest = std::max(longest, run.time.back());
   return longest;
-}
-
-Effect last_effect(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
-  Eigen::Index from = trial.baseline_size();
-  for (std::size_t i = 0; i + 1 < hypothesis.size(); ++i) from += static_cast<Eigen::Index>(hypothesis[i]->coordinates.size());
-  return hypothesis.back()->at({point.data() + from, hypothesis.back()->coordinates.size()});
-}
-
-/// The best start of every form, by what it promises; best first.
-struct Screened {
-  const EffectForm* form;
-  Promise promise;
-};
-
-std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, const MapFit& now, std::span<const EffectForm> forms) {
-  const auto screen = screen_of(trial, accepted, now);
-  struct Job {
-    const EffectForm* form;
-    const std::vector<double>* start;
-    Promise promise{};
-  };
-  std::vector<Job> jobs;
-  for (const auto& form : forms) {
-    if (std::ranges::any_of(accepted, [&](const EffectForm* a) { return a->id == form.id; })) continue;
-    for (const auto& start : form.starts) jobs.push_back({&form, &start});
-  }
-  in_parallel(jobs.size(), 0, [&](std::size_t i) {
-    try {
-      jobs[i].promise = promise(trial, accepted, screen, *jobs[i].form, *jobs[i].start);
-    } catch (const Refusal&) {  // the ship cannot sail with such an effect
-    }
-  });
-  std::map<const EffectForm*, Promise> best;
-  for (auto& job : jobs)
-    if (job.promise.gain > best[job.form].gain) best[job.form] = std::move(job.promise);
-  std::vector<Screened> result;
-  for (auto& [form, found] : best)
-    if (std::isfinite(found.gain)) result.push_back({form, std::move(found)});
-  std::ranges::sort(result, std::greater{}, [](const Screened& s) { return s.promise.gain; });
-  return result;
-}
-
-/// Converged fits of the most promising candidates, best first.
-std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, const MapFit& now, std::vector<Screened> candidates, std::size_t most) {
-  candidates.resize(std::min(most, candidates.size()));
-  std::vector<std::optional<Tried>> fits(candidates.size());
-  in_parallel(candidates.size(), 0, [&](std::size_t i) {
-    Hypothesis hypothesis = accepted;
-    hypothesis.push_back(candidates[i].form);
-    try {
-      auto found = fit(trial, hypothesis, with_start(trial, hypothesis, now.point, candidates[i].promise.coordinates), now.noise);
-      const auto effect = last_effect(trial, hypothesis, found.point);
-      const double gain = found.log_evidence - now.log_evidence;
-      if (!std::isfinite(gain)) return;
-      fits[i] = Tried{candidates[i].form, std::move(found), gain, effect, !is_finding(trial.ship, effect)};
-    } catch (const Refusal&) {
-    }
-  });
-  std::vector<Tried> result;
-  for (auto& tried : fits)
-    if (tried) result.push_back(std::move(*tried));
-  std::ranges::sort(result, std::greater{}, &Tried::gain);
-  return result;
 }
 
 /// Runs in which nothing is hidden tell the baseline.
@@ -109,6 +39,8 @@ void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> refere
 }
 
 // ---------------------------------------------------------------- answers
+
+bool is_direction(std::string_view key) { return key.ends_with("from_rad") || key.ends_with("to_rad"); }
 
 std::vector<EffectParameterEstimate> estimates(const Trial& trial, const EffectForm& form, const MapFit& found, Eigen::Index from) {
   const auto size = static_cast<Eigen::Index>(form.coordinates.size());
@@ -124,32 +56,18 @@ std::vector<EffectParameterEstimate> estimates(const Trial& trial, const EffectF
     Point up = c, down = c;
     up[k] += 1e-4, down[k] -= 1e-4;
     const auto a = values_at(up), b = values_at(down);
-    for (Eigen::Index i = 0; i < slopes.rows(); ++i) slopes(i, k) = wrapped(a[static_cast<std::size_t>(i)] - b[static_cast<std::size_t>(i)]) / 2e-4;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const double change = a[i] - b[i];
+      slopes(static_cast<Eigen::Index>(i), k) = (is_direction(numbers[i].key) ? wrapped(change) : change) / 2e-4;
+    }
   }
   const Eigen::MatrixXd covariance = slopes * found.covariance.block(from, from, size, size) * slopes.transpose();
   std::vector<EffectParameterEstimate> result;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto place = static_cast<Eigen::Index>(i);
     if (!std::isfinite(numbers[i].value) || !(covariance(place, place) > 0.0)) continue;
-    const bool direction = numbers[i].key.ends_with("from_rad") || numbers[i].key.ends_with("to_rad");
-    const double value = direction && numbers[i].value < 0.0 ? numbers[i].value + 2.0 * pi : numbers[i].value;
+    const double value = is_direction(numbers[i].key) && numbers[i].value < 0.0 ? numbers[i].value + 2.0 * pi : numbers[i].value;
     result.push_back({std::string(numbers[i].key), value, std::sqrt(covariance(place, place))});
-  }
-  return result;
-}
-
-/// exp(gain) shared out among nothing (gain 0) and the candidates; a scale that stays large leaves room for the unknown.
-std::vector<Candidate> ranked(std::span<const Tried> tried, bool adequate) {
-  double most = 0.0, sum = 0.0;
-  for (const auto& t : tried) most = std::max(most, t.gain);
-  for (const auto& t : tried) sum += std::exp(t.gain - most);
-  sum += std::exp(-most);
-  std::vector<Candidate> result;
-  for (const auto& t : tried) {
-    const double probability = std::exp(t.gain - most) / sum;
-    const auto same = std::ranges::find(result, t.form->id, &Candidate::effect);
-    if (same != result.end()) same->probability += adequate ? probability : 0.5 * probability;
-    else result.push_back({t.form->id, adequate ? probability : 0.5 * probability, t.gain, t.trace});
   }
   return result;
 }
@@ -181,55 +99,117 @@ double gain_of(std::span<const RunErrors> runs) {
   return count ? sum / count : 0.0;
 }
 
-/// Part of a run with most of the unexplained acceleration of a kind.
-std::optional<MismatchPlace> place_of(const PreparedRun& run, const FilterPass& pass, int axis) {
-  constexpr std::array names{"surge_force", "sway_force", "yaw_moment"};
-  const auto& time = run.run->time;
-  std::vector<double> energy;
-  for (const auto& x : pass.filtered) energy.push_back(x[6 + axis] * x[6 + axis]);
-  const double sum = std::accumulate(energy.begin(), energy.end(), 0.0), mean = sum / static_cast<double>(energy.size());
-  // the interval with the largest sum above the mean
-  double best = 0.0, now = 0.0;
-  std::size_t start = 0, from = 0, to = 0;
-  for (std::size_t i = 0; i < energy.size(); ++i) {
-    if (now <= 0.0) now = 0.0, start = i;
-    now += energy[i] - mean;
-    if (now > best) best = now, from = start, to = i;
+/// Numbers of the baseline that the final fit moves by more than two of their deviations.
+std::vector<BaselineShift> shifts_of(const Trial& trial, const Point& point) {
+  std::vector<BaselineShift> shifts;
+  for (std::size_t i = 0; i < trial.numbers.size(); ++i) {
+    const auto& n = trial.numbers[i];
+    const double z = point[static_cast<Eigen::Index>(i)];
+    if (std::abs(z) > 2.0) shifts.push_back({std::string(n.key), n.value, n.value + n.deviation * z, z});
   }
-  if (!(best > 0.0)) return std::nullopt;
-  const double inside = std::accumulate(energy.begin() + static_cast<std::ptrdiff_t>(from), energy.begin() + static_cast<std::ptrdiff_t>(to) + 1, 0.0);
-  return MismatchPlace{run.run->name, names[static_cast<std::size_t>(axis)], time[from], time[to], inside / sum, {}};
+  std::ranges::sort(shifts, std::greater{}, [](const BaselineShift& s) { return std::abs(s.deviations); });
+  return shifts;
 }
 
-/// The axis on which most force is missing, over what is ordinary, in each run.
-std::vector<MismatchPlace> location_of(const Trial& trial, const std::vector<FilterPass>& passes) {
-  const double U = service_speed(trial.ship), L = length(trial.ship);
-  const std::array unit{0.3 * U * U / L, U * U / L, 1.5 * U * U / (L * L)};
-  std::vector<MismatchPlace> places;
-  for (std::size_t i = 0; i < trial.runs.size(); ++i) {
-    std::array<double, 3> size{};
-    for (const auto& x : passes[i].filtered)
-      for (int axis = 0; axis < 3; ++axis) size[static_cast<std::size_t>(axis)] += std::pow(x[6 + axis] / unit[static_cast<std::size_t>(axis)], 2);
-    const auto axis = static_cast<int>(std::ranges::max_element(size) - size.begin());
-    if (auto place = place_of(trial.runs[i], passes[i], axis)) places.push_back(std::move(*place));
-  }
-  return places;
+// ---------------------------------------------------------------- words
+
+std::string_view phrase(std::string_view id) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 30> phrases{{
+      {"steady_wind", "a steady wind"}, {"gust", "a gust"}, {"steady_current", "a current"}, {"wave_drift", "the drift force of waves"},
+      {"shallow_water", "shallow water"}, {"hull_linear_derivatives", "other linear derivatives of the hull"},
+      {"hull_nonlinear_damping", "other cubic terms of the hull"}, {"cross_flow_drag", "cross-flow drag"}, {"added_resistance", "more resistance"},
+      {"speed_loss_in_turn", "another loss of speed in turns"}, {"added_mass", "another added mass"}, {"rudder_effectiveness", "another lift of the rudder"},
+      {"rudder_hull_interaction", "another rudder-hull interaction"}, {"rudder_stall", "a rudder that stalls"}, {"rudder_gap", "the gap above the rudder"},
+      {"flow_straightening", "another flow straightening at the rudder"}, {"propeller_race", "another race on the rudder"},
+      {"propeller_side_force", "a side force of the propeller"}, {"wake_change", "another wake in turns"}, {"shaft_speed_drop", "a shaft that slows under load"},
+      {"rudder_offset", "an offset of the rudder"}, {"steering_gear_lag", "a rudder that follows late"}, {"steering_gear_backlash", "play in the steering gear"},
+      {"roll_coupling", "heel that acts on sway and yaw"}, {"fluid_memory", "forces that follow the motion late"}, {"heading_bias", "an error of the compass"},
+      {"gyro_bias", "a zero error of the yaw-rate gyro"}, {"log_scale", "a factor of the speed log"}, {"antenna_lever_arm", "an antenna off midship"},
+      {"channel_delay", "a channel that is late"},
+  }};
+  const auto found = std::ranges::find(phrases, id, [](const auto& p) { return p.first; });
+  return found == phrases.end() ? id : found->second;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  if (names.size() < 2) return names.empty() ? "" : names.front();
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
 std::string words_of(const Diagnosis& d) {
-  if (d.verdict == DiagnosisVerdict::nothing_missing) return "Nothing is missing: the model explains the runs within its confidence and their noise.";
-  std::string names;
-  for (const auto& e : d.effects) names += (names.empty() ? "" : " and ") + std::string(id_of(e.effect));
-  if (d.verdict == DiagnosisVerdict::unexplained)
-    return names.empty() ? "Something real is missing that no known effect explains." : fmt::format("Something real is missing; {} comes nearest and does not explain it all.", names);
-  return fmt::format("The model leaves out {}.", names);
+  std::vector<std::string> names;
+  for (const auto& e : d.effects) names.emplace_back(phrase(id_of(e.effect)));
+  const std::string traces = d.traces.empty() ? "" : fmt::format(" A trace, too small to matter: {}.", fmt::join(d.traces, ", "));
+  if (d.verdict == DiagnosisVerdict::nothing_missing) return "Nothing is missing: the model explains the runs within its confidence and their noise." + traces;
+  if (d.verdict == DiagnosisVerdict::missing_physics) return fmt::format("The model leaves out {}.{}", listed(names), traces);
+  const auto place = std::ranges::max_element(d.location, {}, &MismatchPlace::share);
+  std::string unknown = "Something real is missing that no known effect explains";
+  if (place != d.location.end()) unknown += fmt::format("; it acts on the {}, {}", place->quantity == "yaw_moment" ? "yaw moment" : place->quantity == "sway_force" ? "sway force" : "surge force", place->where);
+  if (!d.symmetry.empty()) unknown += "; " + d.symmetry;
+  if (names.empty()) return unknown + "." + traces;
+  std::string nearest = listed(names);
+  nearest[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(nearest[0])));
+  return fmt::format("{}. {} {} nearest and {} not explain it all.{}", unknown, nearest, names.size() > 1 ? "come" : "comes", names.size() > 1 ? "do" : "does", traces);
 }
 
-std::vector<std::string> rivals_of(std::span<const Tried> tried, const Tried& best) {
-  std::vector<std::string> rivals;
-  for (const auto& t : tried)
-    if (t.form->id != best.form->id && best.gain - t.gain < 5.0 && t.gain > 5.0 && !t.trace && std::ranges::count(rivals, t.form->id) == 0) rivals.push_back(t.form->id);
-  return rivals;
+// ---------------------------------------------------------------- where an instrument is wrong
+
+/// The quantity that a wrong instrument shows wrong; nothing for forces.
+std::string_view shown_wrong(const Effect& effect) {
+  if (std::holds_alternative<HeadingBias<double>>(effect)) return "heading";
+  if (std::holds_alternative<GyroBias<double>>(effect)) return "yaw_rate";
+  if (std::holds_alternative<LogScale<double>>(effect)) return "speed";
+  if (std::holds_alternative<AntennaLeverArm<double>>(effect)) return "position";
+  const auto* late = std::get_if<ChannelDelay<double>>(&effect);
+  if (!late) return {};
+  switch (late->channel) {
+    case Channel::x: case Channel::y: return "position";
+    case Channel::psi: return "heading";
+    case Channel::r: return "yaw_rate";
+    case Channel::delta: return {};
+    default: return "speed";
+  }
+}
+
+std::vector<MismatchPlace> places_of(const Effect& sensor, std::span<const Recording> runs) {
+  std::vector<MismatchPlace> places;
+  for (const auto& run : runs) places.push_back({run.name, std::string(shown_wrong(sensor)), run.time.front(), run.time.back(), 1.0, "all along, in the instrument and not in a force"});
+  return places;
+}
+
+// ---------------------------------------------------------------- candidates
+
+/// How much held-out runs gain by each candidate alone.
+void put_holdout_gains(std::vector<Candidate>& candidates, const Trial& trial, const Search& s, const Ship& given, const Ship& refitted, std::span<const Recording> holdout) {
+  if (holdout.empty()) return;
+  in_parallel(candidates.size(), 0, [&](std::size_t i) {
+    const auto tried = std::ranges::find_if(s.first, [&](const Tried& t) { return t.form->id == candidates[i].effect; });
+    const double gain = gain_of(errors_of(given, refitted, ship_at(trial, {tried->form}, tried->fit.point), holdout));
+    if (std::isfinite(gain)) candidates[i].holdout_gain = gain;
+  });
+}
+
+FoundEffect found_effect(const Trial& trial, const Accepted& accepted, const MapFit& now, Eigen::Index from) {
+  FoundEffect found{.effect = accepted.form->at({now.point.data() + from, accepted.form->coordinates.size()}), .probability = accepted.probability, .onset = {}, .end = {},
+                    .parameters = estimates(trial, *accepted.form, now, from), .indistinguishable_from = accepted.rivals};
+  if (const auto* gust = std::get_if<Gust<double>>(&found.effect)) found.onset = gust->onset, found.end = gust->end;
+  return found;
+}
+
+/// Effects in the order of what they bring; the words of those too small to matter.
+void put_effects(Diagnosis& d, const Trial& trial, const Search& s) {
+  Eigen::Index from = trial.baseline_size();
+  for (const auto& accepted : s.accepted) {
+    auto found = found_effect(trial, accepted, s.now, from);
+    from += static_cast<Eigen::Index>(accepted.form->coordinates.size());
+    if (accepted.trace) d.traces.emplace_back(phrase(accepted.form->id));
+    else d.effects.push_back(std::move(found));
+  }
+}
+
+DiagnosisVerdict verdict_of(const Diagnosis& d) {
+  if (d.imperfection > ordinary) return DiagnosisVerdict::unexplained;
+  return d.effects.empty() ? DiagnosisVerdict::nothing_missing : DiagnosisVerdict::missing_physics;
 }
 
 }  // namespace
@@ -249,60 +229,37 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   const auto goes_on = [&](std::string_view what) { return !options.progress || options.progress(what); };
   const auto channels = seen_channels(runs);
   Trial trial = trial_of(ship, runs, channels);
-  bool working = goes_on("calibrating on reference runs");
-  if (working) calibrate(trial, ship, reference, channels);
+  if (goes_on("calibrating on reference runs")) calibrate(trial, ship, reference, channels);
+  Trial unused = trial;
+  unused.runs = trial_of(ship, holdout, channels).runs;
   const auto forms = effect_forms(ship, channels, duration_of(runs));
-  working = goes_on("fitting the baseline") && working;
-  const MapFit null = fit(trial, {}, trial.mean, Noise{});
-  if (null.point.size() == 0) throw Refusal("the model cannot follow these runs at all: look at them with compare first");
-  MapFit now = null;
-  Hypothesis accepted;
-  std::vector<Tried> first;
-  Diagnosis result{.verdict = DiagnosisVerdict::nothing_missing, .words = {}, .location = {}, .effects = {}, .candidates = {}, .train = {}, .holdout = {},
-                   .refitted = ship_at(trial, {}, null.point), .improved = {}, .imperfection = null.noise.scale};
-  std::vector<std::vector<std::string>> rivals;
-  std::vector<double> gains;
-  while (working && accepted.size() < options.most_effects && (accepted.empty() || now.noise.scale > 0.6)) {
-    working = goes_on(accepted.empty() ? "trying every effect" : "trying a further effect");
-    auto tried = confirmed(trial, accepted, now, screened(trial, accepted, now, forms), options.confirmed);
-    const double needed = accepted.empty() ? options.detection : options.further;
-    const auto best = std::ranges::find_if(tried, [&](const Tried& t) { return t.gain > needed && !t.trace; });
-    if (accepted.empty()) first = tried;
-    if (best == tried.end()) break;
-    accepted.push_back(best->form);
-    rivals.push_back(rivals_of(tried, *best));
-    gains.push_back(best->gain);
-    now = best->fit;
+  const auto s = search(trial, unused, forms, options, goes_on);
+  Diagnosis d{.verdict = {}, .words = {}, .location = {}, .symmetry = {}, .effects = {}, .traces = {}, .candidates = ranked(s.first), .shifts = shifts_of(trial, s.now.point),
+              .train = {}, .holdout = {}, .refitted = ship_at(trial, {}, s.null.point), .improved = ship_at(trial, s.hypothesis(), s.now.point),
+              .imperfection = s.now.noise.scale, .refitted_imperfection = s.null.noise.scale};
+  put_effects(d, trial, s);
+  d.verdict = verdict_of(d);
+  if (d.verdict == DiagnosisVerdict::unexplained)
+    for (auto& e : d.effects) e.probability *= 0.5;
+  goes_on("where, and what next");
+  if (d.verdict == DiagnosisVerdict::nothing_missing) {
+    d.detectable = detectable_sizes(trial, s, forms);
+  } else {
+    auto found = located(d.refitted, runs, s.null.noise);
+    d.symmetry = std::move(found.symmetry);
+    d.location = std::move(found.places);
+    if (!d.effects.empty() && !shown_wrong(d.effects.front().effect).empty()) d.location = places_of(d.effects.front().effect, runs), d.symmetry = "it is in what was recorded, not in how she moved";
+    d.next = next_manoeuvre(trial, s);
   }
-  const bool adequate = now.noise.scale <= ordinary;
-  result.imperfection = now.noise.scale;
-  result.improved = ship_at(trial, accepted, now.point);
-  result.candidates = ranked(first, adequate);
-  Eigen::Index from = trial.baseline_size();
-  for (std::size_t i = 0; i < accepted.size(); ++i) {
-    const auto size = accepted[i]->coordinates.size();
-    FoundEffect found{.effect = accepted[i]->at({now.point.data() + from, size}), .probability = 1.0 / (1.0 + std::exp(-gains[i])), .onset = {}, .end = {},
-                      .parameters = estimates(trial, *accepted[i], now, from), .indistinguishable_from = rivals[i]};
-    if (!adequate) found.probability *= 0.5;
-    if (const auto* gust = std::get_if<Gust<double>>(&found.effect)) found.onset = gust->onset, found.end = gust->end;
-    result.effects.push_back(std::move(found));
-    from += static_cast<Eigen::Index>(size);
-  }
-  if (!adequate) result.verdict = DiagnosisVerdict::unexplained;
-  else if (!result.effects.empty()) result.verdict = DiagnosisVerdict::missing_physics;
-  if (result.verdict != DiagnosisVerdict::nothing_missing) {
-    goes_on("where");
-    result.location = location_of(trial, filter_passes(trial, result.refitted, null.noise));
-  }
-  result.train = errors_of(ship, result.refitted, result.improved, runs);
-  result.holdout = errors_of(ship, result.refitted, result.improved, holdout);
-  (void)gain_of;
+  d.train = errors_of(ship, d.refitted, d.improved, runs);
+  d.holdout = errors_of(ship, d.refitted, d.improved, holdout);
+  put_holdout_gains(d.candidates, trial, s, ship, d.refitted, holdout);
   if (options.pictures && goes_on("drawing the runs")) {
-    result.train_pictures = run_pictures(ship, result.refitted, result.improved, runs, null.noise);
-    result.holdout_pictures = run_pictures(ship, result.refitted, result.improved, holdout, null.noise);
+    d.train_pictures = run_pictures(ship, d.refitted, d.improved, runs, s.null.noise);
+    d.holdout_pictures = run_pictures(ship, d.refitted, d.improved, holdout, s.null.noise);
   }
-  result.words = words_of(result);
-  return result;
+  d.words = words_of(d);
+  return d;
 }
 
 }  // namespace swayaw

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "swayaw/core/angle.hpp"
+#include "swayaw/nonlinear/rudder_lift_loss.hpp"
 
 namespace swayaw {
 namespace {
@@ -49,7 +50,14 @@ EffectForm by_numbers(const Effect& null, std::span<const EffectNumber> numbers)
   std::vector<Move> moves;
   for (const auto& n : numbers) moves.push_back(from_null(n));
   const std::vector<double> start(moves.size(), 0.0);
-  return by_moves(null, std::move(moves), {start});
+  auto form = by_moves(null, std::move(moves), {start});
+  if (numbers.size() < 2) return form;
+  form.with_terms = [null, all = std::vector(numbers.begin(), numbers.end())](std::span<const std::size_t> kept) {
+    std::vector<EffectNumber> some;
+    for (const auto i : kept) some.push_back(all[i]);
+    return by_numbers(null, some);
+  };
+  return form;
 }
 
 // ---------------------------------------------------------------- directions
@@ -215,8 +223,23 @@ std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> 
   return forms;
 }
 
+namespace {
+
+/// A rudder that loses less than this share of its lift at 35 deg does what every rudder does.
+constexpr double ordinary_loss = 0.1;
+
+bool is_lift_lost(const Effect& effect) {
+  const double alpha = radians(35.0);
+  if (const auto* stall = std::get_if<RudderStall<double>>(&effect)) return 1.0 - stall_factor(Stall<double>{stall->angle, stall->depth, stall->width}, alpha) > ordinary_loss;
+  if (const auto* gap = std::get_if<RudderGap<double>>(&effect)) return 1.0 - open_gap_factor(gap->delta_lim, gap->s, alpha) > ordinary_loss;
+  return true;
+}
+
+}  // namespace
+
 bool is_finding(const Ship& ship, const Effect& effect) {
-  return std::ranges::any_of(numbers_of(ship, effect), [](const EffectNumber& n) { return n.decides && std::abs(n.value - n.null) > n.floor; });
+  return is_lift_lost(effect) &&
+         std::ranges::any_of(numbers_of(ship, effect), [](const EffectNumber& n) { return n.decides && !(std::abs(n.value - n.null) <= n.floor); });
 }
 
 }  // namespace swayaw

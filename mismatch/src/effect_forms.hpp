@@ -27,6 +27,7 @@ struct EffectForm {
   std::vector<Coordinate> coordinates;
   std::function<Effect(std::span<const double>)> at;
   std::vector<std::vector<double>> starts;  ///< where fits begin: an effect that is not linear has several valleys
+  std::function<EffectForm(std::span<const std::size_t>)> with_terms{};  ///< the same of some of its coordinates, where each is a term by itself
 };
 
 /// A rudder whose lift falls a little with its angle, K = 1 − loss (delta)²: what every lift curve does and no linear one knows. It belongs to the

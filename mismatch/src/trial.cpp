@@ -217,17 +217,13 @@ Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& poin
   return ship;
 }
 
-Point with_start(const Trial& trial, const Hypothesis& hypothesis, const Point& before, std::span<const double> last_start) {
+Point with_start(const Point& before, std::span<const double> last_start) {
   Point point(before.size() + static_cast<Eigen::Index>(last_start.size()));
-  point.head(before.size()) = before;
-  for (std::size_t i = 0; i < last_start.size(); ++i) point[before.size() + static_cast<Eigen::Index>(i)] = last_start[i];
-  (void)trial, (void)hypothesis;
+  point << before, Eigen::Map<const Eigen::VectorXd>(last_start.data(), static_cast<Eigen::Index>(last_start.size()));
   return point;
 }
 
 std::vector<FilterPass> filter_passes(const Trial& trial, const Ship& ship, const Noise& noise) { return passes_of(trial, ship, noise); }
-
-namespace {
 
 double log_likelihood(const Trial& trial, const Ship& ship, const Noise& noise) {
   try {
@@ -236,6 +232,8 @@ double log_likelihood(const Trial& trial, const Ship& ship, const Noise& noise) 
     return -HUGE_VAL;
   }
 }
+
+namespace {
 
 /// Climbs a number along its grid from where it is. @return whether it moved
 template <class Set>
@@ -354,7 +352,7 @@ Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& sc
   };
   const auto quadratic = [&](const Eigen::VectorXd& e) { return (e.transpose() * projected(e)).value(); };
   const double before = quadratic(screen.residuals);
-  Point point = space.clamped(with_start(trial, hypothesis, screen.baseline, start));
+  Point point = space.clamped(with_start(screen.baseline, start));
   Eigen::VectorXd e = residuals_of(trial, ship_at(trial, hypothesis, point), screen.passes);
   double cost = quadratic(e) + prior(point), damping = 1e-3;
   Eigen::MatrixXd slopes(trial.rows(), point.size());
@@ -384,6 +382,20 @@ Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& sc
   }
   const double occam = 0.5 * (log_determinant(space.precision.bottomRightCorner(size, size)) - log_determinant(A));
   return {0.5 * (before - cost) + occam, {point.data() + base, point.data() + point.size()}};
+}
+
+Eigen::MatrixXd information(const Trial& trial, const Screen& screen, const EffectForm& form) {
+  constexpr double step = 0.1;
+  const auto size = static_cast<Eigen::Index>(form.coordinates.size());
+  Eigen::MatrixXd J(trial.rows(), size);
+  std::vector<double> null;
+  for (const auto& c : form.coordinates) null.push_back(c.centre);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    auto moved = null;
+    moved[static_cast<std::size_t>(i)] += step;
+    J.col(i) = (residuals_of(trial, ship_at(trial, {&form}, with_start(screen.baseline, moved)), screen.passes) - screen.residuals) / step;
+  }
+  return J.transpose() * (J - screen.slopes * (screen.inverse * (screen.slopes.transpose() * J)));
 }
 
 }  // namespace swayaw

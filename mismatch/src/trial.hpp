@@ -42,7 +42,7 @@ using Point = Eigen::VectorXd;
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
 
 /// The baseline at a point and the effects at their first starts.
-Point with_start(const Trial& trial, const Hypothesis& hypothesis, const Point& baseline, std::span<const double> last_start);
+Point with_start(const Point& before, std::span<const double> last_start);
 
 /// A hypothesis at its most probable point.
 struct MapFit {
@@ -56,6 +56,9 @@ struct MapFit {
 
 /// Converged fit, the gains of the filter and the noise renewed as often as they change.
 MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, int rounds = 3);
+
+/// ln p(runs | ship); −∞ where the ship cannot sail like that.
+double log_likelihood(const Trial& trial, const Ship& ship, const Noise& noise);
 
 /// The likelihood of a ship, at the noise that suits her best.
 struct Likelihood {
@@ -79,6 +82,9 @@ struct Screen {
 };
 
 Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& null);
+
+/// What the runs tell of the coordinates of an effect about null, after the baseline's numbers took what they can: JᵀMJ.
+Eigen::MatrixXd information(const Trial& trial, const Screen& screen, const EffectForm& form);
 
 /// Gain in log evidence that a further effect promises, with gains and baseline slopes frozen, and the coordinates where it does.
 struct Promise {

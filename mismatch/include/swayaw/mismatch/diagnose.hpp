@@ -52,6 +52,7 @@ struct Candidate {
   std::string effect;
   double probability;
   double log_evidence_gain;
+  std::optional<double> holdout_gain;  ///< fall of the replay errors of held-out runs over the refitted baseline
   bool trace;  ///< too small to matter
 };
 
@@ -68,6 +69,13 @@ struct MismatchPlace {
 struct RunErrors {
   std::string run;
   std::vector<QuantityError> before, refitted, after;
+};
+
+/// A number of the baseline that is off by more than two of its deviations.
+struct BaselineShift {
+  std::string key;
+  double given, refitted;  ///< SI
+  double deviations;
 };
 
 /// What to sail next.
@@ -87,12 +95,16 @@ struct Diagnosis {
   DiagnosisVerdict verdict;
   std::string words;                    ///< one sentence
   std::vector<MismatchPlace> location;
+  std::string symmetry;                 ///< what the missing force goes with besides the motion, in words
   std::vector<FoundEffect> effects;     ///< most important first
+  std::vector<std::string> traces;      ///< effects too small to matter, in words; the improved ship has them
   std::vector<Candidate> candidates;    ///< best first
+  std::vector<BaselineShift> shifts;    ///< largest first
   std::vector<RunErrors> train, holdout;
   Ship refitted;                        ///< baseline refitted, without effects
   Ship improved;                        ///< with the effects found
   double imperfection;                  ///< scale of what stays unexplained; 1 is ordinary
+  double refitted_imperfection;         ///< the same without any effect
   std::optional<Advice> next{};
   std::vector<DetectableSize> detectable{};
   std::vector<RunPicture> train_pictures{}, holdout_pictures{};  ///< if asked for

@@ -1,0 +1,160 @@
+#include "advice.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/parallel.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/pull_out.hpp"
+
+namespace swayaw {
+namespace {
+
+// ---------------------------------------------------------------- menu
+
+struct Manoeuvre {
+  std::string words;
+  std::function<Recording(const Ship&)> sail;
+};
+
+/// The ship in a world turned against the sun, so that heading 0 is what was that angle.
+Ship seen_on(Ship ship, double heading) {
+  ship.surroundings.wind.from -= heading;
+  ship.surroundings.current.to -= heading;
+  for (auto& effect : ship.effects) {
+    const auto numbers = numbers_of(ship, effect);
+    for (const auto& n : numbers)
+      if (n.key.ends_with("from_rad") || n.key.ends_with("to_rad")) number_of(effect, n.index) -= heading;
+  }
+  return ship;
+}
+
+std::vector<Manoeuvre> menu(const Ship& ship) {
+  const double L = length(ship), U = service_speed(ship), largest = steering_gear(ship).max_angle;
+  const double step = 0.05 * L / U, minutes = 25.0 * L / U;
+  const auto limited = [largest](double angle) { return std::min(angle, largest); };
+  const auto options = [=](double speed) { return ManoeuvreOptions{.speed = speed, .duration = minutes, .step = step}; };
+  std::vector<Manoeuvre> list;
+  for (const double angle : {10.0, 20.0})
+    for (const double heading : {0.0, 90.0, 180.0, 270.0})
+      list.push_back({fmt::format("zigzag {0:.0f}/{0:.0f} from heading {1:03.0f} deg", angle, heading), [=](const Ship& s) {
+                        return zigzag(seen_on(s, radians(heading)), {.rudder = limited(radians(angle)), .heading = radians(angle)}, options(U)).run;
+                      }});
+  list.push_back({fmt::format("zigzag 20/20 at {:.2g} m/s, half of the service speed", 0.5 * U), [=](const Ship& s) {
+                    return zigzag(s, {.rudder = limited(radians(20.0)), .heading = radians(20.0)}, options(0.5 * U)).run;
+                  }});
+  for (const auto side : {Side::port, Side::starboard})
+    for (const double angle : {15.0, 35.0})
+      list.push_back({fmt::format("turn of {:.0f} deg to {}", angle, side == Side::port ? "port" : "starboard"), [=](const Ship& s) {
+                        return turning_circle(s, {.rudder = limited(radians(angle)), .side = side}, options(U)).run;
+                      }});
+  list.push_back({"pull-out from 20 deg", [=](const Ship& s) { return pull_out(s, {.rudder = limited(radians(20.0))}, ManoeuvreOptions{.step = step}).sides.port.run; }});
+  return list;
+}
+
+// ---------------------------------------------------------------- separation
+
+/// The trial with another run, seen by the same instruments.
+Trial trial_with(const Trial& trial, const Recording& run) {
+  std::vector<Channel> channels;
+  for (const auto& c : trial.runs.front().channels) channels.push_back(c.channel);
+  Trial other = trial;
+  other.runs = trial_of(trial.ship, {&run, 1}, channels).runs;
+  for (auto& c : other.runs.front().channels) {
+    const auto known = std::ranges::find(trial.runs.front().channels, c.channel, &SeenChannel::channel);
+    if (known != trial.runs.front().channels.end()) c.noise = known->noise;
+  }
+  return other;
+}
+
+/// How much better the ship that sailed explains the manoeuvre than the rival does, in log likelihood per minute.
+double separation(const Trial& trial, const Manoeuvre& manoeuvre, const Ship& best, const Ship& rival, const Noise& noise) try {
+  Recording run = manoeuvre.sail(best);
+  run.name = manoeuvre.words;
+  const auto seen = trial_with(trial, run);
+  const double minutes = (run.time.back() - run.time.front()) / 60.0;
+  return (log_likelihood(seen, best, noise) - log_likelihood(seen, rival, noise)) / minutes;
+} catch (const std::exception&) {  // she cannot sail it
+  return -HUGE_VAL;
+}
+
+struct Rival {
+  std::string effect;
+  Ship ship;
+};
+
+/// The rivals of the last finding; where it has none, the next best that was tried alone.
+std::vector<Rival> rivals_of(const Trial& trial, const Search& s) {
+  std::vector<Rival> rivals;
+  for (std::size_t i = s.accepted.size(); i-- > 0 && rivals.empty();) {
+    const auto& a = s.accepted[i];
+    for (std::size_t k = 0; k < a.rivals.size(); ++k) {
+      auto hypothesis = s.hypothesis(i);
+      hypothesis.push_back(a.rival_forms[k]);
+      rivals.push_back({a.rivals[k], ship_at(trial, hypothesis, a.rival_fits[k].point)});
+    }
+  }
+  if (!rivals.empty() || s.accepted.size() != 1) return rivals;
+  for (const auto& t : s.first)
+    if (t.form->id != s.accepted.front().form->id && rivals.empty()) rivals.push_back({t.form->id, ship_at(trial, {t.form}, t.fit.point)});
+  return rivals;
+}
+
+}  // namespace
+
+std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& s) {
+  if (s.accepted.empty()) return std::nullopt;
+  const auto rivals = rivals_of(trial, s);
+  if (rivals.empty()) return std::nullopt;
+  const auto best = ship_at(trial, s.hypothesis(), s.now.point);
+  const auto manoeuvres = menu(trial.ship);
+  std::vector<double> least(manoeuvres.size(), HUGE_VAL);
+  in_parallel(manoeuvres.size(), 0, [&](std::size_t i) {
+    for (const auto& rival : rivals) least[i] = std::min(least[i], separation(trial, manoeuvres[i], best, rival.ship, s.now.noise));
+  });
+  const auto most = static_cast<std::size_t>(std::ranges::max_element(least) - least.begin());
+  if (!(least[most] > 0.0)) return std::nullopt;
+  Advice advice{fmt::format("{}: it separates them by {:.2g} in log likelihood a minute", manoeuvres[most].words, least[most]), {s.accepted.back().form->id}};
+  for (const auto& rival : rivals) advice.separates.push_back(rival.effect);
+  return advice;
+}
+
+namespace {
+
+bool is_kind(const EffectForm& form, std::initializer_list<std::string_view> ids) { return std::ranges::count(ids, form.id) > 0; }
+
+/// Coordinate at which an effect that no number of the baseline can stand for gains a log evidence of about 15, ½ D c² = 15.
+double coordinate_shown(double D) { return std::sqrt(30.0 / std::max(D, 1e-12)); }
+
+}  // namespace
+
+std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s, std::span<const EffectForm> forms) {
+  std::vector<DetectableSize> sizes;
+  const auto add = [&](const EffectForm& form, const EffectNumber& n, double D) {
+    sizes.push_back({form.id, std::string(n.key), coordinate_shown(D) * n.prior});
+  };
+  for (const auto& form : forms) {
+    if (std::ranges::count(sizes, form.id, &DetectableSize::effect)) continue;  // the delay of the first channel stands for all
+    const auto numbers = numbers_of(trial.ship, make_effect(form.id));
+    const auto number = std::ranges::find_if(numbers, &EffectNumber::decides);
+    const bool by_parts = is_kind(form, {"steady_wind", "steady_current", "wave_drift"});
+    const bool in_deviations = form.with_terms || (form.coordinates.size() == 1 && std::isfinite(number->null));
+    if (!by_parts && !in_deviations) continue;  // a depth, an angle of stall or a lag: no size that grows from 0
+    try {
+      const auto D = information(trial, s.screen, form);
+      if (by_parts) add(form, *number, D.topLeftCorner<2, 2>().selfadjointView<Eigen::Lower>().eigenvalues().minCoeff());
+      else
+        for (std::size_t i = 0; i < form.coordinates.size(); ++i) add(form, form.with_terms ? numbers[i] : *number, D(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
+    } catch (const Refusal&) {
+    }
+  }
+  return sizes;
+}
+
+}  // namespace swayaw

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "search.hpp"
+#include "swayaw/mismatch/diagnose.hpp"
+
+/// What to sail next, and what these runs would have shown. Not installed.
+namespace swayaw {
+
+/// The manoeuvre of a menu that tells the last finding best from its rivals, per minute; from the best of those that were tried where none is as good.
+/// @return nothing where nothing was found, or no manoeuvre can be simulated
+std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& search);
+
+/// For each effect of one size, the size that these runs would have shown with a log evidence of about 15.
+std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& search, std::span<const EffectForm> forms);
+
+}  // namespace swayaw

@@ -1,0 +1,226 @@
+#include "location.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/mismatch/run_picture.hpp"
+
+namespace swayaw {
+namespace {
+
+constexpr std::array quantities{"surge_force", "sway_force", "yaw_moment"};
+
+/// Missing accelerations of a run over what is ordinary in each axis, with the motion that they go with.
+struct Traced {
+  const Recording* run;
+  std::vector<double> time;
+  std::vector<std::array<double, 3>> missing;
+  std::vector<double> delta, beta, r_prime, U, psi;
+};
+
+std::optional<Traced> traced(const Ship& ship, const Recording& run, const Noise& noise) try {
+  const double L = length(ship), U_0 = service_speed(ship), a = U_0 * U_0 / L;
+  const auto force = missing_force(ship, run, noise);
+  Traced t{&run, run.time, {}, {}, {}, {}, {}, {}};
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    const auto& m = force[i].motion;
+    const double U = std::hypot(m.u, m.v);
+    t.missing.push_back({force[i].acceleration.u / (0.3 * a), force[i].acceleration.v / a, force[i].acceleration.r * L / (1.5 * a)});
+    t.delta.push_back(run.has(Channel::delta) ? run[Channel::delta][i] : 0.0);
+    t.beta.push_back(std::atan2(-m.v, m.u));
+    t.r_prime.push_back(m.r * L / U);
+    t.U.push_back(U);
+    t.psi.push_back(run.has(Channel::psi) ? run[Channel::psi][i] : 0.0);
+  }
+  return t;
+} catch (const Refusal&) {
+  return std::nullopt;
+}
+
+std::vector<double> energy_of(const Traced& t, std::size_t axis) {
+  std::vector<double> energy;
+  for (const auto& m : t.missing) energy.push_back(std::isfinite(m[axis]) ? m[axis] * m[axis] : 0.0);
+  return energy;
+}
+
+double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
+
+std::size_t main_axis(const Traced& t) {
+  std::array<double, 3> size{};
+  for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = sum_of(energy_of(t, axis));
+  return static_cast<std::size_t>(std::ranges::max_element(size) - size.begin());
+}
+
+// ---------------------------------------------------------------- when
+
+struct Interval {
+  std::size_t from, to;
+};
+
+/// The interval with the largest sum above the mean.
+std::optional<Interval> interval_of(const std::vector<double>& energy) {
+  const double mean = sum_of(energy) / static_cast<double>(energy.size());
+  std::optional<Interval> found;
+  double best = 0.0, now = 0.0;
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < energy.size(); ++i) {
+    if (now <= 0.0) now = 0.0, start = i;
+    now += energy[i] - mean;
+    if (now > best) best = now, found = Interval{start, i};
+  }
+  return found;
+}
+
+// ---------------------------------------------------------------- where
+
+/// A part of the motion, in words, and whether each sample lies in it.
+struct Region {
+  std::string words;
+  std::vector<char> inside;
+};
+
+double largest(const std::vector<double>& values) {
+  double most = 0.0;
+  for (const double v : values) most = std::max(most, std::isfinite(v) ? std::abs(v) : 0.0);
+  return most;
+}
+
+Region beyond(const std::string& what, const std::vector<double>& values, double limit, double shown, std::string_view unit) {
+  Region region{fmt::format("{} beyond {:.2g}{}", what, shown, unit), {}};
+  for (const double v : values) region.inside.push_back(std::abs(v) > limit);
+  return region;
+}
+
+std::vector<Region> regions_of(const Traced& t) {
+  std::vector<Region> regions;
+  const double delta = 0.5 * largest(t.delta), beta = 0.5 * largest(t.beta), r = 0.5 * largest(t.r_prime);
+  regions.push_back(beyond("rudder", t.delta, delta, degrees(delta), " deg"));
+  regions.push_back(beyond("drift", t.beta, beta, degrees(beta), " deg"));
+  regions.push_back(beyond("yaw rate", t.r_prime, r, r, " U/L"));
+  Region straight{"almost straight ahead", {}}, slow{"after the loss of speed", {}}, turning{"while the rudder moves", {}};
+  const double fast = *std::ranges::max_element(t.U);
+  for (std::size_t i = 0; i < t.time.size(); ++i) {
+    straight.inside.push_back(std::abs(t.r_prime[i]) < 0.2 * r);
+    slow.inside.push_back(t.U[i] < 0.75 * fast);
+    turning.inside.push_back(i > 0 && std::abs(t.delta[i] - t.delta[i - 1]) > 1e-3 * delta);
+  }
+  regions.push_back(std::move(straight)), regions.push_back(std::move(slow)), regions.push_back(std::move(turning));
+  constexpr std::array names{"heading about north", "heading about east", "heading about south", "heading about west"};
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    Region region{names[static_cast<std::size_t>(quarter)], {}};
+    for (const double psi : t.psi) region.inside.push_back(std::abs(wrapped(psi - 0.5 * pi * quarter)) < 0.25 * pi);
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
+/// Share of the energy inside less share of the time.
+double excess(const Region& region, const std::vector<double>& energy) {
+  double inside = 0.0, samples = 0.0;
+  for (std::size_t i = 0; i < energy.size(); ++i)
+    if (region.inside[i]) inside += energy[i], samples += 1.0;
+  const double time = samples / static_cast<double>(energy.size());
+  return time < 0.03 || time > 0.8 ? 0.0 : inside / sum_of(energy) - time;
+}
+
+/// "both sides", "turning to port" or "turning to starboard".
+std::string_view side_of(const Traced& t, const Region& region, const std::vector<double>& energy) {
+  double port = 0.0, starboard = 0.0;
+  for (std::size_t i = 0; i < energy.size(); ++i)
+    if (region.inside[i]) (t.r_prime[i] < 0.0 ? port : starboard) += energy[i];
+  const double share = port / std::max(port + starboard, 1e-300);
+  return share > 0.8 ? "turning to port" : share < 0.2 ? "turning to starboard" : "both sides";
+}
+
+std::string where(const Traced& t, const std::vector<double>& energy) {
+  const auto regions = regions_of(t);
+  const auto best = std::ranges::max_element(regions, {}, [&](const Region& r) { return excess(r, energy); });
+  if (!(excess(*best, energy) > 0.12)) return "all along";
+  return fmt::format("{}, {}", best->words, side_of(t, *best, energy));
+}
+
+MismatchPlace place_of(const Traced& t) {
+  const auto axis = main_axis(t);
+  const auto energy = energy_of(t, axis);
+  const auto interval = interval_of(energy).value_or(Interval{0, energy.size() - 1});
+  const double inside = std::accumulate(energy.begin() + static_cast<std::ptrdiff_t>(interval.from), energy.begin() + static_cast<std::ptrdiff_t>(interval.to) + 1, 0.0);
+  return {t.run->name, quantities[axis], t.time[interval.from], t.time[interval.to], inside / std::max(sum_of(energy), 1e-300), where(t, energy)};
+}
+
+// ---------------------------------------------------------------- symmetry
+
+/// What a force can go with: the motion as a ship without any asymmetry feels it; a constant; the heading; changes of the motion.
+struct Basis {
+  Eigen::MatrixXd motion, constant, heading, history;
+};
+
+Basis basis_of(std::span<const Traced> runs, std::size_t axis) {
+  Eigen::Index rows = 0;
+  for (const auto& t : runs) rows += static_cast<Eigen::Index>(t.time.size());
+  Basis b{Eigen::MatrixXd(rows, 6), Eigen::MatrixXd(rows, 1), Eigen::MatrixXd(rows, 2), Eigen::MatrixXd::Zero(rows, 3)};
+  Eigen::Index row = 0;
+  for (const auto& t : runs)
+    for (std::size_t i = 0; i < t.time.size(); ++i, ++row) {
+      const double v = -t.beta[i], r = t.r_prime[i], d = t.delta[i], loss = 1.0 - t.U[i] / t.U[0];
+      if (axis == 0) b.motion.row(row) << v * v, v * r, r * r, d * d, loss, 1.0;
+      else b.motion.row(row) << v, r, d, v * std::abs(v), r * std::abs(r), d * std::abs(d);
+      b.constant(row, 0) = axis == 0 ? r : 1.0;
+      b.heading.row(row) << std::cos(t.psi[i]), std::sin(t.psi[i]);
+      if (i > 0) b.history.row(row) << v + t.beta[i - 1], r - t.r_prime[i - 1], d - t.delta[i - 1];
+    }
+  return b;
+}
+
+/// Share of the force that columns explain.
+double explained(const Eigen::MatrixXd& columns, const Eigen::VectorXd& force) {
+  const Eigen::VectorXd rest = force - columns * columns.colPivHouseholderQr().solve(force);
+  return 1.0 - rest.squaredNorm() / std::max(force.squaredNorm(), 1e-300);
+}
+
+Eigen::MatrixXd beside(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  Eigen::MatrixXd both(a.rows(), a.cols() + b.cols());
+  both << a, b;
+  return both;
+}
+
+std::string symmetry_of(std::span<const Traced> runs) {
+  if (runs.empty()) return {};
+  const auto axis = main_axis(runs.front());
+  const auto b = basis_of(runs, axis);
+  Eigen::VectorXd force(b.motion.rows());
+  Eigen::Index row = 0;
+  for (const auto& t : runs)
+    for (const auto& m : t.missing) force[row++] = std::isfinite(m[axis]) ? m[axis] : 0.0;
+  const double alone = explained(b.motion, force);
+  const std::array gains{explained(beside(b.motion, b.constant), force) - alone, explained(beside(b.motion, b.heading), force) - alone,
+                         explained(beside(b.motion, b.history), force) - alone};
+  const auto most = static_cast<std::size_t>(std::ranges::max_element(gains) - gains.begin());
+  if (gains[most] < 0.15) return {};
+  // a constant lies in the span of neither; heading explains it in part where the headings are few
+  if (most == 1 && gains[1] - gains[0] < 0.1) return "it differs between port and starboard";
+  constexpr std::array words{"it differs between port and starboard", "it goes with the heading, as what is fixed to the earth does",
+                             "it goes with changes of the motion, not with the motion"};
+  return words[most];
+}
+
+}  // namespace
+
+Located located(const Ship& ship, std::span<const Recording> runs, const Noise& noise) {
+  std::vector<Traced> all;
+  for (const auto& run : runs)
+    if (auto t = traced(ship, run, noise); t && !t->time.empty()) all.push_back(std::move(*t));
+  Located result;
+  for (const auto& t : all) result.places.push_back(place_of(t));
+  result.symmetry = symmetry_of(all);
+  return result;
+}
+
+}  // namespace swayaw
