@@ -1,0 +1,256 @@
+#!/usr/bin/env python3
+"""Helper of the scripts make_*_diagnosis.sh: prepares recordings and turns the JSON of `swayaw diagnose` into tables. Standard library only.
+
+    diagnosis.py prepare IN.csv OUT.csv [--every N] [--drop COLUMNS] [--rename OLD:NEW,...] [--from S] [--to S] [--key "KEY = VALUE"]
+    diagnosis.py wind IN.csv [--from S] [--to S]            mean of the measured wind: speed and direction of the mean force, JSON
+    diagnosis.py found LABEL=FILE.json...                   verdict and effects, one row each
+    diagnosis.py winds LABEL=FILE.json...                   wind found beside FILE.wind.json, the measured one, and the best of FILE.from_*.json
+    diagnosis.py track RUN.csv...                           way made good by position over way by the speed columns, run by run and altogether
+    diagnosis.py candidates FILE.json [MOST]                the ranking
+    diagnosis.py numbers BEFORE.toml AFTER.toml KEY...      values of a ship file and of the one refitted
+    diagnosis.py zeros RUN.csv...                           zero of the gyro: slope of (integral of r) - psi
+    diagnosis.py errors FILE.json                           replays before, refitted and after, used and held-out runs"""
+import argparse
+import csv
+import glob
+import json
+import math
+import sys
+
+SHOWN = ["heading", "yaw_rate", "drift", "speed", "position"]
+
+
+# ---------------------------------------------------------------- recordings
+
+def table_of(path):
+    lines = open(path, encoding="utf-8").read().splitlines()
+    head = [line for line in lines if line.startswith("#")]
+    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    return head, rows[0], rows[1:]
+
+
+def within(rows, a):
+    low = -math.inf if a.begin is None else a.begin
+    high = math.inf if a.end is None else a.end
+    return [row for row in rows if low <= float(row[0]) <= high]
+
+
+def prepare(a):
+    head, columns, rows = table_of(a.file)
+    dropped = set(a.drop.split(",")) if a.drop else set()
+    renamed = dict(pair.split(":") for pair in a.rename.split(",")) if a.rename else {}
+    kept = [i for i, name in enumerate(columns) if name not in dropped]
+    with open(a.out, "w", encoding="utf-8") as out:
+        for line in head + [f"# {key}" for key in a.key]:
+            print(line, file=out)
+        print(",".join(renamed.get(columns[i], columns[i]) for i in kept), file=out)
+        for row in within(rows, a)[:: a.every]:
+            print(",".join(row[i] for i in kept), file=out)
+
+
+def wind(a):
+    """Steady wind of the same mean force: the mean of V² in both directions."""
+    _, columns, rows = table_of(a.file)
+    speed, direction = columns.index("wind_speed_m_s"), columns.index("wind_from_rad")
+    rows = within(rows, a)
+    north = sum(float(r[speed]) ** 2 * math.cos(float(r[direction])) for r in rows) / len(rows)
+    east = sum(float(r[speed]) ** 2 * math.sin(float(r[direction])) for r in rows) / len(rows)
+    mean = sum(float(r[speed]) for r in rows) / len(rows)
+    spread = math.sqrt(sum((float(r[speed]) - mean) ** 2 for r in rows) / len(rows))
+    json.dump({"wind_speed_m_s": math.sqrt(math.hypot(north, east)), "wind_from_rad": math.atan2(east, north) % (2 * math.pi), "spread_m_s": spread}, sys.stdout)
+
+
+def track(paths):
+    """Way between positions ten samples apart, over the same way by speed and heading. Runs that overlap in time are counted once."""
+    print("| run | way by position over way by speed |\n| --- | ---: |")
+    whole = {}
+    for path in paths:
+        _, columns, rows = table_of(path)
+        place = [columns.index(c) for c in ("time_s", "x_m", "y_m", "ug_m_s", "vg_m_s", "psi_rad")]
+        samples = [tuple(float(row[i]) for i in place) for row in rows]
+        whole.update((s[0], s) for s in samples)
+        print(f"| {path.rsplit('/', 1)[-1]} | {way_ratio(samples):.4f} |")
+    print(f"| altogether | {way_ratio([whole[t] for t in sorted(whole)]):.4f} |")
+
+
+def way_ratio(samples, apart=10):
+    by_position = by_speed = 0.0
+    for i in range(0, len(samples) - apart, apart):
+        piece = samples[i : i + apart + 1]
+        if piece[-1][0] - piece[0][0] > 0.6 * apart:
+            continue  # a gap between runs
+        north = east = 0.0
+        for a, b in zip(piece, piece[1:]):
+            h, u, v, psi = b[0] - a[0], a[3], a[4], a[5]
+            north += h * (u * math.cos(psi) - v * math.sin(psi))
+            east += h * (u * math.sin(psi) + v * math.cos(psi))
+        by_position += math.hypot(piece[-1][1] - piece[0][1], piece[-1][2] - piece[0][2])
+        by_speed += math.hypot(north, east)
+    return by_position / by_speed
+
+
+# ---------------------------------------------------------------- tables
+
+UNITS = {"rad": (180 / math.pi, "deg"), "rad_s": (180 / math.pi, "deg/s"), "m_s": (1, "m/s"), "s": (1, "s"), "m": (1, "m"), "N": (1, "N"), "kN": (1, "kN")}
+
+
+def in_words(key, estimate):
+    """1.80 ± 0.05 m/s, angles in degrees."""
+    name, factor, unit = key, 1.0, ""
+    for suffix in ("rad_s", "m_s", "rad", "kN", "N", "m", "s"):
+        if key.endswith("_" + suffix) and key not in ("a_H", "x_H"):
+            name, (factor, unit) = key[: -len(suffix) - 1], UNITS[suffix]
+            break
+    if not isinstance(estimate, dict):
+        return f"{name} {estimate}"
+    value, error = estimate.get("value"), estimate.get("standard_error")
+    if not isinstance(value, (int, float)):
+        return f"{name} {value}"
+    text = f"{name} {factor * value:.3g}"
+    if isinstance(error, (int, float)):
+        text += f" ± {factor * error:.2g}"
+    return f"{text} {unit}".rstrip()
+
+
+def effect_words(effect, most=None):
+    parameters = sorted(effect["parameters"].items(), key=lambda p: -significance(p[1])) if most else effect["parameters"].items()
+    return ", ".join(in_words(k, v) for k, v in list(parameters)[:most])
+
+
+def significance(estimate):
+    try:
+        return abs(estimate["value"]) / estimate["standard_error"]
+    except (KeyError, TypeError, ZeroDivisionError):
+        return 0.0
+
+
+def load(path):
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def found(files):
+    print("| runs | verdict | effect | probability | found | as well explained by |\n| --- | --- | --- | ---: | --- | --- |")
+    for pair in files:
+        label, path = pair.split("=", 1)
+        d = load(path)
+        verdict = d["verdict"].replace("_", " ")
+        if not d["effects"]:
+            print(f"| {label} | {verdict} | – | – | – | – |")
+        for i, e in enumerate(d["effects"]):
+            first = f"| {label} | {verdict} " if i == 0 else "| | "
+            print(f"{first}| `{e['effect']}` | {e['probability']:.2f} | {effect_words(e, 4)} | {', '.join(e['indistinguishable_from']) or '–'} |")
+
+
+def best_direction(path):
+    """Direction of the wind [rad] with which the replays of `compare` come nearest: least mean of the logarithms of the window errors."""
+    def score(file):
+        errors = [q["window_rms"] for q in load(file)["all_runs"]["quantities"]]
+        return sum(math.log(e) for e in errors) / len(errors)
+
+    files = glob.glob(path.removesuffix(".json") + ".from_*.json")
+    return math.radians(float(min(files, key=score).rsplit("_", 1)[1].removesuffix(".json"))) if files else None
+
+
+def turned(a, b):
+    """Smallest turn from b to a [deg]."""
+    return (math.degrees(a - b) + 180) % 360 - 180
+
+
+def winds(files):
+    print("| run | measured | found | speed error | direction error | gain of `steady_wind`; first candidate | replays nearest with wind from |\n| --- | --- | --- | ---: | ---: | --- | --- |")
+    for pair in files:
+        label, path = pair.split("=", 1)
+        d, truth = load(path), load(path.removesuffix(".json") + ".wind.json")
+        cells = [f"{truth['wind_speed_m_s']:.2f} m/s from {math.degrees(truth['wind_from_rad']):.0f}°, gusts ± {truth['spread_m_s']:.1f}"]
+        effect = next((e for e in d["effects"] if e["effect"] in ("steady_wind", "gust")), None)
+        if effect:
+            speed, direction = effect["parameters"]["wind_speed_m_s"], effect["parameters"]["wind_from_rad"]
+            cells += [f"{speed['value']:.2f} ± {speed['standard_error']:.2f} m/s from {math.degrees(direction['value']):.0f} ± {math.degrees(direction['standard_error']):.0f}°",
+                      f"{100 * (speed['value'] / truth['wind_speed_m_s'] - 1):+.0f} %", f"{turned(direction['value'], truth['wind_from_rad']):+.0f}°"]
+        else:
+            cells += ["not reported", "–", "–"]
+        gain = next((c["log_evidence_gain"] for c in d["candidates"] if c["effect"] == "steady_wind"), None)
+        first = d["candidates"][0] if d["candidates"] else None
+        cells.append((f"{gain:.0f}" if gain is not None else "not among them") + (f", `{first['effect']}` {first['log_evidence_gain']:.0f}" if first else ""))
+        best = best_direction(path)
+        cells.append(f"{math.degrees(best):.0f}°, {turned(best, truth['wind_from_rad']):+.0f}°" if best is not None else "–")
+        print(f"| {label} | " + " | ".join(cells) + " |")
+
+
+def numbers(before, after, keys):
+    def value(path, key):
+        line = next(line for line in open(path, encoding="utf-8") if line.split("=")[0].strip() == key)
+        return float(line.split("=")[1].split("#")[0])
+
+    print("| key | file | refitted |\n| --- | ---: | ---: |")
+    for key in keys:
+        print(f"| `{key}` | {value(before, key):.3g} | {value(after, key):.3g} |")
+
+
+def zeros(paths):
+    print("| run | zero of the gyro by heading and yaw rate alone |\n| --- | ---: |")
+    for path in paths:
+        _, columns, rows = table_of(path)
+        t, psi, r = ([float(row[columns.index(c)]) for row in rows] for c in ("time_s", "psi_rad", "r_rad_s"))
+        turned_by = [0.0]
+        for i in range(1, len(t)):
+            turned_by.append(turned_by[-1] + 0.5 * (t[i] - t[i - 1]) * (r[i] + r[i - 1]))
+        drift = [a - p for a, p in zip(turned_by, psi)]
+        mean_t, mean_d = sum(t) / len(t), sum(drift) / len(t)
+        slope = sum((a - mean_t) * (b - mean_d) for a, b in zip(t, drift)) / sum((a - mean_t) ** 2 for a in t)
+        print(f"| {path.rsplit('/', 1)[-1]} | {math.degrees(slope):.4f} deg/s |")
+
+
+def candidates(path, most):
+    print("| candidate | gain of log evidence | probability |\n| --- | ---: | ---: |")
+    for c in load(path)["candidates"][:most]:
+        print(f"| `{c['effect']}` | {c['log_evidence_gain']:.1f} | {c['probability']:.3f} |")
+
+
+def percent(run, stage, quantity):
+    value = run.get(stage, {}).get(quantity)
+    return f"{100 * value:.1f}" if isinstance(value, (int, float)) else "–"
+
+
+def errors(path):
+    d = load(path)
+    print("| run | | " + " | ".join(q.replace("_", " ") for q in SHOWN) + " |\n| --- | --- | " + " | ".join("---:" for _ in SHOWN) + " |")
+    for kind, title in (("train", "used"), ("holdout", "held out")):
+        for run in d["fit"][kind]:
+            cells = [" → ".join(percent(run, stage, q) for stage in ("before", "refitted", "after")) for q in SHOWN]
+            print(f"| {run['run']} | {title} | " + " | ".join(cells) + " |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(dest="command", required=True)
+    for name in ("prepare", "wind"):
+        sub = commands.add_parser(name)
+        sub.add_argument("file")
+        if name == "prepare":
+            sub.add_argument("out")
+            sub.add_argument("--every", type=int, default=1)
+            sub.add_argument("--drop", default="")
+            sub.add_argument("--rename", default="")
+            sub.add_argument("--key", action="append", default=[])
+        sub.add_argument("--from", dest="begin", type=float)
+        sub.add_argument("--to", dest="end", type=float)
+    for name in ("found", "winds", "track", "zeros"):
+        commands.add_parser(name).add_argument("files", nargs="+")
+    sub = commands.add_parser("numbers")
+    sub.add_argument("before")
+    sub.add_argument("after")
+    sub.add_argument("keys", nargs="+")
+    sub = commands.add_parser("candidates")
+    sub.add_argument("file")
+    sub.add_argument("most", nargs="?", type=int, default=6)
+    commands.add_parser("errors").add_argument("file")
+    a = parser.parse_args()
+    {"prepare": prepare, "wind": wind, "found": lambda x: found(x.files), "winds": lambda x: winds(x.files), "track": lambda x: track(x.files), "zeros": lambda x: zeros(x.files),
+     "numbers": lambda x: numbers(x.before, x.after, x.keys), "candidates": lambda x: candidates(x.file, x.most),
+     "errors": lambda x: errors(x.file)}[a.command](a)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# Makes the tables of docs/results/gunnerus_diagnosis.md from the trials of R/V Gunnerus of 27 October 2022.
+#   docs/results/make_gunnerus_diagnosis.sh BUILD_FOLDER FOLDER_WITH_GUNNERUS_RECORDINGS
+# Needs the targets swayaw and gunnerus_ship.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+build=$(realpath "$1") recordings=$(realpath "$2")
+program=$build/app/swayaw
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/tables"
+cd "$work"
+helper() { python3 "$here/diagnosis.py" "$@"; }
+
+"$build/examples/gunnerus_ship" gunnerus.toml
+# the order stands where the angle should: that is what is hidden
+columns=ug_m_s:u_m_s,vg_m_s:v_m_s,delta_order_rad:delta_rad
+for run in "$recordings"/*.csv; do helper prepare "$run" "$(basename "$run")" --rename "$columns" --drop phi_rad; done
+for run in [0-9]*.csv; do helper prepare "$run" "trackless_$run" --drop x_m,y_m; done
+
+"$program" diagnose gunnerus.toml trackless_{1550,1850,3250}_*.csv --holdout trackless_3700_*.csv trackless_4150_*.csv --json > order.json
+"$program" diagnose gunnerus.toml 0350_*.csv 0800_*.csv 1100_*.csv --json > speed.json
+helper found "zigzags, without positions=order.json" "two circles and a straight leg, with positions=speed.json" > tables/found.md
+helper candidates order.json 8 > tables/order.md
+helper candidates speed.json 8 > tables/speed.md
+helper errors order.json > tables/errors.md
+helper track "$recordings"/*.csv > tables/track.md
+"$here/../papers/put_tables.sh" "$here/gunnerus_diagnosis.md" "$work/tables"
