@@ -109,7 +109,7 @@ EffectForm wave_form(const Effect& null, std::span<const EffectNumber> numbers) 
 /// Draught over depth, and how much of the usual growth she shows: all of it, and each kind.
 EffectForm shallow_form(const Effect& null) {
   EffectForm form{.id = std::string(id_of(null)), .coordinates = {{.name = "draught over depth", .deviation = 0.5, .low = 0.0, .high = 0.9}}, .at = {}, .starts = {}};
-  for (const auto* kind : {"growth", "sway", "yaw", "cubic", "mass", "resistance"}) form.coordinates.push_back({.name = kind, .deviation = 0.4, .low = -3.0, .high = 3.0});
+  for (const auto* kind : {"growth", "sway", "yaw", "cubic", "mass", "resistance"}) form.coordinates.push_back({.name = kind, .deviation = 0.35, .low = -0.7, .high = 0.7});
   form.coordinates.push_back({.name = "wake", .centre = 0.5, .deviation = 0.5, .low = 0.0, .high = 2.0});
   form.at = [](std::span<const double> c) {
     if (c[0] < 0.02) return Effect(ShallowWater<double>{});

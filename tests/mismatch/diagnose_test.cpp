@@ -1,0 +1,200 @@
+#include "swayaw/mismatch/diagnose.hpp"
+
+#include <algorithm>
+#include <catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "random_ships.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/windage_sources.hpp"
+
+/// What a ship hides from her model is named, with its size, wherever the runs come from.
+namespace swayaw {
+namespace {
+
+/// A model tank ship that shows the wind an area, with numbers that are known to 2 %.
+Ship test_ship() {
+  Ship ship = test::kvlcc2_l7();
+  auto& model = std::get<MmgShip<double>>(ship.model);
+  model.propeller.C_2_negative = model.propeller.C_2_positive;
+  model.rudder.gamma_R_negative = model.rudder.gamma_R_positive;
+  const double L = length(ship);
+  ship.surroundings.windage = *windage_from({.frontal = 0.02 * L * L, .lateral = 0.08 * L * L, .length = L});
+  ship.confidence.coefficients = 0.02;
+  return ship;
+}
+
+/// White noise of a tank's instruments.
+Recording measured(Recording run, std::string name, unsigned seed) {
+  run.name = std::move(name);
+  std::mt19937_64 engine(seed);
+  for (const auto& [channel, deviation] : {std::pair{Channel::x, 5e-3}, {Channel::y, 5e-3}, {Channel::psi, 2e-3}, {Channel::r, 1e-3}, {Channel::u, 5e-3}}) {
+    std::normal_distribution error(0.0, deviation);
+    for (double& sample : run.fill(channel)) sample += error(engine);
+  }
+  run.channels[index_of(Channel::v)].clear();
+  run.channels[index_of(Channel::thrust)].clear();
+  return run;
+}
+
+const ManoeuvreOptions sampled{.duration = 110.0, .step = 0.3};
+
+/// A zigzag and a turn; a further zigzag is held out.
+std::vector<Recording> trials(const Ship& ship, unsigned seed = 1) {
+  return {measured(zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, sampled).run, "zigzag.csv", seed),
+          measured(turning_circle(ship, {.rudder = radians(30), .side = Side::port}, sampled).run, "turn.csv", seed + 1)};
+}
+
+std::vector<Recording> held_out(const Ship& ship, unsigned seed = 11) {
+  return {measured(zigzag(ship, {.rudder = radians(15), .heading = radians(10), .first = Side::port}, sampled).run, "unused.csv", seed)};
+}
+
+DiagnosisOptions quick() { return {.most_effects = 1, .confirmed = 4}; }
+
+Diagnosis of(const Ship& ship, const Effect& hidden, unsigned seed = 1) {
+  const auto real = with_effect(ship, hidden);
+  return diagnose(ship, trials(real, seed), {}, held_out(real, seed + 10), quick());
+}
+
+void finds(const Diagnosis& d, const Effect& hidden) {
+  INFO(id_of(hidden) << ": " << d.words);
+  REQUIRE(!d.effects.empty());
+  CHECK(id_of(d.effects.front().effect) == id_of(hidden));
+  CHECK(d.verdict == DiagnosisVerdict::missing_physics);
+  CHECK(d.effects.front().probability > 0.8);
+}
+
+/// Value of a number less the truth, in standard errors.
+double error_of(const Diagnosis& d, std::string_view key, double truth) {
+  const auto& list = d.effects.front().parameters;
+  const auto p = std::ranges::find(list, key, &EffectParameterEstimate::key);
+  REQUIRE(p != list.end());
+  const double error = key.ends_with("from_rad") || key.ends_with("to_rad") ? wrapped(p->value - truth) : p->value - truth;
+  return error / p->standard_error;
+}
+
+TEST_CASE("an effect that is hidden is named, with its size", "[mismatch][round-trip]") {
+  const Ship ship = test_ship();
+  SECTION("an offset of the rudder") {
+    const auto d = of(ship, RudderOffset<double>{radians(1.5)});
+    finds(d, RudderOffset<double>{});
+    CHECK(std::abs(error_of(d, "offset_rad", radians(1.5))) < 3.5);
+  }
+  SECTION("a current") {
+    const auto d = of(ship, SteadyCurrent<double>{0.1, 1.0});
+    finds(d, SteadyCurrent<double>{});
+    CHECK(std::abs(error_of(d, "current_speed_m_s", 0.1)) < 3.5);
+    CHECK(std::abs(error_of(d, "current_to_rad", 1.0)) < 3.5);
+  }
+  SECTION("a zero error of the gyro") {
+    const double bias = 0.05 * service_speed(ship) / length(ship);
+    const auto d = of(ship, GyroBias<double>{bias});
+    finds(d, GyroBias<double>{});
+    CHECK(std::abs(error_of(d, "bias_rad_s", bias)) < 3.5);
+    CHECK(d.location.front().quantity == "yaw_rate");
+  }
+  SECTION("a rudder that stalls") {
+    const auto d = of(ship, RudderStall<double>{.angle = 0.28, .depth = 0.5, .width = 0.04});
+    finds(d, RudderStall<double>{});
+    CHECK(std::abs(error_of(d, "stall_angle_rad", 0.28)) < 3.5);
+  }
+}
+
+TEST_CASE("the improved ship predicts runs that were not used better than the refitted one", "[mismatch][second-route]") {
+  const Ship ship = test_ship();
+  const auto d = of(ship, RudderStall<double>{.angle = 0.2, .depth = 0.6, .width = 0.04});
+  const auto error = [&](const std::vector<QuantityError>& list, Quantity q) { return std::ranges::find(list, q, &QuantityError::quantity)->window_rms; };
+  const auto& run = d.holdout.front();
+  INFO(d.words);
+  for (std::size_t i = 0; i < run.before.size(); ++i) UNSCOPED_INFO(name_of(run.before[i].quantity) << " " << run.before[i].window_rms << " " << run.refitted[i].window_rms << " " << run.after[i].window_rms);
+  CHECK(error(run.after, Quantity::heading) < 0.7 * error(run.refitted, Quantity::heading));
+  CHECK(error(run.refitted, Quantity::heading) <= 1.01 * error(run.before, Quantity::heading));
+}
+
+TEST_CASE("nothing is missing in runs of the ship herself", "[mismatch][limit]") {
+  const Ship ship = test_ship();
+  for (const unsigned seed : {21u, 22u, 23u}) {
+    const auto d = diagnose(ship, trials(ship, seed), {}, held_out(ship, seed + 10), quick());
+    INFO(d.words);
+    CHECK(d.verdict == DiagnosisVerdict::nothing_missing);
+    CHECK(d.effects.empty());
+    // a rudder offset of half a degree would have been seen
+    const auto offset = std::ranges::find(d.detectable, "rudder_offset", &DetectableSize::effect);
+    REQUIRE(offset != d.detectable.end());
+    CHECK(offset->value < radians(0.5));
+    CHECK(offset->value > 0.0);
+  }
+}
+
+TEST_CASE("what held-out runs do not have is not a finding", "[mismatch][second-route]") {
+  const Ship ship = test_ship(), real = with_effect(ship, RudderOffset<double>{radians(1.5)});
+  const auto d = diagnose(ship, trials(real), {}, held_out(ship), quick());
+  CHECK(std::ranges::none_of(d.effects, [](const FoundEffect& e) { return std::holds_alternative<RudderOffset<double>>(e.effect); }));
+}
+
+// ---------------------------------------------------------------- where the runs come from
+
+Recording turned(Recording run, double angle) {
+  const double s = std::sin(angle), c = std::cos(angle);
+  const auto x = run.fill(Channel::x), y = run.fill(Channel::y), psi = run.fill(Channel::psi);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double north = c * x[i] - s * y[i], east = s * x[i] + c * y[i];
+    x[i] = north, y[i] = east, psi[i] += angle;
+  }
+  return run;
+}
+
+Recording mirrored(Recording run) {
+  for (const auto channel : {Channel::y, Channel::psi, Channel::r, Channel::delta, Channel::v})
+    if (run.has(channel))
+      for (double& value : run.fill(channel)) value = -value;
+  return run;
+}
+
+template <class F>
+std::vector<Recording> each(std::vector<Recording> runs, F&& change) {
+  for (auto& run : runs) run = change(std::move(run));
+  return runs;
+}
+
+TEST_CASE("names and order of the runs, the heading they were sailed on and a mirror do not change the answer", "[mismatch][symmetry]") {
+  const Ship ship = test_ship();
+  const double L = length(ship), strong = 1.2 * std::sqrt(0.1 * 9.81 * L);
+  const auto real = with_effect(ship, SteadyWind<double>{strong, 0.9});
+  const auto runs = trials(real), unused = held_out(real);
+  const auto d = diagnose(ship, runs, {}, unused, quick());
+  finds(d, SteadyWind<double>{});
+  const auto speed = d.effects.front().parameters[0].value, from = d.effects.front().parameters[1].value;
+  const auto is_same = [&](const Diagnosis& other, double from_there) {
+    finds(other, SteadyWind<double>{});
+    CHECK(other.verdict == d.verdict);
+    CHECK(std::abs(error_of(other, "wind_speed_m_s", speed)) < 0.3);
+    CHECK(std::abs(error_of(other, "wind_from_rad", from_there)) < 0.3);
+  };
+  auto renamed = runs;
+  std::swap(renamed[0].name, renamed[1].name);
+  std::swap(renamed[0], renamed[1]);
+  is_same(diagnose(ship, renamed, {}, unused, quick()), from);
+  const auto turn = [](Recording run) { return turned(std::move(run), 2.1); };
+  is_same(diagnose(ship, each(runs, turn), {}, each(unused, turn), quick()), from + 2.1);
+  is_same(diagnose(ship, each(runs, mirrored), {}, each(unused, mirrored), quick()), -from);
+}
+
+// ---------------------------------------------------------------- questions that have no answer
+
+TEST_CASE("a diagnosis needs a run", "[mismatch][refusal]") { CHECK_THROWS_WITH(diagnose(test_ship(), {}, {}, {}), ContainsSubstring("there is no run to diagnose")); }
+
+TEST_CASE("a diagnosis that is stopped tells what is known", "[mismatch][refusal]") {
+  const Ship ship = test_ship(), real = with_effect(ship, RudderOffset<double>{radians(1.5)});
+  auto options = quick();
+  options.progress = [](std::string_view what) { return what.find("trying") == std::string_view::npos; };
+  const auto d = diagnose(ship, trials(real), {}, held_out(real), options);
+  CHECK(d.holdout.size() == 1);
+}
+
+}  // namespace
+}  // namespace swayaw
