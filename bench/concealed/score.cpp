@@ -1,0 +1,121 @@
+#include "score.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <mutex>
+#include <set>
+
+#include "rivals.hpp"
+#include "swayaw/core/atomic_file.hpp"
+#include "swayaw/core/parallel.hpp"
+#include "swayaw/core/recording_csv.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/mismatch/diagnose.hpp"
+#include "swayaw/nonlinear/ship_file.hpp"
+
+namespace swayaw::concealed {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Recording> read_runs(const fs::path& folder) {
+  std::set<fs::path> files;
+  if (fs::is_directory(folder))
+    for (const auto& entry : fs::directory_iterator(folder)) files.insert(entry.path());
+  std::vector<Recording> runs;
+  for (const auto& file : files) runs.push_back(read_recording(file).recording);
+  return runs;
+}
+
+Json number(std::optional<double> value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
+
+Json effect_of(const FoundEffect& e) {
+  Json numbers = Json::object();
+  for (const auto& p : e.parameters) numbers[p.key] = {number(p.value), number(p.standard_error)};
+  Json json{{"effect", id_of(e.effect)}, {"probability", number(e.probability)}, {"onset_s", number(e.onset)}, {"end_s", number(e.end)}, {"parameters", std::move(numbers)},
+            {"indistinguishable_from", e.indistinguishable_from}};
+  if (const auto* late = std::get_if<ChannelDelay<double>>(&e.effect)) json["channel"] = short_name(late->channel);
+  return json;
+}
+
+/// Mean of error with the effects over error of the refitted baseline, heading and yaw rate of the runs held out.
+std::optional<double> holdout_ratio(const Diagnosis& d) {
+  double sum = 0.0;
+  int count = 0;
+  for (const auto& run : d.holdout)
+    for (const auto quantity : {Quantity::heading, Quantity::yaw_rate}) {
+      const auto of = [&](const std::vector<QuantityError>& errors) { return std::ranges::find(errors, quantity, &QuantityError::quantity); };
+      const auto refitted = of(run.refitted), after = of(run.after);
+      if (refitted == run.refitted.end() || after == run.after.end() || !(refitted->window_rms > 0.0)) continue;
+      sum += after->window_rms / refitted->window_rms;
+      ++count;
+    }
+  return count ? std::optional(sum / count) : std::nullopt;
+}
+
+Json diagnosis_of(const Riddle& riddle) {
+  const auto d = diagnose(riddle.ship, riddle.train, riddle.reference, riddle.holdout);
+  Json effects = Json::array(), candidates = Json::array();
+  for (const auto& e : d.effects) effects.push_back(effect_of(e));
+  for (const auto& c : d.candidates) candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"gain", number(c.log_evidence_gain)}});
+  return {{"verdict", name_of(d.verdict)}, {"imperfection", number(d.imperfection)}, {"effects", std::move(effects)}, {"candidates", std::move(candidates)},
+          {"holdout_ratio", number(holdout_ratio(d))}};
+}
+
+/// The answers to one case beside its truth. What cannot be diagnosed is a wrong answer.
+Json answered(const fs::path& folder, bool rivals_only) {
+  const auto start = std::chrono::steady_clock::now();
+  Json line = Json::parse(read_text(folder / "truth.json"));
+  line["case"] = folder.filename().string();
+  const auto riddle = read_riddle(folder);
+  line["time_unit_s"] = length(riddle.ship) / service_speed(riddle.ship);
+  for (const auto& [rival, effects] : rivals_on(riddle, line.value("seed", std::uint64_t{0}))) line["rivals"][rival] = effects;
+  if (rivals_only) return line;
+  try {
+    line["answer"] = diagnosis_of(riddle);
+  } catch (const std::exception& trouble) {
+    line["answer"] = {{"verdict", "failed"}, {"words", trouble.what()}, {"effects", Json::array()}, {"candidates", Json::array()}, {"holdout_ratio", nullptr}};
+  }
+  line["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return line;
+}
+
+}  // namespace
+
+Riddle read_riddle(const fs::path& folder) {
+  return {read_ship(folder / "ship.toml"), read_runs(folder / "train"), read_runs(folder / "holdout"), read_runs(folder / "reference")};
+}
+
+std::vector<Json> read_lines(const fs::path& file) {
+  std::vector<Json> lines;
+  std::ifstream in(file);
+  for (std::string text; std::getline(in, text);)
+    if (auto line = Json::parse(text, nullptr, false); !line.is_discarded()) lines.push_back(std::move(line));
+  return lines;
+}
+
+void score(const fs::path& cases, const ScoreOptions& options, const std::function<void(const Json&)>& told) {
+  std::set<std::string> done;
+  std::string kept;
+  for (const auto& line : read_lines(options.lines)) done.insert(line.at("case")), kept += line.dump() + "\n";
+  if (fs::exists(options.lines)) write_text(options.lines, kept);  // without a line that was cut off
+  std::set<fs::path> waiting;
+  for (const auto& entry : fs::directory_iterator(cases))
+    if (fs::exists(entry.path() / "truth.json") && !done.contains(entry.path().filename().string())) waiting.insert(entry.path());
+  const std::vector<fs::path> order(waiting.begin(), waiting.end());
+  std::ofstream out(options.lines, std::ios::app);
+  if (!out) throw FileError({options.lines}, "cannot be written");
+  std::mutex guard;
+  in_parallel(order.size(), options.jobs, [&](std::size_t i) {
+    const auto line = answered(order[i], options.rivals_only);
+    const std::scoped_lock lock(guard);
+    out << line.dump() << std::endl;
+    told(line);
+  });
+}
+
+}  // namespace swayaw::concealed

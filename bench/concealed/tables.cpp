@@ -1,0 +1,316 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "score.hpp"
+#include "swayaw/core/angle.hpp"
+
+namespace swayaw::concealed {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// ---------------------------------------------------------------- marks
+
+/// How well an answer names what is there.
+struct Mark {
+  bool found;    ///< something was said to be missing
+  bool first;    ///< the first name is right; nothing where nothing is
+  bool third;    ///< the right name is among three
+  bool covered;  ///< the right name is the first or one that the answer cannot tell from it
+  bool all;      ///< every effect is named
+};
+
+Names truth_of(const Json& line) {
+  Names names;
+  for (const auto& e : line.at("effects")) names.push_back(e.at("effect"));
+  return names;
+}
+
+bool is_unknown(const Names& truth) { return !truth.empty() && truth.front().starts_with("unknown"); }
+
+bool any_of_in(const Names& truth, const Names& names, std::size_t most) {
+  return std::any_of(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())), [&](const auto& n) { return std::ranges::count(truth, n) > 0; });
+}
+
+/// @param unexplained  the answer says that something is there which it does not know
+Mark mark(const Names& truth, const Names& effects, Names ranking, const Names& same, bool unexplained) {
+  const bool found = unexplained || !effects.empty();
+  if (truth.empty()) return {found, !found, !found, !found, !found};
+  if (is_unknown(truth)) {
+    const bool right = unexplained || (!effects.empty() && effects.front() == "unknown");
+    return {found, right, right || std::ranges::count(ranking, "unknown") > 0, right, right};
+  }
+  ranking.insert(ranking.begin(), effects.begin(), effects.end());
+  Names three;
+  for (const auto& n : ranking)
+    if (std::ranges::count(three, n) == 0) three.push_back(n);
+  const bool first = any_of_in(truth, effects, 1), covered = first || (found && any_of_in(truth, same, same.size()));
+  return {found, first, found && any_of_in(truth, three, 3), covered, std::ranges::all_of(truth, [&](const auto& n) { return std::ranges::count(effects, n) > 0; })};
+}
+
+Mark mark_of(const Json& line) {
+  const auto& a = line.at("answer");
+  Names effects, ranking, same;
+  for (const auto& e : a.at("effects")) effects.push_back(e.at("effect"));
+  for (const auto& c : a.at("candidates")) ranking.push_back(c.at("effect"));
+  if (!a.at("effects").empty()) same = a["effects"][0].at("indistinguishable_from").get<Names>();
+  return mark(truth_of(line), effects, ranking, same, a.at("verdict") == "unexplained");
+}
+
+Mark mark_of_rival(const Json& line, const std::string& rival) {
+  const auto names = line.at("rivals").at(rival).get<Names>();
+  return mark(truth_of(line), names.empty() ? Names{} : Names{names.front()}, names, {}, false);
+}
+
+// ---------------------------------------------------------------- numbers
+
+struct NumberErrors {
+  std::vector<double> errors;  ///< relative; of directions in radians
+  int inside = 0;              ///< of the 95 % intervals
+};
+
+bool is_direction(const std::string& key) { return key.ends_with("from_rad") || key.ends_with("to_rad"); }
+
+void add_numbers(const Json& line, NumberErrors& all) {
+  for (const auto& truth : line.at("effects"))
+    for (const auto& found : line.at("answer").at("effects")) {
+      const auto& numbers = truth.at("parameters");
+      if (found.at("effect") != truth.at("effect") || (numbers.contains("channel") && numbers["channel"] != found.value("channel", ""))) continue;
+      for (const auto& [key, value] : numbers.items()) {
+        if (!value.is_number() || !found.at("parameters").contains(key) || found["parameters"][key][0].is_null()) continue;
+        const double t = value.get<double>(), v = found["parameters"][key][0].get<double>(), s = found["parameters"][key][1].get<double>();
+        const double off = is_direction(key) ? wrapped(v - t) : v - t;
+        all.errors.push_back(is_direction(key) ? std::abs(off) : std::abs(off / t));
+        all.inside += std::abs(off) <= 1.96 * s;
+      }
+    }
+}
+
+void add_onset(const Json& line, std::vector<double>& errors) {
+  for (const auto& truth : line.at("effects"))
+    for (const auto& found : line.at("answer").at("effects"))
+      if (found.at("effect") == truth.at("effect") && truth.at("parameters").contains("onset_s") && !found.at("onset_s").is_null())
+        errors.push_back(std::abs(found["onset_s"].get<double>() - truth["parameters"]["onset_s"].get<double>()) / line.at("time_unit_s").get<double>());
+}
+
+std::optional<double> median(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  std::ranges::sort(values);
+  const std::size_t n = values.size();
+  return 0.5 * (values[(n - 1) / 2] + values[n / 2]);
+}
+
+// ---------------------------------------------------------------- groups of cases
+
+struct Group {
+  int cases = 0, found = 0, first = 0, third = 0, covered = 0, all = 0;
+  NumberErrors numbers;
+  std::vector<double> ratios, onsets;
+
+  void add(const Mark& m) { ++cases, found += m.found, first += m.first, third += m.third, covered += m.covered, all += m.all; }
+  void add(const Json& line) {
+    add(mark_of(line));
+    add_numbers(line, numbers);
+    add_onset(line, onsets);
+    const auto& ratio = line.at("answer").at("holdout_ratio");
+    if (!ratio.is_null() && !line["answer"]["effects"].empty()) ratios.push_back(ratio.get<double>());
+  }
+};
+
+std::string share(int part, int whole) { return whole ? fmt::format("{}/{} ({:.0f} %)", part, whole, 100.0 * part / whole) : "–"; }
+std::string per_cent(std::optional<double> x) { return x ? fmt::format("{:.0f} %", 100.0 * *x) : "–"; }
+std::string plain(std::optional<double> x) { return x ? fmt::format("{:.2f}", *x) : "–"; }
+std::string inside(const NumberErrors& n) { return share(n.inside, static_cast<int>(n.errors.size())); }
+
+std::string row(const std::string& name, const Group& g) {
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", name, g.cases, share(g.found, g.cases), share(g.first, g.cases), share(g.third, g.cases), share(g.covered, g.cases),
+                     per_cent(median(g.numbers.errors)), inside(g.numbers), plain(median(g.ratios)));
+}
+
+std::string head(const std::string& name) {
+  return fmt::format("| {} | cases | detected | first | among three | class | median error of numbers | in 95 % interval | held-out ratio |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | "
+                     "---: | ---: |\n", name);
+}
+
+using Lines = std::vector<const Json*>;
+
+Lines where(const std::vector<Json>& lines, auto&& wanted) {
+  Lines kept;
+  for (const auto& line : lines)
+    if (line.contains("answer") && wanted(truth_of(line))) kept.push_back(&line);
+  return kept;
+}
+
+bool is_single(const Names& t) { return t.size() == 1 && !is_unknown(t); }
+
+/// Groups by a name of each case, the worst first.
+std::string grouped(const std::string& title, const Lines& lines, auto&& name_of) {
+  std::map<std::string, Group> groups;
+  for (const auto* line : lines) groups[name_of(*line)].add(*line);
+  std::vector<std::pair<std::string, Group>> sorted(groups.begin(), groups.end());
+  std::ranges::stable_sort(sorted, {}, [](const auto& g) { return std::pair(static_cast<double>(g.second.first) / g.second.cases, static_cast<double>(g.second.covered) / g.second.cases); });
+  std::string text = head(title);
+  for (const auto& [name, group] : sorted) text += row(name, group);
+  return text;
+}
+
+std::string factor(const Json& line, const std::string& name) {
+  if (name == "noise") return fmt::format("noise x{:g}", line.at("noise").get<double>());
+  if (name == "set") return "set " + line.at("set").get<std::string>();
+  if (name == "reference") return line.at("reference").get<bool>() ? "with reference" : "without reference";
+  if (name == "baseline") return line.at("baseline_error").get<double>() > 0.0 ? "baseline wrong" : "baseline right";
+  return line.at("ship");
+}
+
+constexpr std::array factors{"noise", "set", "reference", "baseline", "ship"};
+
+// ---------------------------------------------------------------- tables
+
+std::string overview(const std::vector<Json>& lines) {
+  const auto none = where(lines, [](const Names& t) { return t.empty(); }), some = where(lines, is_single), two = where(lines, [](const Names& t) { return t.size() > 1; });
+  const auto strange = where(lines, is_unknown);
+  Group alarms, singles, pairs, unknown;
+  for (const auto* line : none) alarms.add(*line);
+  for (const auto* line : some) singles.add(*line);
+  for (const auto* line : two) pairs.add(*line);
+  int misnamed = 0;
+  std::vector<double> seconds;
+  for (const auto& line : lines)
+    if (line.contains("seconds")) seconds.push_back(line["seconds"].get<double>());
+  for (const auto* line : strange) {
+    unknown.add(*line);
+    const auto& a = line->at("answer");
+    misnamed += a.at("verdict") == "missing_physics" && !a["effects"].empty() && a["effects"][0].at("probability").get<double>() > 0.8;
+  }
+  auto numbers = singles.numbers;
+  std::string text = "| what | found | wanted |\n| --- | ---: | ---: |\n";
+  const auto line = [&](const char* what, const std::string& found, const char* wanted) { text += fmt::format("| {} | {} | {} |\n", what, found, wanted); };
+  line("false alarms", share(alarms.found, alarms.cases), "≤ 2 %");
+  line("one effect: detected", share(singles.found, singles.cases), "");
+  line("one effect: named first", share(singles.first, singles.cases), "");
+  line("one effect: among three", share(singles.third, singles.cases), "");
+  line("one effect: in the class of the first", share(singles.covered, singles.cases), "");
+  line("named first, of those detected", share(singles.first, singles.found), "≥ 85 % with reference, 70 % without");
+  line("both of two effects", share(pairs.all, pairs.cases), "≥ 75 %");
+  line("one of two effects first", share(pairs.first, pairs.cases), "");
+  line("unknown, not misnamed with more than 0.8", share(unknown.cases - misnamed, unknown.cases), "≥ 70 %");
+  line("unknown, called unknown", share(unknown.first, unknown.cases), "");
+  line("median error of numbers", per_cent(median(numbers.errors)), "≤ 15 %");
+  line("numbers in their 95 % interval", inside(numbers), "90–99 %");
+  line("median error of the onset of a gust [L/U]", plain(median(singles.onsets)), "≤ 1");
+  line("median held-out ratio to the refitted baseline", plain(median(singles.ratios)), "≤ 0.65");
+  line("median time of a case [s]", plain(median(seconds)), "");
+  return text;
+}
+
+std::string alarms(const std::vector<Json>& lines) {
+  std::map<std::string, std::pair<int, int>> groups;
+  std::map<std::string, int> blamed;
+  for (const auto* line : where(lines, [](const Names& t) { return t.empty(); })) {
+    const auto& a = line->at("answer");
+    const bool alarm = mark_of(*line).found;
+    for (const auto* name : factors) ++groups[factor(*line, name)].second, groups[factor(*line, name)].first += alarm;
+    if (alarm) ++blamed[a.at("effects").empty() ? a.at("verdict").get<std::string>() : a["effects"][0].at("effect").get<std::string>()];
+  }
+  std::string text = "| cases with nothing hidden | false alarms |\n| --- | ---: |\n";
+  for (const auto& [name, g] : groups) text += fmt::format("| {} | {} |\n", name, share(g.first, g.second));
+  text += "\n| blamed | times |\n| --- | ---: |\n";
+  for (const auto& [name, times] : blamed) text += fmt::format("| {} | {} |\n", name, times);
+  return text;
+}
+
+std::string by_factor(const std::vector<Json>& lines) {
+  const auto singles = where(lines, is_single);
+  std::string text = head("one effect hidden");
+  const auto level = [](const Json& line) { return line.at("effects")[0].at("level").get<std::string>(); };
+  std::map<std::string, Group> levels;
+  for (const auto* line : singles) levels[level(*line)].add(*line);
+  for (const auto& [name, group] : levels) text += row(name, group);
+  for (const auto* name : factors) {
+    std::map<std::string, Group> groups;
+    for (const auto* line : singles) groups[factor(*line, name)].add(*line);
+    for (const auto& [value, group] : groups) text += row(value, group);
+  }
+  return text;
+}
+
+std::string confusions(const std::vector<Json>& lines) {
+  std::map<std::pair<std::string, std::string>, int> times;
+  for (const auto& line : lines) {
+    const auto truth = truth_of(line);
+    if (!line.contains("answer") || mark_of(line).first) continue;
+    const auto& a = line["answer"];
+    ++times[{truth.empty() ? "none" : fmt::format("{}", fmt::join(truth, " + ")), a.at("effects").empty() ? a.at("verdict").get<std::string>() : a["effects"][0].at("effect").get<std::string>()}];
+  }
+  std::vector<std::pair<std::pair<std::string, std::string>, int>> sorted(times.begin(), times.end());
+  std::ranges::stable_sort(sorted, std::greater{}, [](const auto& t) { return t.second; });
+  std::string text = "| hidden | answered | times |\n| --- | --- | ---: |\n";
+  for (const auto& [names, n] : sorted) text += fmt::format("| {} | {} | {} |\n", names.first, names.second, n);
+  return text;
+}
+
+/// What probabilities are worth: that of the first effect where one is named, else that of nothing.
+std::string calibration(const std::vector<Json>& lines) {
+  struct Bin {
+    int cases = 0, right = 0;
+    double sum = 0.0;
+  };
+  std::array<Bin, 5> bins;
+  double error = 0.0;
+  int cases = 0;
+  for (const auto& line : lines) {
+    if (!line.contains("answer") || line["answer"].at("verdict") == "failed") continue;
+    const auto& a = line["answer"];
+    double p = 1.0;
+    if (!a.at("effects").empty()) p = a["effects"][0].at("probability").get<double>();
+    else
+      for (const auto& c : a.at("candidates")) p -= c.at("probability").is_null() ? 0.0 : c["probability"].get<double>();
+    auto& bin = bins[static_cast<std::size_t>(std::clamp(p * 5.0, 0.0, 4.0))];
+    ++bin.cases, ++cases, bin.sum += p, bin.right += mark_of(line).covered;
+  }
+  std::string text = "| said | cases | mean probability | right |\n| --- | ---: | ---: | ---: |\n";
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    const auto& b = bins[i];
+    if (b.cases == 0) continue;
+    text += fmt::format("| {:.1f} to {:.1f} | {} | {:.3f} | {} |\n", 0.2 * static_cast<double>(i), 0.2 * static_cast<double>(i + 1), b.cases, b.sum / b.cases, share(b.right, b.cases));
+    error += std::abs(b.sum - b.right) / cases;
+  }
+  return text + fmt::format("\nExpected calibration error {:.3f} (wanted: at most 0.10).\n", error);
+}
+
+std::string rivals(const std::vector<Json>& lines) {
+  std::string text = "| answer | false alarms | detected | first | among three | class | both of two | unknown called unknown |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+  for (const std::string who : {"diagnose", "nothing", "random", "ols_bic", "sparse"}) {
+    Group none, single, two, unknown;
+    for (const auto& line : lines) {
+      if (who == "diagnose" && !line.contains("answer")) continue;
+      const auto truth = truth_of(line);
+      (truth.empty() ? none : is_unknown(truth) ? unknown : truth.size() > 1 ? two : single).add(who == "diagnose" ? mark_of(line) : mark_of_rival(line, who));
+    }
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", who, share(none.found, none.cases), share(single.found, single.cases), share(single.first, single.cases),
+                        share(single.third, single.cases), share(single.covered, single.cases), share(two.all, two.cases), share(unknown.first, unknown.cases));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> tables_of(const std::vector<Json>& lines) {
+  const auto first_effect = [](const Json& line) { return line.at("effects")[0].at("effect").get<std::string>(); };
+  return {{"overview", overview(lines)},
+          {"effects", grouped("hidden", where(lines, is_single), first_effect)},
+          {"unknown", grouped("hidden", where(lines, is_unknown), first_effect)},
+          {"factors", by_factor(lines)},
+          {"alarms", alarms(lines)},
+          {"confusions", confusions(lines)},
+          {"calibration", calibration(lines)},
+          {"rivals", rivals(lines)}};
+}
+
+}  // namespace swayaw::concealed

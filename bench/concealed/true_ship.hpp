@@ -1,0 +1,121 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "swayaw/core/channel.hpp"
+#include "swayaw/core/motion.hpp"
+
+/// Ships that are not built like the models of swayaw: their forces are computed here and nowhere else.
+///
+///     hull        linear in (v, r) with the forward speed u, and drag of a cross flow that separates gradually, strip by strip
+///     flow        straightened with a factor that passes smoothly from side to side and saturates
+///     rudder      normal force f_alpha a tanh(alpha/a): softens long before it stalls
+///     propeller   cubic K_T, wake that changes smoothly with the drift, governor and torque of an engine
+///
+/// Axes, signs and units: docs/notation.md; the rudder angle is positive to port.
+namespace swayaw::concealed {
+
+/// Hull primes refer to ½ρLd and to the forward speed, ½ρLdu(Y_v v + Y_r L r), added masses to ½ρL²d and ½ρL⁴d, lengths to L.
+struct TrueShip {
+  std::string kind;
+  double L, B, d, C_B;                  ///< [m], block coefficient
+  double x_G, k_zz;                     ///< over L
+  double U_0;                           ///< [m/s]
+  double A_front, A_lateral;            ///< [m²]
+  double m_x, m_y, J_z;
+  double R_0, rise;                     ///< ½ρLdR_0 u² (1 + rise (u²/U_0² − 1))
+  double Y_v, Y_r, N_v, N_r;
+  double C_D, taper, onset;             ///< drag of the cross flow C_D (1 + taper x/L), and the drift at which it sets in
+  double X_vv, X_vr, X_rr;
+  double D, t_P, w_0;
+  std::array<double, 4> K_T;            ///< K_T = Σ K_T[i] J^i
+  std::array<double, 2> K_Q;
+  double wake_rate, wake_gain, wake_sides;  ///< u_P = u (1 − w_0)(1 + (gain ± sides − 1)(1 − exp(−(rate |beta_P|)^1.5)))
+  double A_R, H_R, f_alpha, softness;   ///< [m²], [m], [1/rad], a [rad]
+  double t_R, a_H, x_H, l_R;
+  double gamma, gamma_sides;            ///< flow straightening, mean and what the two sides differ by
+  double epsilon, kappa;
+  double rudder_rate;                   ///< [rad/s]
+  double droop, engine_lag, inertia;    ///< governor droop, lag [L/U], inertia of the shaft line over that of the propeller's torque
+
+  double volume() const { return C_B * L * B * d; }
+  double time_unit() const { return L / U_0; }
+};
+
+/// "tanker", "container", "training".
+std::array<std::string_view, 3> ship_kinds();
+
+/// A ship of that kind with numbers that vary by a few per cent with the seed.
+TrueShip true_ship(std::string_view kind, std::uint64_t seed);
+
+/// The same with port and starboard alike.
+TrueShip symmetric(TrueShip ship);
+
+/// What is hidden: every number is 0 where it does nothing. SI and radians; coefficients are departures from those of the ship.
+struct Concealment {
+  double wind_speed = 0, wind_from = 0;
+  double gust_speed = 0, gust_from = 0, gust_onset = 0, gust_end = 0;
+  double current_speed = 0, current_to = 0;
+  double wave_force = 0, wave_from = 0;
+  double draught_over_depth = 0;
+  double Y_v = 0, Y_r = 0, N_v = 0, N_r = 0;
+  double Y_vvr = 0, Y_vrr = 0, N_vvr = 0, N_vrr = 0;
+  double cross_flow = 0, resistance = 0;
+  double X_vv = 0, X_vr = 0, X_rr = 0;
+  double m_y = 0, J_z = 0;
+  double lift = 0, a_H = 0, stall_angle = 0, gap_angle = 0, gap_strength = 0;
+  double straightening = 0, kappa = 0, side_force = 0;
+  double wake_positive = 0, wake_negative = 0;
+  double shaft_drop = 0;
+  double rudder_offset = 0, rudder_lag = 0, rudder_play = 0;
+  double Y_phi = 0, N_phi = 0, GM = 0;
+  double memory_share = 0, memory_tau = 0;
+  double heading_bias = 0, gyro_bias = 0, log_scale = 0, antenna_x = 0, antenna_y = 0, delay = 0;
+  Channel late = Channel::psi;
+  // kinds that swayaw does not know
+  double kelp = 0;           ///< ½ρLd U_0² kelp (U/U_0)^1.3 against the flow at the bow
+  double tow_line = 0;       ///< the same for a drogue on the starboard quarter, from tow_onset on
+  double tow_onset = 0;      ///< [s]
+  double fouled_side = 0;    ///< drag of cross flow from starboard only
+  double sloshing = 0;       ///< mass of a tank over that of the ship
+  double compass_cosine = 0; ///< heading error · cos(psi) [rad]
+  double broken_blade = 0;   ///< side force that beats, ½ρLdU_0²
+  double bank = 0;           ///< suction to a bank at a place of the earth, ½ρLdU²
+};
+
+/// Place, motion, shaft and what goes on out of sight: roll, lagging flow, water in a tank.
+enum State : std::size_t { x, y, psi, u, v, r, shaft, engine_torque, phi, roll_rate, slow_v, slow_r, tank, tank_rate, state_count };
+using States = std::array<double, state_count>;
+
+/// A point at which the engine runs steadily.
+struct ShaftPoint {
+  double rev;     ///< [1/s]
+  double torque;  ///< [N m]
+};
+
+/// What acts from outside in a moment.
+struct Moment {
+  double time;      ///< of the run [s]
+  double delta;     ///< true rudder angle, positive to port [rad]
+  ShaftPoint order; ///< of the governor
+  PlanarAcceleration<double> disturbance;
+  double turbulence;  ///< share of the wind speed
+};
+
+/// Forces by part; wind, waves and all that is hidden besides stand under `other`.
+struct TrueForces {
+  PlanarForce<double> hull, propeller, rudder, other;
+};
+
+TrueForces forces(const TrueShip& ship, const Concealment& hidden, const States& s, const Moment& now);
+
+/// Time derivatives of all states.
+States rates(const TrueShip& ship, const Concealment& hidden, const States& s, const Moment& now);
+
+/// Shaft speed [1/s] and torque [N m] that keep the speed on a straight course with nothing hidden.
+ShaftPoint self_propulsion(const TrueShip& ship, double speed);
+
+}  // namespace swayaw::concealed
