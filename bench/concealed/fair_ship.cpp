@@ -161,6 +161,25 @@ void fit_parts(Mmg& ship, const TrueShip& truth, const std::vector<Point>& point
 /// What some 200 lengths of trials tell of a number, with accelerations of 2.4 % that no model has.
 constexpr double known_by_trials = 0.0017;
 
+/// A fit knows a force, not each of its terms: a term that is small in a turn with v' = 0.25 and r' = 0.5 is trusted to the same share of the largest one of its force.
+Confidence confidence_of(const Ship& ship, double least) {
+  Confidence confidence{.coefficients = least, .named = {}};
+  const auto terms = coefficients_of(ship, "hull");
+  const auto size = [](const ShipNumber& n) {  // "Y_vvr" stands before v'²r'
+    double product = std::abs(n.value);
+    for (const char c : n.key.substr(2)) product *= c == 'v' ? 0.25 : c == 'r' ? 0.5 : 0.0;
+    return product;
+  };
+  for (const char force : {'X', 'Y', 'N'}) {
+    double largest = 0.0;
+    for (const auto& n : terms)
+      if (n.key.front() == force) largest = std::max(largest, size(n));
+    for (const auto& n : terms)
+      if (n.key.front() == force && size(n) < largest) confidence.named.emplace_back(n.key, std::min(1.0, least * largest / size(n)));
+  }
+  return confidence;
+}
+
 }  // namespace
 
 FairShip fair_ship(const TrueShip& truth, double confidence) {
@@ -170,8 +189,8 @@ FairShip fair_ship(const TrueShip& truth, double confidence) {
   for (const bool to_port : {true, false})
     add_trials(trials, truth, {zigzag(10, 10, to_port, 0.0), zigzag(20, 20, to_port, 0.0), turn(20, to_port, 0.0), turn(35, to_port, 0.0)});
   fit_parts(model, truth, trials, known_by_trials);
-  const Ship ship{.name = truth.kind, .model = model, .confidence = {.coefficients = confidence, .named = {}},
-                  .surroundings = {.windage = *windage_from({.frontal = truth.A_front, .lateral = truth.A_lateral, .length = truth.L})}};
+  Ship ship{.name = truth.kind, .model = model, .confidence = {}, .surroundings = {.windage = *windage_from({.frontal = truth.A_front, .lateral = truth.A_lateral, .length = truth.L})}};
+  ship.confidence = confidence_of(ship, confidence);
   return {.ship = ship, .residue = residue_of(truth, model, trials)};
 }
 

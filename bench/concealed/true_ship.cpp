@@ -77,7 +77,7 @@ Force hull(const TrueShip& s, const Concealment& h, const States& q) {
 
 /// Axial speed at the propeller.
 double inflow(const TrueShip& s, const Concealment& h, const States& q) {
-  const double U = std::hypot(q[State::u], q[State::v]), beta_P = -(q[State::v] - 0.48 * s.L * q[State::r]) / U, side = std::tanh(beta_P / 0.04);
+  const double U = std::hypot(q[State::u], q[State::v]), beta_P = -(q[State::v] - 0.48 * s.L * q[State::r]) / U, side = std::tanh(beta_P / 0.02);
   const double gain = s.wake_gain + s.wake_sides * side + 0.5 * (1.0 + side) * h.wake_positive + 0.5 * (1.0 - side) * h.wake_negative;
   const double straight = 1.0 - s.w_0 * (1.0 + 0.25 * h.draught_over_depth);
   return q[State::u] * straight * (1.0 + (gain - 1.0) * -std::expm1(-std::pow(s.wake_rate * std::abs(beta_P), 1.5)));
@@ -109,7 +109,7 @@ Force rudder(const TrueShip& s, const Concealment& h, const States& q, double de
   const double U = std::hypot(q[State::u], q[State::v]), delta = -delta_to_port;
   // drift at the rudder; the hull turns the flow into its own direction, less so where it is steep
   const double beta_R = -(q[State::v] + s.l_R * s.L * q[State::r]) / U;
-  const double x = h.draught_over_depth, side = std::tanh(beta_R / 0.04);
+  const double x = h.draught_over_depth, side = std::tanh(beta_R / 0.02);
   const double factor = (s.gamma + s.gamma_sides * side) * (1.0 + h.straightening) * (1.0 + 0.6 * x * x);
   const double v_R = U * factor * 1.5 * std::tanh(beta_R / 1.5);
   const double race = std::sqrt(std::max(0.0, u_P * u_P + 8.0 * T / (pi * rho * s.D * s.D)));
