@@ -199,7 +199,7 @@ Ship slightly_wrong(const Ship& ship, std::uint64_t seed) {
   std::vector<ShipNumber> coefficients;
   std::vector<double> values;
   for (const auto& n : ship_numbers(ship))
-    if (n.role == Role::coefficient && n.deviation > 0.0) coefficients.push_back(n), values.push_back(n.value + n.deviation * random.normal());
+    if (n.role == Role::coefficient && n.deviation > 0.0 && !n.key.starts_with("stall")) coefficients.push_back(n), values.push_back(n.value + n.deviation * random.normal());
   return with_values(ship, coefficients, values);
 }
 

@@ -57,13 +57,25 @@ std::optional<double> holdout_ratio(const Diagnosis& d) {
   return count ? std::optional(sum / count) : std::nullopt;
 }
 
+/// Errors of each quantity in each run held out: given model, refitted, with the effects; and the noise that is in all three.
+Json holdout_errors(const Diagnosis& d) {
+  Json runs = Json::array();
+  for (const auto& run : d.holdout) {
+    Json quantities = Json::object();
+    for (std::size_t i = 0; i < run.before.size() && i < run.refitted.size() && i < run.after.size(); ++i)
+      quantities[std::string(name_of(run.before[i].quantity))] = {number(run.before[i].window_rms), number(run.refitted[i].window_rms), number(run.after[i].window_rms), number(run.before[i].noise)};
+    runs.push_back({{"run", run.run}, {"errors", std::move(quantities)}});
+  }
+  return runs;
+}
+
 Json diagnosis_of(const Riddle& riddle) {
   const auto d = diagnose(riddle.ship, riddle.train, riddle.reference, riddle.holdout);
   Json effects = Json::array(), candidates = Json::array();
   for (const auto& e : d.effects) effects.push_back(effect_of(e));
   for (const auto& c : d.candidates) candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"gain", number(c.log_evidence_gain)}});
   return {{"verdict", name_of(d.verdict)}, {"imperfection", number(d.imperfection)}, {"effects", std::move(effects)}, {"candidates", std::move(candidates)},
-          {"holdout_ratio", number(holdout_ratio(d))}};
+          {"holdout_ratio", number(holdout_ratio(d))}, {"holdout", holdout_errors(d)}};
 }
 
 /// The answers to one case beside its truth. What cannot be diagnosed is a wrong answer.

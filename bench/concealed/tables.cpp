@@ -188,9 +188,9 @@ std::string overview(const std::vector<Json>& lines) {
     const auto& a = line->at("answer");
     misnamed += a.at("verdict") == "missing_physics" && !a["effects"].empty() && a["effects"][0].at("probability").get<double>() > 0.8;
   }
-  auto numbers = singles.numbers;
   std::string text = "| what | found | wanted |\n| --- | ---: | ---: |\n";
   const auto line = [&](const char* what, const std::string& found, const char* wanted) { text += fmt::format("| {} | {} | {} |\n", what, found, wanted); };
+  line("cases: nothing hidden, one effect, two, unknown", fmt::format("{}, {}, {}, {}", none.size(), some.size(), two.size(), strange.size()), "");
   line("false alarms", share(alarms.found, alarms.cases), "≤ 2 %");
   line("one effect: detected", share(singles.found, singles.cases), "");
   line("one effect: named first", share(singles.first, singles.cases), "");
@@ -201,8 +201,8 @@ std::string overview(const std::vector<Json>& lines) {
   line("one of two effects first", share(pairs.first, pairs.cases), "");
   line("unknown, not misnamed with more than 0.8", share(unknown.cases - misnamed, unknown.cases), "≥ 70 %");
   line("unknown, called unknown", share(unknown.first, unknown.cases), "");
-  line("median error of numbers", per_cent(median(numbers.errors)), "≤ 15 %");
-  line("numbers in their 95 % interval", inside(numbers), "90–99 %");
+  line("median error of numbers", per_cent(median(singles.numbers.errors)), "≤ 15 %");
+  line("numbers in their 95 % interval", inside(singles.numbers), "90–99 %");
   line("median error of the onset of a gust [L/U]", plain(median(singles.onsets)), "≤ 1");
   line("median held-out ratio to the refitted baseline", plain(median(singles.ratios)), "≤ 0.65");
   line("median time of a case [s]", plain(median(seconds)), "");

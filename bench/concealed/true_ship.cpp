@@ -238,7 +238,7 @@ namespace {
 /// Particulars and coefficients near those published for a KVLCC2, a KCS and a training ship of 90 m; what the sources do not tell is usual.
 TrueShip tanker() {
   return {.kind = "tanker", .L = 320.0, .B = 58.0, .d = 20.8, .C_B = 0.81, .x_G = 0.035, .k_zz = 0.25, .U_0 = 7.97, .A_front = 1160.0, .A_lateral = 3650.0,
-          .m_x = 0.022, .m_y = 0.223, .J_z = 0.011, .R_0 = 0.022, .rise = 0.06, .Y_v = -0.29, .Y_r = 0.07, .N_v = -0.146, .N_r = -0.046, .C_D = 1.5, .taper = -0.2, .onset = 0.45,
+          .m_x = 0.022, .m_y = 0.223, .J_z = 0.011, .R_0 = 0.022, .rise = 0.06, .Y_v = -0.29, .Y_r = 0.07, .N_v = -0.146, .N_r = -0.046, .C_D = 1.8, .taper = -0.2, .onset = 0.60,
           .X_vv = 0.03, .X_vr = -0.140, .X_rr = 0.020, .D = 9.86, .t_P = 0.22, .w_0 = 0.35, .K_T = {0.2931, -0.2600, -0.1700, 0.0200}, .K_Q = {0.031, -0.025},
           .wake_rate = 3.0, .wake_gain = 1.35, .wake_sides = 0.20, .A_R = 86.0, .H_R = 15.8, .f_alpha = 2.747, .softness = 1.05, .t_R = 0.387, .a_H = 0.312, .x_H = -0.464,
           .l_R = -0.71, .gamma = 0.50, .gamma_sides = 0.11, .epsilon = 1.09, .kappa = 0.5, .rudder_rate = radians(2.6), .droop = 0.12, .engine_lag = 0.15, .inertia = 0.05};

@@ -87,7 +87,10 @@ struct Concealment {
 };
 
 /// Place, motion, shaft and what goes on out of sight: roll, lagging flow, water in a tank.
-enum State : std::size_t { x, y, psi, u, v, r, shaft, engine_torque, phi, roll_rate, slow_v, slow_r, tank, tank_rate, state_count };
+struct State {
+  enum Place : std::size_t { x, y, psi, u, v, r, shaft, engine_torque, phi, roll_rate, slow_v, slow_r, tank, tank_rate };
+};
+inline constexpr std::size_t state_count = State::tank_rate + 1;
 using States = std::array<double, state_count>;
 
 /// A point at which the engine runs steadily.
