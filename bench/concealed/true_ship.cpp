@@ -80,7 +80,7 @@ double inflow(const TrueShip& s, const Concealment& h, const States& q) {
   const double U = std::hypot(q[State::u], q[State::v]), beta_P = -(q[State::v] - 0.48 * s.L * q[State::r]) / U, side = std::tanh(beta_P / 0.02);
   const double gain = s.wake_gain + s.wake_sides * side + 0.5 * (1.0 + side) * h.wake_positive + 0.5 * (1.0 - side) * h.wake_negative;
   const double straight = 1.0 - s.w_0 * (1.0 + 0.25 * h.draught_over_depth);
-  return q[State::u] * straight * (1.0 + (gain - 1.0) * -std::expm1(-std::pow(s.wake_rate * std::abs(beta_P), 1.5)));
+  return q[State::u] * straight * (1.0 + (gain - 1.0) * -std::expm1(-std::pow(s.wake_rate * std::abs(beta_P), 1.2)));
 }
 
 double advance(const TrueShip& s, double u_P, double rev) { return u_P / (std::max(rev, 1e-3) * s.D); }
@@ -246,7 +246,7 @@ TrueShip tanker() {
 
 TrueShip container() {
   return {.kind = "container", .L = 230.0, .B = 32.2, .d = 10.8, .C_B = 0.651, .x_G = -0.015, .k_zz = 0.245, .U_0 = 11.5, .A_front = 950.0, .A_lateral = 4300.0,
-          .m_x = 0.010, .m_y = 0.145, .J_z = 0.0085, .R_0 = 0.0150, .rise = 0.10, .Y_v = -0.215, .Y_r = 0.045, .N_v = -0.108, .N_r = -0.044, .C_D = 1.4, .taper = -0.3, .onset = 0.45,
+          .m_x = 0.010, .m_y = 0.145, .J_z = 0.0085, .R_0 = 0.0150, .rise = 0.08, .Y_v = -0.215, .Y_r = 0.045, .N_v = -0.108, .N_r = -0.044, .C_D = 1.4, .taper = -0.3, .onset = 0.45,
           .X_vv = -0.05, .X_vr = -0.100, .X_rr = -0.005, .D = 7.9, .t_P = 0.20, .w_0 = 0.30, .K_T = {0.5228, -0.4300, -0.0900, 0.0200}, .K_Q = {0.080, -0.060},
           .wake_rate = 3.5, .wake_gain = 1.25, .wake_sides = 0.12, .A_R = 40.0, .H_R = 8.4, .f_alpha = 2.60, .softness = 1.1, .t_R = 0.26, .a_H = 0.32, .x_H = -0.44,
           .l_R = -0.75, .gamma = 0.43, .gamma_sides = 0.06, .epsilon = 0.98, .kappa = 0.60, .rudder_rate = radians(2.8), .droop = 0.15, .engine_lag = 0.20, .inertia = 0.06};
@@ -254,7 +254,7 @@ TrueShip container() {
 
 TrueShip training() {
   return {.kind = "training", .L = 90.0, .B = 14.6, .d = 5.3, .C_B = 0.60, .x_G = -0.010, .k_zz = 0.245, .U_0 = 7.2, .A_front = 150.0, .A_lateral = 720.0,
-          .m_x = 0.012, .m_y = 0.165, .J_z = 0.0095, .R_0 = 0.0185, .rise = 0.15, .Y_v = -0.255, .Y_r = 0.052, .N_v = -0.112, .N_r = -0.050, .C_D = 1.4, .taper = -0.15, .onset = 0.45,
+          .m_x = 0.012, .m_y = 0.165, .J_z = 0.0095, .R_0 = 0.0185, .rise = 0.08, .Y_v = -0.255, .Y_r = 0.052, .N_v = -0.112, .N_r = -0.050, .C_D = 1.4, .taper = -0.15, .onset = 0.45,
           .X_vv = -0.04, .X_vr = -0.095, .X_rr = 0.002, .D = 3.7, .t_P = 0.19, .w_0 = 0.24, .K_T = {0.4200, -0.3700, -0.1000, 0.0200}, .K_Q = {0.060, -0.046},
           .wake_rate = 3.0, .wake_gain = 1.22, .wake_sides = 0.08, .A_R = 9.2, .H_R = 4.1, .f_alpha = 2.55, .softness = 1.0, .t_R = 0.28, .a_H = 0.27, .x_H = -0.43,
           .l_R = -0.78, .gamma = 0.46, .gamma_sides = 0.04, .epsilon = 1.02, .kappa = 0.58, .rudder_rate = radians(3.2), .droop = 0.10, .engine_lag = 0.25, .inertia = 0.08};

@@ -33,7 +33,7 @@ struct TrueShip {
   double D, t_P, w_0;
   std::array<double, 4> K_T;            ///< K_T = Σ K_T[i] J^i
   std::array<double, 2> K_Q;
-  double wake_rate, wake_gain, wake_sides;  ///< u_P = u (1 − w_0)(1 + (gain ± sides − 1)(1 − exp(−(rate |beta_P|)^1.5)))
+  double wake_rate, wake_gain, wake_sides;  ///< u_P = u (1 − w_0)(1 + (gain ± sides − 1)(1 − exp(−(rate |beta_P|)^1.2)))
   double A_R, H_R, f_alpha, softness;   ///< [m²], [m], [1/rad], a [rad]
   double t_R, a_H, x_H, l_R;
   double gamma, gamma_sides;            ///< flow straightening, mean and what the two sides differ by
