@@ -238,7 +238,7 @@ namespace {
 /// Particulars and coefficients near those published for a KVLCC2, a KCS and a training ship of 90 m; what the sources do not tell is usual.
 TrueShip tanker() {
   return {.kind = "tanker", .L = 320.0, .B = 58.0, .d = 20.8, .C_B = 0.81, .x_G = 0.035, .k_zz = 0.25, .U_0 = 7.97, .A_front = 1160.0, .A_lateral = 3650.0,
-          .m_x = 0.022, .m_y = 0.223, .J_z = 0.011, .R_0 = 0.022, .rise = 0.06, .Y_v = -0.29, .Y_r = 0.07, .N_v = -0.146, .N_r = -0.046, .C_D = 1.8, .taper = -0.2, .onset = 0.60,
+          .m_x = 0.022, .m_y = 0.223, .J_z = 0.011, .R_0 = 0.022, .rise = 0.06, .Y_v = -0.29, .Y_r = 0.07, .N_v = -0.146, .N_r = -0.046, .C_D = 2.2, .taper = -0.2, .onset = 0.80,
           .X_vv = 0.03, .X_vr = -0.140, .X_rr = 0.020, .D = 9.86, .t_P = 0.22, .w_0 = 0.35, .K_T = {0.2931, -0.2600, -0.1700, 0.0200}, .K_Q = {0.031, -0.025},
           .wake_rate = 3.0, .wake_gain = 1.35, .wake_sides = 0.20, .A_R = 86.0, .H_R = 15.8, .f_alpha = 2.747, .softness = 1.05, .t_R = 0.387, .a_H = 0.312, .x_H = -0.464,
           .l_R = -0.71, .gamma = 0.50, .gamma_sides = 0.11, .epsilon = 1.09, .kappa = 0.5, .rudder_rate = radians(2.6), .droop = 0.12, .engine_lag = 0.15, .inertia = 0.05};
@@ -246,7 +246,7 @@ TrueShip tanker() {
 
 TrueShip container() {
   return {.kind = "container", .L = 230.0, .B = 32.2, .d = 10.8, .C_B = 0.651, .x_G = -0.015, .k_zz = 0.245, .U_0 = 11.5, .A_front = 950.0, .A_lateral = 4300.0,
-          .m_x = 0.010, .m_y = 0.145, .J_z = 0.0085, .R_0 = 0.0150, .rise = 0.08, .Y_v = -0.215, .Y_r = 0.045, .N_v = -0.108, .N_r = -0.044, .C_D = 1.4, .taper = -0.3, .onset = 0.45,
+          .m_x = 0.010, .m_y = 0.145, .J_z = 0.0085, .R_0 = 0.0150, .rise = 0.08, .Y_v = -0.215, .Y_r = 0.045, .N_v = -0.108, .N_r = -0.044, .C_D = 2.1, .taper = -0.3, .onset = 0.80,
           .X_vv = -0.05, .X_vr = -0.100, .X_rr = -0.005, .D = 7.9, .t_P = 0.20, .w_0 = 0.30, .K_T = {0.5228, -0.4300, -0.0900, 0.0200}, .K_Q = {0.080, -0.060},
           .wake_rate = 3.5, .wake_gain = 1.25, .wake_sides = 0.12, .A_R = 40.0, .H_R = 8.4, .f_alpha = 2.60, .softness = 1.1, .t_R = 0.26, .a_H = 0.32, .x_H = -0.44,
           .l_R = -0.75, .gamma = 0.43, .gamma_sides = 0.06, .epsilon = 0.98, .kappa = 0.60, .rudder_rate = radians(2.8), .droop = 0.15, .engine_lag = 0.20, .inertia = 0.06};
@@ -254,7 +254,7 @@ TrueShip container() {
 
 TrueShip training() {
   return {.kind = "training", .L = 90.0, .B = 14.6, .d = 5.3, .C_B = 0.60, .x_G = -0.010, .k_zz = 0.245, .U_0 = 7.2, .A_front = 150.0, .A_lateral = 720.0,
-          .m_x = 0.012, .m_y = 0.165, .J_z = 0.0095, .R_0 = 0.0185, .rise = 0.08, .Y_v = -0.255, .Y_r = 0.052, .N_v = -0.112, .N_r = -0.050, .C_D = 1.4, .taper = -0.15, .onset = 0.45,
+          .m_x = 0.012, .m_y = 0.165, .J_z = 0.0095, .R_0 = 0.0185, .rise = 0.08, .Y_v = -0.255, .Y_r = 0.052, .N_v = -0.112, .N_r = -0.050, .C_D = 2.1, .taper = -0.15, .onset = 0.80,
           .X_vv = -0.04, .X_vr = -0.095, .X_rr = 0.002, .D = 3.7, .t_P = 0.19, .w_0 = 0.24, .K_T = {0.4200, -0.3700, -0.1000, 0.0200}, .K_Q = {0.060, -0.046},
           .wake_rate = 3.0, .wake_gain = 1.22, .wake_sides = 0.08, .A_R = 9.2, .H_R = 4.1, .f_alpha = 2.55, .softness = 1.0, .t_R = 0.28, .a_H = 0.27, .x_H = -0.43,
           .l_R = -0.78, .gamma = 0.46, .gamma_sides = 0.04, .epsilon = 1.02, .kappa = 0.58, .rudder_rate = radians(3.2), .droop = 0.10, .engine_lag = 0.25, .inertia = 0.08};
