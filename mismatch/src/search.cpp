@@ -174,14 +174,17 @@ bool holds_elsewhere(const Trial& trial, const Trial& unused, const Search& s, c
 
 // ---------------------------------------------------------------- choice
 
-double probability_of(const Tried& best, std::span<const Tried> tried) {
-  double sum = std::exp(-best.gain / evidence_excess);
-  for (const auto& t : tried) sum += std::exp((t.gain - best.gain) / evidence_excess);
+/// Against nothing, which stands at the gain that is needed, and against the others that matter.
+double probability_of(const Tried& one, std::span<const Tried> tried, double needed) {
+  if (one.trace) return 0.0;
+  double sum = std::exp((needed - one.gain) / evidence_excess);
+  for (const auto& t : tried)
+    if (!t.trace) sum += std::exp((t.gain - one.gain) / evidence_excess);
   return 1.0 / sum;
 }
 
-Accepted accepted_as(const Tried& best, std::span<const Tried> tried) {
-  Accepted result{best.form, best.gain, probability_of(best, tried), best.trace, {}, {}, {}};
+Accepted accepted_as(const Tried& best, std::span<const Tried> tried, double needed) {
+  Accepted result{best.form, best.gain, probability_of(best, tried, needed), best.trace, {}, {}, {}};
   for (const auto& t : tried) {
     if (t.form->id == best.form->id || best.gain - t.gain > as_good || t.gain < as_good || t.trace || std::ranges::count(result.rivals, t.form->id)) continue;
     result.rivals.push_back(t.form->id);
@@ -214,10 +217,10 @@ Hypothesis Search::hypothesis(std::size_t count) const {
   return result;
 }
 
-std::vector<Candidate> ranked(std::span<const Tried> tried) {
+std::vector<Candidate> ranked(std::span<const Tried> tried, double needed) {
   std::vector<Candidate> result;
   for (const auto& t : tried) {
-    const double probability = probability_of(t, tried);
+    const double probability = probability_of(t, tried, needed);
     const auto same = std::ranges::find(result, t.form->id, &Candidate::effect);
     if (same != result.end()) same->probability += probability;
     else result.push_back({t.form->id, probability, t.gain, {}, t.trace});
@@ -240,9 +243,10 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
     if (s.accepted.empty()) s.screen = screen;
     const auto tried = confirmed(trial, before, s.now, screened(trial, before, screen, forms), options.confirmed);
     if (s.accepted.empty()) s.first = tried;
-    const auto best = chosen(trial, unused, s, tried, s.accepted.empty() ? options.detection : options.further, traces < most_traces);
+    const double needed = s.accepted.empty() ? options.detection : options.further;
+    const auto best = chosen(trial, unused, s, tried, needed, traces < most_traces);
     if (!best) break;
-    s.accepted.push_back(accepted_as(*best, tried));
+    s.accepted.push_back(accepted_as(*best, tried, needed));
     s.now = best->fit;
     ++(best->trace ? traces : findings);
   }

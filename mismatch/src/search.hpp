@@ -48,8 +48,9 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
 
 /// Probabilities of all that were tried, by effect, best first; they add up to less than 1, the rest is for nothing.
 ///
-/// Evidence of models that are all a little wrong says too much; its logarithm is divided by `evidence_excess` first.
-std::vector<Candidate> ranked(std::span<const Tried> tried);
+/// Evidence of models that are all a little wrong says too much; its logarithm is divided by `evidence_excess` first. Nothing counts as the gain that is
+/// needed, so what just reaches it has one half. A trace has none.
+std::vector<Candidate> ranked(std::span<const Tried> tried, double needed);
 
 inline constexpr double evidence_excess = 3.0;
 

@@ -289,6 +289,7 @@ class Voyage {
   }
 
   void note(StepEnd end, std::size_t function) {
+    static_assert(Model::branch_count <= most_branches);
     if (!traced_) return;
     ManoeuvreStep step{.to = time_, .end = end, .branch = {}, .function = function};
     std::ranges::copy(branch_, step.branch.begin());

@@ -163,7 +163,7 @@ TEST_CASE("a bare name stands for the published ship, which is told on stderr", 
 
 TEST_CASE("a name that is no published ship is refused with the one that was probably meant", "[app][refusal]") {
   CHECK(test::refusal("simulate nawigator_n8 --turn 35") == "swayaw: there is no file and no published ship \"nawigator_n8\"; did you mean \"nawigator_n7\"?\n");
-  CHECK_THAT(test::refusal("replay titanic run.csv --out o.csv"), ContainsSubstring("no published ship \"titanic\"; published are kvlcc2, kvlcc2_l7"));
+  CHECK_THAT(test::refusal("replay titanic run.csv --out o.csv"), ContainsSubstring("no published ship \"titanic\"; published are esso_osaka_3m, kcs, kvlcc2, kvlcc2_l7"));
   CHECK_THAT(test::refusal("compare nawigator_n7.toml run.csv"), ContainsSubstring("nawigator_n7.toml:1:1: cannot be read"));
 }
 

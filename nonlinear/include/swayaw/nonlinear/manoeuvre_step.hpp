@@ -5,6 +5,9 @@
 
 namespace swayaw {
 
+/// No model has more branch functions.
+inline constexpr std::size_t most_branches = 6;
+
 /// What ended a step of the integration.
 enum class StepEnd {
   none,    ///< nothing: its length
@@ -17,7 +20,7 @@ enum class StepEnd {
 struct ManoeuvreStep {
   double to;                   ///< its end [s]
   StepEnd end;
-  std::array<bool, 3> branch;  ///< the branch of the force during the step
+  std::array<bool, most_branches> branch;  ///< the branch of the force during the step
   std::size_t function;        ///< branch function that passed zero at its end
 };
 
