@@ -97,20 +97,49 @@ Hypothesis with(Hypothesis hypothesis, const EffectForm& form) {
   return hypothesis;
 }
 
+/// A fit that comes out far below the hypothesis without the effect stopped too early; from a small effect it begins once more.
+MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit& now, const std::vector<double>& promised) {
+  auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise);
+  if (found.log_evidence > now.log_evidence - 15.0) return found;
+  auto small = promised;
+  for (double& c : small) c *= 0.1;
+  const auto again = fit(trial, hypothesis, with_start(now.point, small), now.noise);
+  return again.log_evidence > found.log_evidence ? again : found;
+}
+
+/// A heel that is recorded is explained by rolling alone; it is coupled only where sway force or yaw moment show it.
+bool acts(const EffectForm& form, const MapFit& found) {
+  if (form.id != "roll_coupling") return true;
+  const auto from = found.point.size() - static_cast<Eigen::Index>(form.coordinates.size());
+  for (std::size_t i = 0; i < form.coordinates.size(); ++i) {
+    const auto k = from + static_cast<Eigen::Index>(i);
+    if (form.coordinates[i].name.ends_with("_phi") && std::abs(found.point[k]) > 2.0 * std::sqrt(found.covariance(k, k))) return true;
+  }
+  return false;
+}
+
+/// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels.
+std::vector<Screened> most_promising(const std::vector<Screened>& candidates, std::size_t most) {
+  std::vector<Screened> chosen;
+  for (const auto& c : candidates)
+    if (chosen.size() < most && std::ranges::count_if(chosen, [&](const Screened& s) { return s.form->id == c.form->id; }) < 2) chosen.push_back(c);
+  return chosen;
+}
+
 /// Converged fits of the most promising candidates, best first.
-std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, const MapFit& now, std::vector<Screened> candidates, std::size_t most) {
-  candidates.resize(std::min(most, candidates.size()));
+std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, const MapFit& now, const std::vector<Screened>& screening, std::size_t most) {
+  const auto candidates = most_promising(screening, most);
   std::vector<std::optional<Tried>> fits(candidates.size());
   in_parallel(candidates.size(), 0, [&](std::size_t i) {
     const auto& form = *candidates[i].form;
     const auto hypothesis = with(accepted, form);
     try {
-      auto found = fit(trial, hypothesis, with_start(now.point, candidates[i].promise.coordinates), now.noise);
+      const auto found = fit_beside(trial, hypothesis, now, candidates[i].promise.coordinates);
       const double gain = found.log_evidence - now.log_evidence;
       if (!std::isfinite(gain)) return;
       const auto effect = last_effect(hypothesis, found.point);
       const double without = pruned(form, found).gain;
-      fits[i] = Tried{&form, std::move(found), gain + without, effect, !is_finding(trial.ship, effect)};
+      fits[i] = Tried{&form, found, gain + without, effect, !is_finding(trial.ship, effect) || !acts(form, found)};
     } catch (const Refusal&) {
     }
   });
@@ -141,8 +170,9 @@ Tried reduced(const Trial& trial, const Hypothesis& accepted, Tried tried, std::
 
 // ---------------------------------------------------------------- runs that were not used
 
+/// At the noise that suits these runs: other manoeuvres leave other things unexplained.
 double log_likelihood_of(const Trial& trial, const Hypothesis& hypothesis, const MapFit& found) {
-  return log_likelihood(trial, ship_at(trial, hypothesis, found.point), found.noise);
+  return best_noise(trial, ship_at(trial, hypothesis, found.point), found.noise, true).log_likelihood;
 }
 
 /// Gain in log likelihood of held-out runs, or of each run by a fit to the others.
@@ -200,7 +230,7 @@ std::optional<Tried> chosen(const Trial& trial, const Trial& unused, Search& s, 
     if (!(t.gain > needed)) break;
     if (t.trace) {
       const bool leads = std::ranges::none_of(tried, [&](const Tried& o) { return !o.trace && o.gain > needed && o.gain > t.gain - as_good; });
-      if (trace_may && leads) return t;
+      if (trace_may && leads && holds_elsewhere(trial, unused, s, t)) return t;
       continue;
     }
     const auto whole = reduced(trial, s.hypothesis(), t, s.reduced);
