@@ -59,6 +59,15 @@ Json shifts_json(const std::vector<BaselineShift>& shifts) {
   return list;
 }
 
+Json linear_json(const std::vector<LinearView>& views) {
+  Json list = Json::array();
+  const auto pair = [](double recorded, double model) { return Json{{"recorded", number(recorded)}, {"model", number(model)}}; };
+  for (const auto& v : views)
+    list.push_back({{"run", v.run}, {"K", pair(v.recorded.K, v.model.K)}, {"T", pair(v.recorded.T, v.model.T)}, {"rudder_offset_rad", pair(v.recorded.delta_r, v.model.delta_r)},
+                    {"loop_area", pair(v.recorded.loop_area, v.model.loop_area)}});
+  return list;
+}
+
 Json document_of(const Diagnosis& d) {
   Json location = Json::array(), effects = Json::array(), candidates = Json::array();
   for (const auto& p : d.location) location.push_back(place_json(p));
@@ -67,7 +76,7 @@ Json document_of(const Diagnosis& d) {
     candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"log_evidence_gain", number(c.log_evidence_gain)}, {"holdout_gain", number(c.holdout_gain)}, {"trace", c.trace}});
   return {{"schema", "swayaw.diagnosis/1"}, {"version", version()}, {"verdict", name_of(d.verdict)}, {"words", d.words}, {"location", std::move(location)},
           {"effects", std::move(effects)}, {"candidates", std::move(candidates)}, {"imperfection", {{"refitted", number(d.refitted_imperfection)}, {"after", number(d.imperfection)}}},
-          {"symmetry", d.symmetry}, {"traces", d.traces}, {"baseline_shift", shifts_json(d.shifts)},
+          {"symmetry", d.symmetry}, {"traces", d.traces}, {"baseline_shift", shifts_json(d.shifts)}, {"linear", linear_json(d.linear)}, {"linear_words", words_of(d.linear)},
           {"fit", {{"train", runs_json(d.train)}, {"holdout", runs_json(d.holdout)}}}, {"next_manoeuvre", advice_json(d.next)}, {"detectable", detectable_json(d.detectable)}};
 }
 
@@ -95,6 +104,7 @@ void print_diagnosis(const Ship& ship, const Diagnosis& d) {
   if (!d.location.empty()) fmt::print("\nwhere force is missing\n");
   for (const auto& p : d.location) fmt::print("  {:<24}{:<14}{:.5g} to {:.5g} s, {:.0f} % of it; {}\n", p.run, p.quantity, p.from, p.to, 100.0 * p.share, p.where);
   if (!d.symmetry.empty()) fmt::print("  {}\n", d.symmetry);
+  if (const auto words = words_of(d.linear); !words.empty()) fmt::print("\n{}\n", words);
   if (!d.shifts.empty()) fmt::print("\nnumbers of the model beyond two of their deviations\n");
   for (const auto& s : d.shifts) fmt::print("  {:<24}{:>12.5g} -> {:<12.5g} {:+.1f} deviations\n", s.key, s.given, s.refitted, s.deviations);
   if (d.next) fmt::print("\nwhat to sail next\n  {}\n  it separates {}\n", d.next->advice, fmt::join(d.next->separates, ", "));

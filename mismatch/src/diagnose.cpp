@@ -234,7 +234,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   unused.runs = trial_of(ship, holdout, channels).runs;
   const auto forms = effect_forms(ship, channels, duration_of(runs));
   const auto s = search(trial, unused, forms, options, goes_on);
-  Diagnosis d{.verdict = {}, .words = {}, .location = {}, .symmetry = {}, .effects = {}, .traces = {}, .candidates = ranked(s.first, options.detection), .shifts = shifts_of(trial, s.now.point),
+  Diagnosis d{.verdict = {}, .words = {}, .location = {}, .symmetry = {}, .linear = {}, .effects = {}, .traces = {}, .candidates = ranked(s.first, options.detection), .shifts = shifts_of(trial, s.now.point),
               .train = {}, .holdout = {}, .refitted = ship_at(trial, {}, s.null.point), .improved = ship_at(trial, s.hypothesis(), s.now.point),
               .imperfection = s.now.noise.scale, .refitted_imperfection = s.null.noise.scale};
   put_effects(d, trial, s);
@@ -251,6 +251,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
     if (!d.effects.empty() && !shown_wrong(d.effects.front().effect).empty()) d.location = places_of(d.effects.front().effect, runs), d.symmetry = "it is in what was recorded, not in how she moved";
     d.next = next_manoeuvre(trial, s);
   }
+  d.linear = linear_view(d.refitted, runs);
   d.train = errors_of(ship, d.refitted, d.improved, runs);
   d.holdout = errors_of(ship, d.refitted, d.improved, holdout);
   put_holdout_gains(d.candidates, trial, s, ship, d.refitted, holdout);

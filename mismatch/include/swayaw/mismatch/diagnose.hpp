@@ -8,6 +8,7 @@
 
 #include "swayaw/core/recording.hpp"
 #include "swayaw/mismatch/compare.hpp"
+#include "swayaw/mismatch/linear_view.hpp"
 #include "swayaw/mismatch/run_picture.hpp"
 #include "swayaw/nonlinear/effects.hpp"
 #include "swayaw/nonlinear/ship.hpp"
@@ -96,6 +97,7 @@ struct Diagnosis {
   std::string words;                    ///< one sentence
   std::vector<MismatchPlace> location;
   std::string symmetry;                 ///< what the missing force goes with besides the motion, in words
+  std::vector<LinearView> linear;       ///< zigzags and the refitted ship, by K, T and the drift–yaw loop
   std::vector<FoundEffect> effects;     ///< most important first
   std::vector<std::string> traces;      ///< effects too small to matter, in words; the improved ship has them
   std::vector<Candidate> candidates;    ///< best first
