@@ -30,7 +30,7 @@ Ship seen_on(Ship ship, double heading) {
   for (auto& effect : ship.effects) {
     const auto numbers = numbers_of(ship, effect);
     for (const auto& n : numbers)
-      if (n.key.ends_with("from_rad") || n.key.ends_with("to_rad")) number_of(effect, n.index) -= heading;
+      if (is_direction(n)) number_of(effect, n.index) -= heading;
   }
   return ship;
 }
@@ -65,7 +65,7 @@ Trial trial_with(const Trial& trial, const Recording& run) {
   std::vector<Channel> channels;
   for (const auto& c : trial.runs.front().channels) channels.push_back(c.channel);
   Trial other = trial;
-  other.runs = trial_of(trial.ship, {&run, 1}, channels).runs;
+  other.runs = prepared_runs(trial.ship, {&run, 1}, channels);
   for (auto& c : other.runs.front().channels) {
     const auto known = std::ranges::find(trial.runs.front().channels, c.channel, &SeenChannel::channel);
     if (known != trial.runs.front().channels.end()) c.noise = known->noise;
@@ -93,11 +93,10 @@ struct Rival {
 std::vector<Rival> rivals_of(const Trial& trial, const Search& s) {
   std::vector<Rival> rivals;
   for (std::size_t i = s.accepted.size(); i-- > 0 && rivals.empty();) {
-    const auto& a = s.accepted[i];
-    for (std::size_t k = 0; k < a.rivals.size(); ++k) {
+    for (const auto& rival : s.accepted[i].rivals) {
       auto hypothesis = s.hypothesis(i);
-      hypothesis.push_back(a.rival_forms[k]);
-      rivals.push_back({a.rivals[k], ship_at(trial, hypothesis, a.rival_fits[k].point)});
+      hypothesis.push_back(rival.form);
+      rivals.push_back({rival.form->id, ship_at(trial, hypothesis, rival.fit.point)});
     }
   }
   if (!rivals.empty() || s.accepted.size() != 1) return rivals;
@@ -129,15 +128,15 @@ namespace {
 
 bool is_kind(const EffectForm& form, std::initializer_list<std::string_view> ids) { return std::ranges::count(ids, form.id) > 0; }
 
-/// Coordinate at which an effect that no number of the baseline can stand for gains a log evidence of about 15, ½ D c² = 15.
-double coordinate_shown(double D) { return std::sqrt(30.0 / std::max(D, 1e-12)); }
+/// Coordinate at which an effect gains that much log evidence, ½ D c² = gain.
+double coordinate_shown(double D, double gain) { return std::sqrt(2.0 * gain / std::max(D, 1e-12)); }
 
 }  // namespace
 
-std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s, std::span<const EffectForm> forms) {
+std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s, std::span<const EffectForm> forms, double detection) {
   std::vector<DetectableSize> sizes;
   const auto add = [&](const EffectForm& form, const EffectNumber& n, double D) {
-    sizes.push_back({form.id, std::string(n.key), coordinate_shown(D) * n.prior});
+    sizes.push_back({form.id, std::string(n.key), coordinate_shown(D, detection) * n.prior});
   };
   for (const auto& form : forms) {
     if (std::ranges::count(sizes, form.id, &DetectableSize::effect)) continue;  // the delay of the first channel stands for all

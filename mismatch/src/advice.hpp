@@ -14,7 +14,7 @@ namespace swayaw {
 /// @return nothing where nothing was found, or no manoeuvre can be simulated
 std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& search);
 
-/// For each effect of one size, the size that these runs would have shown with a log evidence of about 15.
-std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& search, std::span<const EffectForm> forms);
+/// For each effect of one size, the size at which these runs would have shown it with the log evidence that detection needs.
+std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& search, std::span<const EffectForm> forms, double detection);
 
 }  // namespace swayaw

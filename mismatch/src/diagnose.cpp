@@ -40,8 +40,6 @@ void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> refere
 
 // ---------------------------------------------------------------- answers
 
-bool is_direction(std::string_view key) { return key.ends_with("from_rad") || key.ends_with("to_rad"); }
-
 std::vector<EffectParameterEstimate> estimates(const Trial& trial, const EffectForm& form, const MapFit& found, Eigen::Index from) {
   const auto size = static_cast<Eigen::Index>(form.coordinates.size());
   const Point c = found.point.segment(from, size);
@@ -58,7 +56,7 @@ std::vector<EffectParameterEstimate> estimates(const Trial& trial, const EffectF
     const auto a = values_at(up), b = values_at(down);
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       const double change = a[i] - b[i];
-      slopes(static_cast<Eigen::Index>(i), k) = (is_direction(numbers[i].key) ? wrapped(change) : change) / 2e-4;
+      slopes(static_cast<Eigen::Index>(i), k) = (is_direction(numbers[i]) ? wrapped(change) : change) / 2e-4;
     }
   }
   const Eigen::MatrixXd covariance = slopes * found.covariance.block(from, from, size, size) * slopes.transpose();
@@ -66,26 +64,26 @@ std::vector<EffectParameterEstimate> estimates(const Trial& trial, const EffectF
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto place = static_cast<Eigen::Index>(i);
     if (!std::isfinite(numbers[i].value) || !(covariance(place, place) > 0.0)) continue;
-    const double value = is_direction(numbers[i].key) && numbers[i].value < 0.0 ? numbers[i].value + 2.0 * pi : numbers[i].value;
+    const double value = is_direction(numbers[i]) && numbers[i].value < 0.0 ? numbers[i].value + 2.0 * pi : numbers[i].value;
     result.push_back({std::string(numbers[i].key), value, std::sqrt(covariance(place, place))});
   }
   return result;
 }
 
+/// Nothing where the ship cannot sail the run.
+std::vector<QuantityError> errors_of(const Ship& ship, const Recording& run) try {
+  return compare(ship, run).errors;
+} catch (const Refusal&) {
+  return {};
+}
+
 std::vector<RunErrors> errors_of(const Ship& before, const Ship& refitted, const Ship& after, std::span<const Recording> runs) {
   std::vector<RunErrors> result;
-  const auto errors = [](const Ship& ship, const Recording& run) -> std::vector<QuantityError> {
-    try {
-      return compare(ship, run).errors;
-    } catch (const Refusal&) {
-      return {};
-    }
-  };
-  for (const auto& run : runs) result.push_back({run.name, errors(before, run), errors(refitted, run), errors(after, run)});
+  for (const auto& run : runs) result.push_back({run.name, errors_of(before, run), errors_of(refitted, run), errors_of(after, run)});
   return result;
 }
 
-/// Mean relative fall of heading and yaw rate error over the refitted baseline.
+/// Mean relative fall of the errors of heading, yaw rate, speed and position over the refitted baseline.
 double gain_of(std::span<const RunErrors> runs) {
   double sum = 0.0;
   int count = 0;
@@ -179,19 +177,23 @@ std::vector<MismatchPlace> places_of(const Effect& sensor, std::span<const Recor
 
 // ---------------------------------------------------------------- candidates
 
-/// How much held-out runs gain by each candidate alone.
-void put_holdout_gains(std::vector<Candidate>& candidates, const Trial& trial, const Search& s, const Ship& given, const Ship& refitted, std::span<const Recording> holdout) {
+/// How much held-out runs gain by each candidate alone, over the errors of the refitted ship that d.holdout has.
+void put_holdout_gains(Diagnosis& d, const Trial& trial, const Search& s, std::span<const Recording> holdout) {
   if (holdout.empty()) return;
-  in_parallel(candidates.size(), 0, [&](std::size_t i) {
-    const auto tried = std::ranges::find_if(s.first, [&](const Tried& t) { return t.form->id == candidates[i].effect; });
-    const double gain = gain_of(errors_of(given, refitted, ship_at(trial, {tried->form}, tried->fit.point), holdout));
-    if (std::isfinite(gain)) candidates[i].holdout_gain = gain;
+  in_parallel(d.candidates.size(), 0, [&](std::size_t i) {
+    const auto tried = std::ranges::find_if(s.first, [&](const Tried& t) { return t.form->id == d.candidates[i].effect; });
+    const auto ship = ship_at(trial, {tried->form}, tried->fit.point);
+    auto errors = d.holdout;
+    for (std::size_t k = 0; k < errors.size(); ++k) errors[k].after = errors_of(ship, holdout[k]);
+    const double gain = gain_of(errors);
+    if (std::isfinite(gain)) d.candidates[i].holdout_gain = gain;
   });
 }
 
 FoundEffect found_effect(const Trial& trial, const Accepted& accepted, const MapFit& now, Eigen::Index from) {
   FoundEffect found{.effect = accepted.form->at({now.point.data() + from, accepted.form->coordinates.size()}), .probability = accepted.probability, .onset = {}, .end = {},
-                    .parameters = estimates(trial, *accepted.form, now, from), .indistinguishable_from = accepted.rivals};
+                    .parameters = estimates(trial, *accepted.form, now, from), .indistinguishable_from = {}};
+  for (const auto& rival : accepted.rivals) found.indistinguishable_from.push_back(rival.form->id);
   if (const auto* gust = std::get_if<Gust<double>>(&found.effect)) found.onset = gust->onset, found.end = gust->end;
   return found;
 }
@@ -231,7 +233,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   Trial trial = trial_of(ship, runs, channels);
   if (goes_on("calibrating on reference runs")) calibrate(trial, ship, reference, channels);
   Trial unused = trial;
-  unused.runs = trial_of(ship, holdout, channels).runs;
+  unused.runs = prepared_runs(ship, holdout, channels);
   const auto forms = effect_forms(ship, channels, duration_of(runs));
   const auto s = search(trial, unused, forms, options, goes_on);
   Diagnosis d{.verdict = {}, .words = {}, .location = {}, .symmetry = {}, .linear = {}, .effects = {}, .traces = {}, .candidates = ranked(s.first, options.detection), .shifts = shifts_of(trial, s.now.point),
@@ -243,7 +245,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
     for (auto& e : d.effects) e.probability *= 0.5;
   goes_on("where, and what next");
   if (d.verdict == DiagnosisVerdict::nothing_missing) {
-    d.detectable = detectable_sizes(trial, s, forms);
+    d.detectable = detectable_sizes(trial, s, forms, options.detection);
   } else {
     auto found = located(d.refitted, runs, s.null.noise);
     d.symmetry = std::move(found.symmetry);
@@ -254,7 +256,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   d.linear = linear_view(d.refitted, runs);
   d.train = errors_of(ship, d.refitted, d.improved, runs);
   d.holdout = errors_of(ship, d.refitted, d.improved, holdout);
-  put_holdout_gains(d.candidates, trial, s, ship, d.refitted, holdout);
+  put_holdout_gains(d, trial, s, holdout);
   if (options.pictures && goes_on("drawing the runs")) {
     d.train_pictures = run_pictures(ship, d.refitted, d.improved, runs, s.null.noise);
     d.holdout_pictures = run_pictures(ship, d.refitted, d.improved, holdout, s.null.noise);

@@ -8,9 +8,10 @@
 #include "swayaw/nonlinear/rudder_lift_loss.hpp"
 
 namespace swayaw {
-namespace {
 
 bool is_direction(const EffectNumber& n) { return n.key.ends_with("from_rad") || n.key.ends_with("to_rad"); }
+
+namespace {
 
 const EffectNumber& number_named(std::span<const EffectNumber> numbers, std::string_view key) { return *std::ranges::find(numbers, key, &EffectNumber::key); }
 

@@ -35,6 +35,9 @@ struct EffectForm {
 /// @return nothing for other models
 std::optional<EffectForm> ordinary_lift_loss(const Ship& ship);
 
+/// Whether a number is a direction on the earth, that wind and waves come from or a stream goes to.
+bool is_direction(const EffectNumber& number);
+
 /// All candidates for a ship, the channels of her runs and their longest duration [s].
 std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> channels, double duration);
 

@@ -86,6 +86,7 @@ class Predictor {
   /// @throws Refusal  if the motion runs away
   FilterPass filter(const OrdinaryImperfection& size, const Noise& noise, FilterTrace* trace = nullptr) {
     FilterPass pass;
+    noise_.clear();
     for (const auto& [channel, deviation] : run_.channels) noise_.push_back(deviation * noise.factor[index_of(channel)]);
     start();
     FilterCovariance P = start_covariance(size);

@@ -214,12 +214,10 @@ double probability_of(const Tried& one, std::span<const Tried> tried, double nee
 }
 
 Accepted accepted_as(const Tried& best, std::span<const Tried> tried, double needed) {
-  Accepted result{best.form, best.gain, probability_of(best, tried, needed), best.trace, {}, {}, {}};
+  Accepted result{best.form, best.gain, probability_of(best, tried, needed), best.trace, {}};
   for (const auto& t : tried) {
-    if (t.form->id == best.form->id || best.gain - t.gain > as_good || t.gain < as_good || t.trace || std::ranges::count(result.rivals, t.form->id)) continue;
-    result.rivals.push_back(t.form->id);
-    result.rival_fits.push_back(t.fit);
-    result.rival_forms.push_back(t.form);
+    if (t.form->id == best.form->id || best.gain - t.gain > as_good || t.gain < as_good || t.trace) continue;
+    if (std::ranges::none_of(result.rivals, [&](const Tried& r) { return r.form->id == t.form->id; })) result.rivals.push_back(t);
   }
   return result;
 }

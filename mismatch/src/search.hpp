@@ -26,9 +26,7 @@ struct Accepted {
   double gain;
   double probability;               ///< against the others that were tried with it, and against nothing
   bool trace;
-  std::vector<std::string> rivals;  ///< whose evidence is as good
-  std::vector<MapFit> rival_fits;
-  std::vector<const EffectForm*> rival_forms;
+  std::vector<Tried> rivals;        ///< whose evidence is as good, one for each effect
 };
 
 struct Search {

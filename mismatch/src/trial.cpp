@@ -188,6 +188,12 @@ std::vector<Channel> seen_channels(std::span<const Recording> runs) {
   return seen;
 }
 
+std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
+  std::vector<PreparedRun> result;
+  for (const auto& run : runs) result.push_back(prepared(ship, run, channels));
+  return result;
+}
+
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
   Trial trial{.ship = ship, .numbers = {}, .lift_loss = ordinary_lift_loss(ship), .mean = {}, .precision = {}, .runs = {}};
   for (const auto& n : ship_numbers(ship))
@@ -196,7 +202,7 @@ Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<cons
   trial.mean = Eigen::VectorXd::Zero(size);
   trial.precision = Eigen::MatrixXd::Identity(size, size);
   if (trial.lift_loss) trial.precision(size - 1, size - 1) = 1.0 / std::pow(trial.lift_loss->coordinates.front().deviation, 2);
-  for (const auto& run : runs) trial.runs.push_back(prepared(ship, run, channels));
+  trial.runs = prepared_runs(ship, runs, channels);
   return trial;
 }
 
@@ -222,8 +228,6 @@ Point with_start(const Point& before, std::span<const double> last_start) {
   point << before, Eigen::Map<const Eigen::VectorXd>(last_start.data(), static_cast<Eigen::Index>(last_start.size()));
   return point;
 }
-
-std::vector<FilterPass> filter_passes(const Trial& trial, const Ship& ship, const Noise& noise) { return passes_of(trial, ship, noise); }
 
 double log_likelihood(const Trial& trial, const Ship& ship, const Noise& noise) {
   try {
@@ -291,8 +295,9 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
   Eigen::MatrixXd slopes(trial.rows(), point.size());
   MapFit best;
   for (int round = 0; round < rounds; ++round) {
-    const auto passes = passes_of(trial, ship_at(trial, hypothesis, point), noise);
-    Eigen::VectorXd e = residuals_of(trial, ship_at(trial, hypothesis, point), passes);
+    const auto ship = ship_at(trial, hypothesis, point);
+    const auto passes = passes_of(trial, ship, noise);
+    Eigen::VectorXd e = residuals_of(trial, ship, passes);
     double cost = e.squaredNorm() + space.prior(point), damping = 1e-3;
     for (int iteration = 0; iteration < 10; ++iteration) {
       differences(trial, hypothesis, space, point, passes, e, iteration == 0 ? 0 : base, slopes);
@@ -317,10 +322,7 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
     const auto [log_likelihood, found] = best_noise(trial, ship_at(trial, hypothesis, point), noise, hypothesis.empty());
     const Eigen::MatrixXd A = slopes.transpose() * slopes + space.precision;
     const double evidence = log_likelihood - 0.5 * space.prior(point) + 0.5 * (log_determinant(space.precision) - log_determinant(A));
-    if (evidence > best.log_evidence) {
-      const Point baseline = point.head(base) - trial.mean;
-      best = {point, evidence, log_likelihood, found, baseline.dot(trial.precision * baseline), A.inverse()};
-    }
+    if (evidence > best.log_evidence) best = {point, evidence, found, A.inverse()};
     if (found == noise && round > 0) break;
     noise = found;
   }
@@ -343,14 +345,13 @@ Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& sc
   hypothesis.push_back(&form);
   const Space space = space_of(trial, hypothesis);
   const auto base = screen.baseline.size(), size = static_cast<Eigen::Index>(form.coordinates.size());
-  // with the baseline's numbers eliminated: cost(e) = eᵀe − eᵀJ (JᵀJ + Λ)⁻¹ Jᵀe, but for its prior, which stands at its optimum
-  const auto projected = [&](const Eigen::MatrixXd& e) -> Eigen::MatrixXd { return e - screen.slopes * (screen.inverse * (screen.slopes.transpose() * e)); };
+  // cost(e) = eᵀ M e, but for the baseline's prior, which stands at its optimum
   const auto prior = [&](const Point& p) {
     double sum = 0.0;
     for (Eigen::Index i = base; i < p.size(); ++i) sum += space.precision(i, i) * std::pow(p[i] - space.mean[i], 2);
     return sum;
   };
-  const auto quadratic = [&](const Eigen::VectorXd& e) { return (e.transpose() * projected(e)).value(); };
+  const auto quadratic = [&](const Eigen::VectorXd& e) { return (e.transpose() * screen.projected(e)).value(); };
   const double before = quadratic(screen.residuals);
   Point point = space.clamped(with_start(screen.baseline, start));
   Eigen::VectorXd e = residuals_of(trial, ship_at(trial, hypothesis, point), screen.passes);
@@ -359,7 +360,7 @@ Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& sc
   Eigen::MatrixXd A = Eigen::MatrixXd::Identity(size, size);
   for (int iteration = 0; iteration < 5; ++iteration) {
     differences(trial, hypothesis, space, point, screen.passes, e, base, slopes);
-    const Eigen::MatrixXd J = slopes.rightCols(size), MJ = projected(J);
+    const Eigen::MatrixXd J = slopes.rightCols(size), MJ = screen.projected(J);
     const Eigen::MatrixXd Lambda = space.precision.bottomRightCorner(size, size);
     A = J.transpose() * MJ + Lambda;
     const Eigen::VectorXd b = -MJ.transpose() * e - Lambda * (point - space.mean).tail(size);
@@ -395,7 +396,7 @@ Eigen::MatrixXd information(const Trial& trial, const Screen& screen, const Effe
     moved[static_cast<std::size_t>(i)] += step;
     J.col(i) = (residuals_of(trial, ship_at(trial, {&form}, with_start(screen.baseline, moved)), screen.passes) - screen.residuals) / step;
   }
-  return J.transpose() * (J - screen.slopes * (screen.inverse * (screen.slopes.transpose() * J)));
+  return J.transpose() * screen.projected(J);
 }
 
 }  // namespace swayaw

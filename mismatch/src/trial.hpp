@@ -27,6 +27,9 @@ struct Trial {
 /// Accelerations that no model has, by scale: a fraction of U²/L and U²/L².
 OrdinaryImperfection imperfection(const Ship& ship, double scale);
 
+/// @param runs  must outlive what is prepared of them
+std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels);
+
 /// @param runs  must outlive the trial
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels);
 
@@ -41,16 +44,14 @@ using Point = Eigen::VectorXd;
 
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
 
-/// The baseline at a point and the effects at their first starts.
+/// A point with the coordinates of one more effect.
 Point with_start(const Point& before, std::span<const double> last_start);
 
 /// A hypothesis at its most probable point.
 struct MapFit {
   Point point;
   double log_evidence = -HUGE_VAL;   ///< Laplace: ln p(runs | point) + ln prior + ½ ln det of the posterior covariance
-  double log_likelihood = -HUGE_VAL;
   Noise noise;
-  double shift = 0.0;                ///< of the baseline, squared, in its prior deviations
   Eigen::MatrixXd covariance;        ///< of the point
 };
 
@@ -69,9 +70,6 @@ struct Likelihood {
 /// @param every_channel  whether channels whose noise was as expected so far may prove noisier
 Likelihood best_noise(const Trial& trial, const Ship& ship, const Noise& start, bool every_channel);
 
-/// The filter's passes over all runs.
-std::vector<FilterPass> filter_passes(const Trial& trial, const Ship& ship, const Noise& noise);
-
 /// What a screening keeps of the fitted baseline: gains, residuals, and what its own numbers can explain.
 struct Screen {
   Point baseline;
@@ -79,6 +77,9 @@ struct Screen {
   Eigen::VectorXd residuals;
   Eigen::MatrixXd slopes;   ///< of the residuals by the baseline
   Eigen::MatrixXd inverse;  ///< (slopesᵀ slopes + precision)⁻¹
+
+  /// M e, what is left of columns of residuals after the baseline's numbers took what they can: e − J (JᵀJ + Λ)⁻¹ Jᵀe.
+  Eigen::MatrixXd projected(const Eigen::MatrixXd& e) const { return e - slopes * (inverse * (slopes.transpose() * e)); }
 };
 
 Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& null);
