@@ -95,14 +95,17 @@ ConcealedCase made(const CasePlan& plan) {
   RandomSource random(plan.seed);
   const auto truth = true_ship(plan.ship_kind, random.bits());
   const auto fair = fair_ship(truth, confidence);
-  ConcealedCase c{.plan = plan, .ship = fair.ship, .train = {}, .holdout = {}, .reference = {}, .labels = {}};
+  ConcealedCase c{.plan = plan, .ship = fair.ship, .train = {}, .holdout = {}, .reference = {}, .true_holdout = {}, .labels = {}};
   c.ship.name = fmt::format("{} {}", plan.ship_kind, plan.name);
   Concealment hidden;
   for (const auto& [kind, severity] : plan.effects) c.labels.push_back(conceal(hidden, kind, severity, truth, std::get<MmgShip<double>>(fair.ship.model), random));
   if (plan.wrong_baseline) c.ship = slightly_wrong(c.ship, random.bits());
   const double heading = random.uniform(0.0, 2.0 * pi);
   c.train = sailed(truth, hidden, manoeuvres(plan.set, heading), plan.noise, random.bits());
-  c.holdout = sailed(truth, hidden, {zigzag(20, 10, true, heading + 1.0), turn(25, true, heading + 2.0)}, plan.noise, random.bits());
+  const std::vector<Manoeuvre> held_out{zigzag(20, 10, true, heading + 1.0), turn(25, true, heading + 2.0)};
+  const auto weather = random.bits();
+  c.holdout = sailed(truth, hidden, held_out, plan.noise, weather);
+  c.true_holdout = sailed(truth, hidden, held_out, 0.0, weather);
   if (plan.reference) c.reference = sailed(truth, {}, {zigzag(15, 10, true, heading), turn(30, true, heading + 2.2), zigzag(20, 15, false, heading + 4.4)}, plan.noise, random.bits());
   return c;
 }
@@ -125,7 +128,7 @@ void write_case(const ConcealedCase& c, const std::filesystem::path& folder) {
   };
   std::filesystem::create_directories(home);
   write_ship(home / "ship.toml", c.ship);
-  write_runs("train", c.train), write_runs("holdout", c.holdout), write_runs("reference", c.reference);
+  write_runs("train", c.train), write_runs("holdout", c.holdout), write_runs("reference", c.reference), write_runs("truth", c.true_holdout);
   write_text(home / "truth.json", truth.dump(1) + "\n");
 }
 

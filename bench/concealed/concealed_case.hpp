@@ -70,11 +70,12 @@ struct ConcealedCase {
   CasePlan plan;
   Ship ship;
   std::vector<Recording> train, holdout, reference;
+  std::vector<Recording> true_holdout;  ///< the runs held out as instruments without noise would have recorded them
   std::vector<Label> labels;
 };
 ConcealedCase made(const CasePlan& plan);
 
-/// FOLDER/NAME/{ship.toml, train/, holdout/, reference/, truth.json}.
+/// FOLDER/NAME/{ship.toml, train/, holdout/, reference/, truth.json, truth/}; truth/ has the runs held out without noise.
 void write_case(const ConcealedCase& c, const std::filesystem::path& folder);
 
 }  // namespace swayaw::concealed

@@ -113,12 +113,28 @@ Numbers rudder_hull(Kitchen& k) {
 
 Numbers stall(Kitchen& k) {
   k.h.stall_angle = k.size({0.40, 0.31, 0.22});
-  return {{"stall_angle_rad", k.h.stall_angle}};
+  return {{"stall_angle_rad", k.h.stall_angle + 0.5 * stall_span}};  // where half of the loss has come, as docs/effects.md counts it
+}
+
+/// Numbers of the law of docs/effects.md, 1 + s (|δ| − δ_lim)², that is nearest to the true curve from 0 to 35 deg.
+Numbers nearest_gap(double from, double strength) {
+  double least = HUGE_VAL;
+  Numbers best;
+  for (double limit = 0.0; limit < from + 0.05; limit += 1e-3) {
+    double xy = 0.0, xx = 0.0, yy = 0.0;
+    for (double delta = 0.0; delta < radians(35.0); delta += 1e-3) {
+      const double beyond = std::max(0.0, delta - limit), x = beyond * beyond, y = kept_through_gap(delta, from, strength) - 1.0;
+      xy += x * y, xx += x * x, yy += y * y;
+    }
+    const double s = xy / xx, error = yy - s * xy;
+    if (error < least) least = error, best = {{"delta_lim_rad", limit}, {"s", s}};
+  }
+  return best;
 }
 
 Numbers gap(Kitchen& k) {
   k.h.gap_angle = k.size({0.30, 0.22, 0.14}), k.h.gap_strength = -k.size({3.0, 5.0, 8.0});
-  return {{"delta_lim_rad", k.h.gap_angle}, {"s", k.h.gap_strength}};
+  return nearest_gap(k.h.gap_angle, k.h.gap_strength);
 }
 
 Numbers straightening(Kitchen& k) {

@@ -42,18 +42,19 @@ Json effect_of(const FoundEffect& e) {
   return json;
 }
 
-/// Mean of error with the effects over error of the refitted baseline, heading and yaw rate of the runs held out.
-std::optional<double> holdout_ratio(const Diagnosis& d) {
+/// Mean of error with the effects over error of the refitted baseline, heading and yaw rate of the runs held out as they truly went.
+std::optional<double> holdout_ratio(const Diagnosis& d, const std::vector<Recording>& true_runs) {
   double sum = 0.0;
   int count = 0;
-  for (const auto& run : d.holdout)
+  for (const auto& run : true_runs) {
+    const auto refitted = compare(d.refitted, run).errors, after = compare(d.improved, run).errors;
     for (const auto quantity : {Quantity::heading, Quantity::yaw_rate}) {
-      const auto of = [&](const std::vector<QuantityError>& errors) { return std::ranges::find(errors, quantity, &QuantityError::quantity); };
-      const auto refitted = of(run.refitted), after = of(run.after);
-      if (refitted == run.refitted.end() || after == run.after.end() || !(refitted->window_rms > 0.0)) continue;
-      sum += after->window_rms / refitted->window_rms;
+      const auto of = [&](const std::vector<QuantityError>& errors) { return std::ranges::find(errors, quantity, &QuantityError::quantity)->window_rms; };
+      if (!(of(refitted) > 0.0)) continue;
+      sum += of(after) / of(refitted);
       ++count;
     }
+  }
   return count ? std::optional(sum / count) : std::nullopt;
 }
 
@@ -75,7 +76,7 @@ Json diagnosis_of(const Riddle& riddle) {
   for (const auto& e : d.effects) effects.push_back(effect_of(e));
   for (const auto& c : d.candidates) candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"gain", number(c.log_evidence_gain)}});
   return {{"verdict", name_of(d.verdict)}, {"imperfection", number(d.imperfection)}, {"effects", std::move(effects)}, {"candidates", std::move(candidates)},
-          {"holdout_ratio", number(holdout_ratio(d))}, {"holdout", holdout_errors(d)}};
+          {"holdout_ratio", number(holdout_ratio(d, riddle.true_holdout))}, {"holdout", holdout_errors(d)}};
 }
 
 /// The answers to one case beside its truth. What cannot be diagnosed is a wrong answer.
@@ -99,7 +100,7 @@ Json answered(const fs::path& folder, bool rivals_only) {
 }  // namespace
 
 Riddle read_riddle(const fs::path& folder) {
-  return {read_ship(folder / "ship.toml"), read_runs(folder / "train"), read_runs(folder / "holdout"), read_runs(folder / "reference")};
+  return {read_ship(folder / "ship.toml"), read_runs(folder / "train"), read_runs(folder / "holdout"), read_runs(folder / "reference"), read_runs(folder / "truth")};
 }
 
 std::vector<Json> read_lines(const fs::path& file) {

@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 struct Riddle {
   Ship ship;
   std::vector<Recording> train, holdout, reference;
+  std::vector<Recording> true_holdout;  ///< without noise, for the score alone
 };
 Riddle read_riddle(const std::filesystem::path& folder);
 

@@ -9,6 +9,7 @@
 
 #include "score.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/nonlinear/effects.hpp"
 
 namespace swayaw::concealed {
 namespace {
@@ -108,6 +109,15 @@ std::optional<double> median(std::vector<double> values) {
 
 // ---------------------------------------------------------------- groups of cases
 
+/// Whether all that is hidden is in what was recorded: the ship moves as her model does.
+bool is_of_instrument(const Json& line) {
+  const auto names = truth_of(line);
+  return !names.empty() && std::ranges::all_of(names, [](const std::string& name) {
+    const auto effect = effect_named(name);
+    return effect && place_of(*effect) == EffectPlace::sensor;
+  });
+}
+
 struct Group {
   int cases = 0, found = 0, first = 0, third = 0, covered = 0, all = 0;
   NumberErrors numbers;
@@ -119,7 +129,7 @@ struct Group {
     add_numbers(line, numbers);
     add_onset(line, onsets);
     const auto& ratio = line.at("answer").at("holdout_ratio");
-    if (!ratio.is_null() && !line["answer"]["effects"].empty()) ratios.push_back(ratio.get<double>());
+    if (!ratio.is_null() && !line["answer"]["effects"].empty() && !is_of_instrument(line)) ratios.push_back(ratio.get<double>());
   }
 };
 
@@ -204,7 +214,7 @@ std::string overview(const std::vector<Json>& lines) {
   line("median error of numbers", per_cent(median(singles.numbers.errors)), "≤ 15 %");
   line("numbers in their 95 % interval", inside(singles.numbers), "90–99 %");
   line("median error of the onset of a gust [L/U]", plain(median(singles.onsets)), "≤ 1");
-  line("median held-out ratio to the refitted baseline", plain(median(singles.ratios)), "≤ 0.65");
+  line("median held-out ratio to the refitted baseline, effects of instruments left out", plain(median(singles.ratios)), "≤ 0.65");
   line("median time of a case [s]", plain(median(seconds)), "");
   return text;
 }

@@ -94,16 +94,14 @@ double true_rev(const TrueShip& s, const Concealment& h, const States& q) {
 double thrust(const TrueShip& s, double u_P, double rev) { return rho * rev * rev * std::pow(s.D, 4) * polynomial(s.K_T, advance(s, u_P, rev)); }
 double torque(const TrueShip& s, double u_P, double rev) { return rho * rev * rev * std::pow(s.D, 5) * polynomial(s.K_Q, advance(s, u_P, rev)); }
 
-/// Share of the lift that a stalled rudder keeps: half of it goes over 0.35 rad.
+/// Share of the lift that a stalled rudder keeps: half of it goes over stall_span.
 double after_stall(double angle, double stall) {
   if (stall <= 0.0) return 1.0;
-  const double t = std::clamp((std::abs(angle) - stall) / 0.35, 0.0, 1.0);
+  const double t = std::clamp((std::abs(angle) - stall) / stall_span, 0.0, 1.0);
   return 1.0 - 0.5 * t * t * (3.0 - 2.0 * t);
 }
 
-double through_gap(double delta, const Concealment& h) {
-  return h.gap_strength < 0.0 ? 1.0 / (1.0 - h.gap_strength * square(std::max(0.0, std::abs(delta) - h.gap_angle))) : 1.0;
-}
+double through_gap(double delta, const Concealment& h) { return kept_through_gap(delta, h.gap_angle, h.gap_strength); }
 
 Force rudder(const TrueShip& s, const Concealment& h, const States& q, double delta_to_port, double u_P, double T) {
   const double U = std::hypot(q[State::u], q[State::v]), delta = -delta_to_port;
@@ -175,6 +173,10 @@ Force unknown(const TrueShip& s, const Concealment& h, const States& q, const Mo
 }
 
 }  // namespace
+
+double kept_through_gap(double delta, double from, double strength) {
+  return strength < 0.0 ? 1.0 / (1.0 - strength * square(std::max(0.0, std::abs(delta) - from))) : 1.0;
+}
 
 TrueForces forces(const TrueShip& s, const Concealment& h, const States& q, const Moment& now) {
   const double u_P = inflow(s, h, q), T = thrust(s, u_P, true_rev(s, h, q)), t_P = s.t_P * (1.0 + 0.3 * h.draught_over_depth);

@@ -121,4 +121,9 @@ States rates(const TrueShip& ship, const Concealment& hidden, const States& s, c
 /// Shaft speed [1/s] and torque [N m] that keep the speed on a straight course with nothing hidden.
 ShaftPoint self_propulsion(const TrueShip& ship, double speed);
 
+inline constexpr double stall_span = 0.35;  ///< over which a stalling rudder loses half of its lift [rad]
+
+/// Share of the lift that a gap leaves, 1/(1 − s x²) for x beyond an angle.
+double kept_through_gap(double delta, double from, double strength);
+
 }  // namespace swayaw::concealed

@@ -21,8 +21,6 @@
 namespace swayaw {
 namespace {
 
-constexpr double ordinary = 1.5;  ///< largest scale of the imperfection that an adequate model leaves
-
 double duration_of(std::span<const Recording> runs) {
   double longest = 0.0;
   for (const auto& run : runs) longest = std::max(longest, run.time.back());
@@ -40,7 +38,9 @@ void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> refere
 
 // ---------------------------------------------------------------- answers
 
-std::vector<EffectParameterEstimate> estimates(const Trial& trial, const EffectForm& form, const MapFit& found, Eigen::Index from) {
+/// Numbers of an effect. To the scatter of the fit, as wide as evidence is in excess, comes what the law of the effect is worth.
+std::vector<EffectParameterEstimate> estimates(const Trial& trial, const Accepted& accepted, const MapFit& found, Eigen::Index from) {
+  const auto& form = *accepted.form;
   const auto size = static_cast<Eigen::Index>(form.coordinates.size());
   const Point c = found.point.segment(from, size);
   const auto values_at = [&](const Point& p) {
@@ -59,13 +59,15 @@ std::vector<EffectParameterEstimate> estimates(const Trial& trial, const EffectF
       slopes(static_cast<Eigen::Index>(i), k) = (is_direction(numbers[i]) ? wrapped(change) : change) / 2e-4;
     }
   }
-  const Eigen::MatrixXd covariance = slopes * found.covariance.block(from, from, size, size) * slopes.transpose();
+  if (!accepted.widening.empty()) slopes *= Eigen::Map<const Eigen::VectorXd>(accepted.widening.data(), size).asDiagonal();
+  const Eigen::MatrixXd covariance = slopes * widened(form, found.covariance.block(from, from, size, size)) * slopes.transpose();
   std::vector<EffectParameterEstimate> result;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto place = static_cast<Eigen::Index>(i);
     if (!std::isfinite(numbers[i].value) || !(covariance(place, place) > 0.0)) continue;
     const double value = is_direction(numbers[i]) && numbers[i].value < 0.0 ? numbers[i].value + 2.0 * pi : numbers[i].value;
-    result.push_back({std::string(numbers[i].key), value, std::sqrt(covariance(place, place))});
+    const double departure = is_direction(numbers[i]) ? 1.0 : std::abs(numbers[i].value - numbers[i].null), law = std::isfinite(departure) ? numbers[i].law * departure : 0.0;
+    result.push_back({std::string(numbers[i].key), value, std::hypot(std::sqrt(covariance(place, place)), law)});
   }
   return result;
 }
@@ -112,7 +114,7 @@ std::vector<BaselineShift> shifts_of(const Trial& trial, const Point& point) {
 // ---------------------------------------------------------------- words
 
 std::string_view phrase(std::string_view id) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 30> phrases{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 31> phrases{{
       {"steady_wind", "a steady wind"}, {"gust", "a gust"}, {"steady_current", "a current"}, {"wave_drift", "the drift force of waves"},
       {"shallow_water", "shallow water"}, {"hull_linear_derivatives", "other linear derivatives of the hull"},
       {"hull_nonlinear_damping", "other cubic terms of the hull"}, {"cross_flow_drag", "cross-flow drag"}, {"added_resistance", "more resistance"},
@@ -123,7 +125,7 @@ std::string_view phrase(std::string_view id) {
       {"rudder_offset", "an offset of the rudder"}, {"steering_gear_lag", "a rudder that follows late"}, {"steering_gear_backlash", "play in the steering gear"},
       {"roll_coupling", "heel that acts on sway and yaw"}, {"fluid_memory", "forces that follow the motion late"}, {"heading_bias", "an error of the compass"},
       {"gyro_bias", "a zero error of the yaw-rate gyro"}, {"log_scale", "a factor of the speed log"}, {"antenna_lever_arm", "an antenna off midship"},
-      {"channel_delay", "a channel that is late"},
+      {"channel_delay", "a channel that is late"}, {UnknownForce<>::id, "a force without a name"},
   }};
   const auto found = std::ranges::find(phrases, id, [](const auto& p) { return p.first; });
   return found == phrases.end() ? id : found->second;
@@ -134,17 +136,36 @@ std::string listed(const std::vector<std::string>& names) {
   return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
 }
 
+bool is_nameless(const FoundEffect& e) { return std::holds_alternative<UnknownForce<double>>(e.effect); }
+
+/// What acts that has no name, in words: a push by its time, else its place, what it goes with, and the terms of its map if there is one.
+std::string unknown_words(const Diagnosis& d) {
+  std::string words = "Something real is missing that no known effect explains";
+  const auto place = std::ranges::max_element(d.location, {}, &MismatchPlace::share);
+  if (place != d.location.end()) words += fmt::format("; it acts on the {}", place->quantity == "yaw_moment" ? "yaw moment" : place->quantity == "sway_force" ? "sway force" : "surge force");
+  const auto unknown = std::ranges::find_if(d.effects, is_nameless);
+  if (unknown != d.effects.end()) {
+    const auto& force = std::get<UnknownForce<double>>(unknown->effect);
+    if (std::isfinite(force.onset)) return words + fmt::format(", as a constant push from {:.5g} to {:.5g} s", force.onset, force.end);
+  }
+  if (place != d.location.end()) words += ", " + place->where;
+  if (!d.symmetry.empty()) words += "; " + d.symmetry;
+  if (unknown == d.effects.end()) return words;
+  std::vector<std::string> terms;
+  for (const auto& p : unknown->parameters) terms.push_back(p.key);
+  return words + fmt::format("; as a map it has the terms {}", listed(terms));
+}
+
 std::string words_of(const Diagnosis& d) {
   std::vector<std::string> names;
-  for (const auto& e : d.effects) names.emplace_back(phrase(id_of(e.effect)));
+  for (const auto& e : d.effects)
+    if (!is_nameless(e)) names.emplace_back(phrase(id_of(e.effect)));
   const std::string traces = d.traces.empty() ? "" : fmt::format(" A trace, too small to matter: {}.", fmt::join(d.traces, ", "));
   if (d.verdict == DiagnosisVerdict::nothing_missing) return "Nothing is missing: the model explains the runs within its confidence and their noise." + traces;
   if (d.verdict == DiagnosisVerdict::missing_physics) return fmt::format("The model leaves out {}.{}", listed(names), traces);
-  const auto place = std::ranges::max_element(d.location, {}, &MismatchPlace::share);
-  std::string unknown = "Something real is missing that no known effect explains";
-  if (place != d.location.end()) unknown += fmt::format("; it acts on the {}, {}", place->quantity == "yaw_moment" ? "yaw moment" : place->quantity == "sway_force" ? "sway force" : "surge force", place->where);
-  if (!d.symmetry.empty()) unknown += "; " + d.symmetry;
+  const auto unknown = unknown_words(d);
   if (names.empty()) return unknown + "." + traces;
+  if (d.imperfection <= ordinary_scale) return fmt::format("{}. Besides, the model leaves out {}.{}", unknown, listed(names), traces);
   std::string nearest = listed(names);
   nearest[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(nearest[0])));
   return fmt::format("{}. {} {} nearest and {} not explain it all.{}", unknown, nearest, names.size() > 1 ? "come" : "comes", names.size() > 1 ? "do" : "does", traces);
@@ -192,17 +213,23 @@ void put_holdout_gains(Diagnosis& d, const Trial& trial, const Search& s, std::s
 
 FoundEffect found_effect(const Trial& trial, const Accepted& accepted, const MapFit& now, Eigen::Index from) {
   FoundEffect found{.effect = accepted.form->at({now.point.data() + from, accepted.form->coordinates.size()}), .probability = accepted.probability, .onset = {}, .end = {},
-                    .parameters = estimates(trial, *accepted.form, now, from), .indistinguishable_from = {}};
+                    .parameters = estimates(trial, accepted, now, from), .indistinguishable_from = {}};
   for (const auto& rival : accepted.rivals) found.indistinguishable_from.push_back(rival.form->id);
   if (const auto* gust = std::get_if<Gust<double>>(&found.effect)) found.onset = gust->onset, found.end = gust->end;
+  if (const auto* unknown = std::get_if<UnknownForce<double>>(&found.effect); unknown && std::isfinite(unknown->onset)) found.onset = unknown->onset, found.end = unknown->end;
   return found;
 }
 
 /// Effects in the order of what they bring; the words of those too small to matter.
-void put_effects(Diagnosis& d, const Trial& trial, const Search& s) {
+void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double needed) {
   Eigen::Index from = trial.baseline_size();
-  for (const auto& accepted : s.accepted) {
+  for (std::size_t i = 0; i < s.accepted.size(); ++i) {
+    const auto& accepted = s.accepted[i];
     auto found = found_effect(trial, accepted, s.now, from);
+    if (!found.onset) {
+      const auto spell = spell_of(trial, s, i, needed);
+      found.onset = spell.onset, found.end = spell.end;
+    }
     from += static_cast<Eigen::Index>(accepted.form->coordinates.size());
     if (accepted.trace) d.traces.emplace_back(phrase(accepted.form->id));
     else d.effects.push_back(std::move(found));
@@ -210,7 +237,7 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s) {
 }
 
 DiagnosisVerdict verdict_of(const Diagnosis& d) {
-  if (d.imperfection > ordinary) return DiagnosisVerdict::unexplained;
+  if (std::ranges::any_of(d.effects, is_nameless) || d.imperfection > ordinary_scale) return DiagnosisVerdict::unexplained;
   return d.effects.empty() ? DiagnosisVerdict::nothing_missing : DiagnosisVerdict::missing_physics;
 }
 
@@ -238,18 +265,17 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   const auto s = search(trial, unused, forms, options, goes_on);
   Diagnosis d{.verdict = {}, .words = {}, .location = {}, .symmetry = {}, .linear = {}, .effects = {}, .traces = {}, .candidates = ranked(s.first, options.detection), .shifts = shifts_of(trial, s.now.point),
               .train = {}, .holdout = {}, .refitted = ship_at(trial, {}, s.null.point), .improved = ship_at(trial, s.hypothesis(), s.now.point),
-              .imperfection = s.now.noise.scale, .refitted_imperfection = s.null.noise.scale};
-  put_effects(d, trial, s);
+              .imperfection = s.named_scale, .refitted_imperfection = s.null.noise.scale};
+  put_effects(d, trial, s, options.detection);
   d.verdict = verdict_of(d);
-  if (d.verdict == DiagnosisVerdict::unexplained)
+  if (d.imperfection > ordinary_scale)
     for (auto& e : d.effects) e.probability *= 0.5;
   goes_on("where, and what next");
   if (d.verdict == DiagnosisVerdict::nothing_missing) {
     d.detectable = detectable_sizes(trial, s, forms, options.detection);
   } else {
-    auto found = located(d.refitted, runs, s.null.noise);
-    d.symmetry = std::move(found.symmetry);
-    d.location = std::move(found.places);
+    d.symmetry = s.located.symmetry;
+    d.location = s.located.places;
     if (!d.effects.empty() && !shown_wrong(d.effects.front().effect).empty()) d.location = places_of(d.effects.front().effect, runs), d.symmetry = "it is in what was recorded, not in how she moved";
     d.next = next_manoeuvre(trial, s);
   }

@@ -174,6 +174,24 @@ std::vector<EffectForm> delays(const Effect& null, const EffectNumber& delay, st
   return forms;
 }
 
+/// A constant force on the ship from a time to a time, as of a tug.
+EffectForm push_form(const Effect& null, std::span<const EffectNumber> numbers, double T, double duration) {
+  const double whole = duration / T;
+  std::vector<Move> moves;
+  for (const auto* key : {"X_0", "Y_0", "N_0"}) moves.push_back(from_null(number_named(numbers, key)));
+  for (const auto* key : {"onset_s", "end_s"})
+    moves.push_back({{.name = key, .centre = 0.5 * whole, .deviation = whole, .low = 0.0, .high = whole}, number_named(numbers, key).index, [T](double c) { return c * T; }});
+  auto form = by_moves(null, std::move(moves), {});
+  for (const double from : {0.1, 0.3, 0.5, 0.7}) form.starts.push_back({0.0, 0.0, 0.0, from * whole, (from + 0.25) * whole});
+  form.at = [at = std::move(form.at), T](std::span<const double> c) {
+    auto effect = at(c);
+    auto& push = std::get<UnknownForce<double>>(effect);
+    push.end = std::max(push.end, push.onset + 0.05 * T);
+    return effect;
+  };
+  return form;
+}
+
 EffectForm begun_at(EffectForm form, std::vector<std::vector<double>> starts) {
   form.starts = std::move(starts);
   return form;
@@ -183,6 +201,7 @@ EffectForm begun_at(EffectForm form, std::vector<std::vector<double>> starts) {
 EffectForm form_of(const Effect& null, std::span<const EffectNumber> numbers, const Ship& ship, double duration) {
   const auto id = id_of(null);
   if (id == "wave_drift") return wave_form(null, numbers);
+  if (id == UnknownForce<>::id) return push_form(null, numbers, length(ship) / service_speed(ship), duration);
   if (id == "shallow_water") return shallow_form(null);
   if (id == "rudder_stall") return stall_form(null, numbers);
   if (id == "rudder_gap") return gap_form(null);
@@ -210,6 +229,13 @@ std::optional<EffectForm> ordinary_lift_loss(const Ship& ship) {
     return effect;
   };
   return form;
+}
+
+EffectForm unknown_map(const Ship& ship) {
+  const Effect null = make_effect(UnknownForce<>::id);
+  auto terms = numbers_of(ship, null);
+  std::erase_if(terms, [](const EffectNumber& n) { return !n.decides; });
+  return by_numbers(null, terms);
 }
 
 std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> channels, double duration) {

@@ -27,6 +27,7 @@ struct EffectForm {
   std::vector<Coordinate> coordinates;
   std::function<Effect(std::span<const double>)> at;
   std::vector<std::vector<double>> starts;  ///< where fits begin: an effect that is not linear has several valleys
+  std::vector<double> window{};             ///< its last two coordinates, onset and end, where most force is missing; empty where it has none
   std::function<EffectForm(std::span<const std::size_t>)> with_terms{};  ///< the same of some of its coordinates, where each is a term by itself
 };
 
@@ -38,8 +39,11 @@ std::optional<EffectForm> ordinary_lift_loss(const Ship& ship);
 /// Whether a number is a direction on the earth, that wind and waves come from or a stream goes to.
 bool is_direction(const EffectNumber& number);
 
-/// All candidates for a ship, the channels of her runs and their longest duration [s].
+/// All candidates for a ship, the channels of her runs and their longest duration [s]; the last is a constant force without a name that begins and ends.
 std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> channels, double duration);
+
+/// A force that no candidate explains, as a map of the motion and the heading, term by term.
+EffectForm unknown_map(const Ship& ship);
 
 /// Whether an effect is larger than the practical floor in any of its numbers that decide.
 bool is_finding(const Ship& ship, const Effect& effect);

@@ -213,14 +213,27 @@ std::string symmetry_of(std::span<const Traced> runs) {
 
 }  // namespace
 
-Located located(const Ship& ship, std::span<const Recording> runs, const Noise& noise) {
+Located located(const Trial& trial, const Ship& ship, const Noise& noise) {
   std::vector<Traced> all;
-  for (const auto& run : runs)
-    if (auto t = traced(ship, run, noise); t && !t->time.empty()) all.push_back(std::move(*t));
+  for (const auto& run : trial.runs)
+    if (auto t = traced(ship, *run.run, noise); t && !t->time.empty()) all.push_back(std::move(*t));
   Located result;
   for (const auto& t : all) result.places.push_back(place_of(t));
   result.symmetry = symmetry_of(all);
   return result;
+}
+
+std::optional<std::pair<double, double>> common_interval(const Located& located, double time_unit) {
+  std::vector<double> from, to;
+  for (const auto& place : located.places)
+    if (place.share > 0.5) from.push_back(place.from), to.push_back(place.to);
+  if (from.empty() || from.size() < located.places.size()) return std::nullopt;
+  const auto spread = [](std::vector<double>& values) {
+    std::ranges::sort(values);
+    return values.back() - values.front();
+  };
+  if (std::max(spread(from), spread(to)) > 2.0 * time_unit) return std::nullopt;
+  return std::pair(from[from.size() / 2], to[to.size() / 2]);
 }
 
 }  // namespace swayaw

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <span>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "swayaw/mismatch/diagnose.hpp"
+#include "trial.hpp"
 
 /// Where in the runs, and where in the motion, force is missing. Not installed.
 namespace swayaw {
@@ -16,6 +17,9 @@ struct Located {
 };
 
 /// @param ship  the refitted baseline
-Located located(const Ship& ship, std::span<const Recording> runs, const Noise& noise);
+Located located(const Trial& trial, const Ship& ship, const Noise& noise);
+
+/// From when to when most of the missing force acts, if the runs agree within two lengths of way [s].
+std::optional<std::pair<double, double>> common_interval(const Located& located, double time_unit);
 
 }  // namespace swayaw

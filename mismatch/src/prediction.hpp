@@ -52,6 +52,7 @@ struct FilterPass {
   std::vector<Eigen::MatrixXd> gain;    ///< 9 × channels
   std::vector<Eigen::MatrixXd> whiten;  ///< L⁻¹ of S = L Lᵀ; rows of missing samples are 0
   double log_likelihood = 0.0;
+  std::vector<double> log_likelihoods;  ///< of each sample
   std::vector<FilterState> filtered;
 };
 
@@ -91,7 +92,7 @@ class Predictor {
     start();
     FilterCovariance P = start_covariance(size);
     const auto n = run_.samples();
-    pass.gain.reserve(n), pass.whiten.reserve(n);
+    pass.gain.reserve(n), pass.whiten.reserve(n), pass.log_likelihoods.reserve(n);
     for (std::size_t k = 0; k < n; ++k) {
       if (trace) trace->transition.push_back(FilterCovariance::Identity());
       if (k > 0) P = sail_with_covariance(k, P, size, trace ? &trace->transition.back() : nullptr);
@@ -123,8 +124,9 @@ class Predictor {
     x_.setZero();
     x_.head<6>() << s.x, s.y, s.psi, s.motion.u, s.motion.v, s.motion.r;
     hidden_ = steady_hidden(acting_.added, s.motion);
-    wind_ = 0;
+    next_change_ = 0;
     around_ = acting_.surroundings;
+    acting_.added.mapped = dual_added_.mapped = mapped_at_first_;
   }
 
   FilterCovariance start_covariance(const OrdinaryImperfection& size) const {
@@ -174,18 +176,19 @@ class Predictor {
     return between(at_samples_[k - 1], at_samples_[k], (time - from) / h);
   }
 
-  /// Calls f(begin, end, duration) for short steps from sample k − 1 to k, cut where the wind changes.
+  /// Calls f(begin, end, duration) for short steps from sample k − 1 to k, cut where the wind or a force changes.
   template <class F>
   void for_steps(std::size_t k, F&& f) {
     const double from = run_.run->time[k - 1], to = run_.run->time[k], h = to - from;
     if (!(std::hypot(x_[3], x_[4]) < 1e3 * acting_.model.particulars.U_0)) throw Refusal(fmt::format("{}: no motion can be followed at {:.6g} s", run_.run->name, from));
     double now = from;
     while (now < to) {
-      while (wind_ < acting_.winds.size() && acting_.winds[wind_].time <= now) {
-        around_.wind = acting_.winds[wind_].wind;
-        around_.windy = acting_.winds[wind_++].windy;
+      const auto& changes = acting_.changes;
+      for (; next_change_ < changes.size() && changes[next_change_].time <= now; ++next_change_) {
+        changes[next_change_].apply(around_, acting_.added);
+        dual_added_.mapped = acting_.added.mapped;
       }
-      const double edge = wind_ < acting_.winds.size() ? std::min(to, acting_.winds[wind_].time) : to;
+      const double edge = next_change_ < changes.size() ? std::min(to, changes[next_change_].time) : to;
       const int steps = std::max(1, static_cast<int>(std::ceil((edge - now) * std::hypot(x_[3], x_[4]) / run_.longest)));
       for (int i = 0; i < steps; ++i) {
         const double a = now + (edge - now) * i / steps, b = now + (edge - now) * (i + 1) / steps;
@@ -297,7 +300,8 @@ class Predictor {
     factor.matrixL().solveInPlace(W);
     for (const auto i : gone) W.row(i).setZero();
     const Eigen::VectorXd white = W * e;
-    pass.log_likelihood -= 0.5 * white.squaredNorm() + factor.matrixLLT().diagonal().array().log().sum();
+    pass.log_likelihoods.push_back(-0.5 * white.squaredNorm() - factor.matrixLLT().diagonal().array().log().sum());
+    pass.log_likelihood += pass.log_likelihoods.back();
     x_ += K * e;
     P -= K * PH.transpose();
     P = (0.5 * (P + P.transpose())).eval();
@@ -316,7 +320,8 @@ class Predictor {
   FilterState x_;
   Hidden<double> hidden_;
   Surroundings<double> around_;
-  std::size_t wind_ = 0;
+  std::size_t next_change_ = 0;
+  bool mapped_at_first_ = acting_.added.mapped;
 };
 
 }  // namespace swayaw

@@ -12,9 +12,13 @@ namespace swayaw {
 namespace {
 
 constexpr double as_good = 5.0;      ///< difference in log evidence that does not tell effects apart
+constexpr double worth_keeping = 0.2; ///< log evidence that speaks for a term; one that the data do not tell has 0
+constexpr double worth_of_a_name = 20.0;  ///< log evidence by which a force without a name must beat an effect that has one
 constexpr std::size_t most_traces = 2;
 
 // ---------------------------------------------------------------- all candidates
+
+bool is_unknown(const EffectForm& form) { return form.id == UnknownForce<>::id; }
 
 /// The best start of a form, by what it promises.
 struct Screened {
@@ -49,6 +53,20 @@ std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, c
   return result;
 }
 
+/// What comes and goes begins its fits where most force is missing, too.
+void begin_where_force_is_missing(std::vector<EffectForm>& forms, const Located& located, double time_unit) {
+  const auto interval = common_interval(located, time_unit);
+  if (!interval) return;
+  for (auto& form : forms) {
+    if (std::ranges::none_of(form.coordinates, [](const Coordinate& c) { return c.name.starts_with("onset"); })) continue;
+    form.window = {interval->first / time_unit, interval->second / time_unit};
+    for (auto start : std::vector(form.starts)) {
+      std::ranges::copy(form.window, start.end() - 2);
+      if (std::ranges::count(form.starts, start) == 0) form.starts.push_back(std::move(start));
+    }
+  }
+}
+
 // ---------------------------------------------------------------- terms
 
 /// Which terms of the last effect the evidence keeps, and what it gains without the others.
@@ -57,19 +75,18 @@ struct Pruned {
   double gain = 0.0;
 };
 
-/// Savage–Dickey: without a term the evidence grows by posterior over prior density of the term at 0. The worst is dropped first, and the
-/// others take the values that they have without it.
-Pruned pruned(const EffectForm& form, const MapFit& fit) {
-  const auto size = static_cast<Eigen::Index>(form.coordinates.size());
+/// Savage–Dickey: without a term the evidence grows by posterior over prior density of the term at 0, the posterior as wide as evidence is in excess. The
+/// worst is dropped first, and the others take the values that they have without it.
+Pruned pruned(const EffectForm& form, Eigen::VectorXd mean, const Eigen::MatrixXd& covariance) {
   Pruned result;
   for (std::size_t i = 0; i < form.coordinates.size(); ++i) result.kept.push_back(i);
   if (!form.with_terms) return result;
-  Eigen::VectorXd mean = fit.point.tail(size);
-  Eigen::MatrixXd C = fit.covariance.bottomRightCorner(size, size);
+  Eigen::MatrixXd C = widened(form, covariance);
+  mean = (C * covariance.inverse() * mean / evidence_excess).eval();  // the prior is about 0
   while (result.kept.size() > 1) {
     const Eigen::VectorXd growth = -0.5 * mean.array().square() / C.diagonal().array() - 0.5 * C.diagonal().array().log();
     Eigen::Index worst = 0;
-    if (!(growth.maxCoeff(&worst) > 0.0)) break;
+    if (!(growth.maxCoeff(&worst) > -worth_keeping)) break;
     result.gain += growth[worst];
     const Eigen::VectorXd slope = C.col(worst) / C(worst, worst);
     mean -= slope * mean[worst];
@@ -85,6 +102,11 @@ Pruned pruned(const EffectForm& form, const MapFit& fit) {
   return result;
 }
 
+Pruned pruned(const EffectForm& form, const MapFit& fit) {
+  const auto size = static_cast<Eigen::Index>(form.coordinates.size());
+  return pruned(form, fit.point.tail(size), fit.covariance.bottomRightCorner(size, size));
+}
+
 // ---------------------------------------------------------------- converged fits
 
 Effect last_effect(const Hypothesis& hypothesis, const Point& point) {
@@ -97,14 +119,22 @@ Hypothesis with(Hypothesis hypothesis, const EffectForm& form) {
   return hypothesis;
 }
 
-/// A fit that comes out far below the hypothesis without the effect stopped too early; from a small effect it begins once more.
+const MapFit& likelier(const MapFit& a, const MapFit& b) { return b.log_evidence > a.log_evidence ? b : a; }
+
+/// A fit that comes out far below the hypothesis without the effect stopped too early; from a small effect it begins once more. What comes and goes is
+/// fitted where most force is missing too, with no more than the ordinary imperfection: beside that which it makes necessary its edges cannot be seen.
 MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit& now, const std::vector<double>& promised) {
-  auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise);
+  const auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise);
+  auto other = promised;
+  if (const auto& window = hypothesis.back()->window; !window.empty() && now.noise.scale > ordinary_scale) {
+    std::ranges::copy(window, other.end() - 2);
+    auto quiet = now.noise;
+    quiet.scale = ordinary_scale;
+    return likelier(found, fit(trial, hypothesis, with_start(now.point, other), quiet));
+  }
   if (found.log_evidence > now.log_evidence - 15.0) return found;
-  auto small = promised;
-  for (double& c : small) c *= 0.1;
-  const auto again = fit(trial, hypothesis, with_start(now.point, small), now.noise);
-  return again.log_evidence > found.log_evidence ? again : found;
+  for (double& c : other) c *= 0.1;
+  return likelier(found, fit(trial, hypothesis, with_start(now.point, other), now.noise));
 }
 
 /// A heel that is recorded is explained by rolling alone; it is coupled only where sway force or yaw moment show it.
@@ -118,11 +148,14 @@ bool acts(const EffectForm& form, const MapFit& found) {
   return false;
 }
 
-/// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels.
+/// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels. What comes and goes is among them wherever all
+/// runs lack force at the same time: under the imperfection that this makes necessary it promises too little.
 std::vector<Screened> most_promising(const std::vector<Screened>& candidates, std::size_t most) {
   std::vector<Screened> chosen;
-  for (const auto& c : candidates)
-    if (chosen.size() < most && std::ranges::count_if(chosen, [&](const Screened& s) { return s.form->id == c.form->id; }) < 2) chosen.push_back(c);
+  for (const auto& c : candidates) {
+    const auto same = std::ranges::count_if(chosen, [&](const Screened& s) { return s.form->id == c.form->id; });
+    if ((chosen.size() < most && same < 2) || !c.form->window.empty()) chosen.push_back(c);
+  }
   return chosen;
 }
 
@@ -138,8 +171,8 @@ std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, con
       const double gain = found.log_evidence - now.log_evidence;
       if (!std::isfinite(gain)) return;
       const auto effect = last_effect(hypothesis, found.point);
-      const double without = pruned(form, found).gain;
-      fits[i] = Tried{&form, found, gain + without, effect, !is_finding(trial.ship, effect) || !acts(form, found)};
+      const double without = pruned(form, found).gain, nameless = is_unknown(form) ? worth_of_a_name : 0.0;
+      fits[i] = Tried{&form, found, gain + without - nameless, effect, !is_finding(trial.ship, effect) || !acts(form, found)};
     } catch (const Refusal&) {
     }
   });
@@ -164,6 +197,10 @@ Tried reduced(const Trial& trial, const Hypothesis& accepted, Tried tried, std::
   tried.form = &forms.back();
   tried.effect = last_effect(hypothesis, found.point);
   tried.trace = !is_finding(trial.ship, tried.effect);
+  for (std::size_t i = 0; i < terms.kept.size(); ++i) {
+    const auto before = base + static_cast<Eigen::Index>(terms.kept[i]), now = base + static_cast<Eigen::Index>(i);
+    tried.widening.push_back(std::max(1.0, std::sqrt(tried.fit.covariance(before, before) / found.covariance(now, now))));
+  }
   tried.fit = std::move(found);
   return tried;
 }
@@ -195,11 +232,14 @@ double held_out_gain(const Trial& trial, const Trial& unused, const Hypothesis& 
   return sum;
 }
 
-/// Whether other runs gain too. An effect of a time in one run is not asked for it, nor is a single run.
-bool holds_elsewhere(const Trial& trial, const Trial& unused, const Search& s, const Tried& tried) {
-  if (std::holds_alternative<Gust<double>>(tried.effect) || (unused.runs.empty() && trial.runs.size() < 2)) return true;
+/// Whether other runs gain too, and how much. An effect of a time in one run is not asked for it, nor is a single run.
+bool holds_elsewhere(const Trial& trial, const Trial& unused, const Search& s, Tried& tried) {
+  const auto* unknown = std::get_if<UnknownForce<double>>(&tried.effect);
+  if (std::holds_alternative<Gust<double>>(tried.effect) || (unknown && std::isfinite(unknown->onset)) || (unused.runs.empty() && trial.runs.size() < 2)) return true;
   const auto before = s.hypothesis();
-  return held_out_gain(trial, unused, before, s.now, with(before, *tried.form), tried.fit) > 1.0;
+  const double gain = held_out_gain(trial, unused, before, s.now, with(before, *tried.form), tried.fit);
+  if (!unused.runs.empty()) tried.held_out = gain;  // without held-out runs the same runs have told it already
+  return gain > 1.0;
 }
 
 // ---------------------------------------------------------------- choice
@@ -207,14 +247,17 @@ bool holds_elsewhere(const Trial& trial, const Trial& unused, const Search& s, c
 /// Against nothing, which stands at the gain that is needed, and against the others that matter.
 double probability_of(const Tried& one, std::span<const Tried> tried, double needed) {
   if (one.trace) return 0.0;
-  double sum = std::exp((needed - one.gain) / evidence_excess);
-  for (const auto& t : tried)
-    if (!t.trace) sum += std::exp((t.gain - one.gain) / evidence_excess);
+  const double gain = one.gain + one.held_out;
+  double sum = 1.0 + std::exp((needed - gain) / evidence_excess);
+  for (const auto& t : tried) {
+    const bool itself = t.form->id == one.form->id && t.gain == one.gain;
+    if (!t.trace && !itself) sum += std::exp((t.gain - gain) / evidence_excess);
+  }
   return 1.0 / sum;
 }
 
 Accepted accepted_as(const Tried& best, std::span<const Tried> tried, double needed) {
-  Accepted result{best.form, best.gain, probability_of(best, tried, needed), best.trace, {}};
+  Accepted result{best.form, best.gain, probability_of(best, tried, needed), best.trace, best.widening, {}};
   for (const auto& t : tried) {
     if (t.form->id == best.form->id || best.gain - t.gain > as_good || t.gain < as_good || t.trace) continue;
     if (std::ranges::none_of(result.rivals, [&](const Tried& r) { return r.form->id == t.form->id; })) result.rivals.push_back(t);
@@ -222,19 +265,41 @@ Accepted accepted_as(const Tried& best, std::span<const Tried> tried, double nee
   return result;
 }
 
-/// The best that matters, gains enough and holds elsewhere; a trace only where nothing that matters is nearly as good.
+/// The best that matters, gains enough, in runs used and held out together, and holds elsewhere; a trace only where nothing that matters is nearly as good.
 std::optional<Tried> chosen(const Trial& trial, const Trial& unused, Search& s, std::span<const Tried> tried, double needed, bool trace_may) {
-  for (const auto& t : tried) {
-    if (!(t.gain > needed)) break;
+  for (auto t : tried) {
+    if (!(t.gain > (unused.runs.empty() ? needed : 0.5 * needed))) break;
     if (t.trace) {
+      if (!(t.gain > needed)) continue;
       const bool leads = std::ranges::none_of(tried, [&](const Tried& o) { return !o.trace && o.gain > needed && o.gain > t.gain - as_good; });
       if (trace_may && leads && holds_elsewhere(trial, unused, s, t)) return t;
       continue;
     }
-    const auto whole = reduced(trial, s.hypothesis(), t, s.reduced);
-    if (holds_elsewhere(trial, unused, s, whole)) return whole;
+    auto whole = reduced(trial, s.hypothesis(), t, s.reduced);
+    if (holds_elsewhere(trial, unused, s, whole) && whole.gain + whole.held_out > needed) return whole;
   }
   return std::nullopt;
+}
+
+// ---------------------------------------------------------------- what has no name
+
+/// The force that is left, as a map of the motion and the heading: terms that the evidence keeps, if other runs gain by them.
+void map_unknown(const Trial& trial, const Trial& unused, Search& s, double needed) try {
+  const auto before = s.hypothesis();
+  const auto whole = unknown_map(trial.ship);
+  const std::vector<double> nothing(whole.coordinates.size(), 0.0);
+  const auto guess = promise(trial, before, screen_of(trial, before, s.now), whole, nothing);
+  const auto terms = pruned(whole, Eigen::Map<const Eigen::VectorXd>(guess.coordinates.data(), std::ssize(guess.coordinates)), guess.covariance).kept;
+  s.reduced.push_back(whole.with_terms(terms));
+  Screened start{&s.reduced.back(), {}};
+  for (const auto i : terms) start.promise.coordinates.push_back(guess.coordinates[i]);
+  const auto tried = confirmed(trial, before, s.now, {start}, 1);
+  if (tried.empty() || !(tried.front().gain > needed)) return;
+  auto map = reduced(trial, before, tried.front(), s.reduced);
+  if (!holds_elsewhere(trial, unused, s, map)) return;
+  s.accepted.push_back(accepted_as(map, {&map, 1}, needed));
+  s.now = map.fit;
+} catch (const Refusal&) {  // she cannot sail with such a force
 }
 
 }  // namespace
@@ -243,6 +308,47 @@ Hypothesis Search::hypothesis(std::size_t count) const {
   Hypothesis result;
   for (std::size_t i = 0; i < count; ++i) result.push_back(accepted[i].form);
   return result;
+}
+
+Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covariance) {
+  Eigen::VectorXd precision(covariance.rows());
+  for (Eigen::Index i = 0; i < precision.size(); ++i) precision[i] = std::pow(form.coordinates[static_cast<std::size_t>(i)].deviation, -2);
+  const Eigen::MatrixXd prior = precision.asDiagonal();
+  return (prior + (covariance.inverse() - prior) / evidence_excess).inverse();
+}
+
+Spell spell_of(const Trial& trial, const Search& s, std::size_t accepted, double needed) {
+  const auto with = ship_at(trial, s.hypothesis(), s.now.point);
+  auto without = with;
+  without.effects.erase(without.effects.end() - std::ssize(s.accepted) + static_cast<std::ptrdiff_t>(accepted));
+  struct Sample {
+    double time, gain;
+  };
+  std::vector<Sample> samples;
+  try {
+    const auto a = log_likelihoods(trial, with, s.now.noise), b = log_likelihoods(trial, without, s.now.noise);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      for (std::size_t k = 0; k < a[i].size(); ++k) samples.push_back({trial.runs[i].run->time[k], a[i][k] - b[i][k]});
+  } catch (const Refusal&) {
+    return {};
+  }
+  std::ranges::stable_sort(samples, {}, &Sample::time);
+  const double settled = 2.0 * length(trial.ship) / service_speed(trial.ship), first = samples.front().time + settled, last = samples.back().time - settled;
+  // where the running sum of the gains is least, the effect begins; from the other side, it ends
+  const auto least = [&](auto begin, auto end) {
+    double sum = 0.0, lowest = -needed;
+    std::optional<double> time;
+    for (auto i = begin; i != end; ++i) {
+      sum += i->gain;
+      if (sum < lowest) lowest = sum, time = i->time;
+    }
+    return time;
+  };
+  Spell spell{least(samples.begin(), samples.end()), least(samples.rbegin(), samples.rend())};
+  if (spell.onset && (*spell.onset < first || *spell.onset > last)) spell.onset.reset();
+  if (spell.end && (*spell.end > last || *spell.end < first)) spell.end.reset();
+  if (spell.onset && spell.end && !(*spell.onset < *spell.end)) return {};
+  return spell;
 }
 
 std::vector<Candidate> ranked(std::span<const Tried> tried, double needed) {
@@ -263,13 +369,16 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
   s.null = fit(trial, {}, trial.mean, Noise{});
   if (s.null.point.size() == 0) throw Refusal("the model cannot follow these runs at all; look at them with compare first");
   s.now = s.null;
+  s.located = located(trial, ship_at(trial, {}, s.null.point), s.null.noise);
+  s.forms.assign(forms.begin(), forms.end());
+  begin_where_force_is_missing(s.forms, s.located, length(trial.ship) / service_speed(trial.ship));
   std::size_t findings = 0, traces = 0;
   while (working && findings < options.most_effects && (s.accepted.empty() || s.now.noise.scale > 0.6)) {
     working = goes_on(s.accepted.empty() ? "trying every effect" : "trying a further effect");
     const auto before = s.hypothesis();
     const auto screen = screen_of(trial, before, s.now);
     if (s.accepted.empty()) s.screen = screen;
-    const auto tried = confirmed(trial, before, s.now, screened(trial, before, screen, forms), options.confirmed);
+    const auto tried = confirmed(trial, before, s.now, screened(trial, before, screen, s.forms), options.confirmed);
     if (s.accepted.empty()) s.first = tried;
     const double needed = s.accepted.empty() ? options.detection : options.further;
     const auto best = chosen(trial, unused, s, tried, needed, traces < most_traces);
@@ -277,6 +386,11 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
     s.accepted.push_back(accepted_as(*best, tried, needed));
     s.now = best->fit;
     ++(best->trace ? traces : findings);
+  }
+  s.named_scale = s.now.noise.scale;
+  if (working && s.named_scale > ordinary_scale && std::ranges::none_of(s.accepted, [](const Accepted& a) { return is_unknown(*a.form); })) {
+    working = goes_on("a map of what has no name");
+    map_unknown(trial, unused, s, options.further);
   }
   return s;
 }

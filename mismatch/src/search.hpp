@@ -2,10 +2,12 @@
 
 #include <deque>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "swayaw/mismatch/diagnose.hpp"
+#include "location.hpp"
 #include "trial.hpp"
 
 /// The search for effects that a ship lacks: all are screened, the best are fitted until they converge, runs that were not used decide. Not installed.
@@ -15,9 +17,11 @@ namespace swayaw {
 struct Tried {
   const EffectForm* form;
   MapFit fit;
-  double gain;    ///< in log evidence, the terms that it does better without left out
+  double gain;    ///< in log evidence, the terms that it does better without left out; less where it has no name
   Effect effect;
   bool trace;     ///< too small to matter
+  double held_out = 0.0;           ///< gain in log likelihood of held-out runs, where they were asked
+  std::vector<double> widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
 };
 
 /// An effect that was accepted.
@@ -26,12 +30,16 @@ struct Accepted {
   double gain;
   double probability;               ///< against the others that were tried with it, and against nothing
   bool trace;
+  std::vector<double> widening;     ///< of the deviation of each coordinate, for terms that were dropped
   std::vector<Tried> rivals;        ///< whose evidence is as good, one for each effect
 };
 
 struct Search {
   MapFit null, now;
+  double named_scale = 0.0;         ///< of the imperfection beside all effects that have names
   Screen screen;                    ///< of the baseline alone
+  Located located;                  ///< where the baseline alone lacks force
+  std::vector<EffectForm> forms;    ///< that were tried
   std::vector<Accepted> accepted;   ///< in the order of acceptance, traces with them
   std::vector<Tried> first;         ///< all that were tried alone, best first
   std::deque<EffectForm> reduced;   ///< forms made by the search
@@ -51,5 +59,20 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
 std::vector<Candidate> ranked(std::span<const Tried> tried, double needed);
 
 inline constexpr double evidence_excess = 3.0;
+
+/// Covariance of the coordinates of an effect where the data count evidence_excess times less: (Λ + (C⁻¹ − Λ)/excess)⁻¹ with the prior's precision Λ.
+Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covariance);
+
+/// When an effect that was accepted begins and ends to act, in the time of the runs.
+struct Spell {
+  std::optional<double> onset, end;  ///< [s]; nothing where it acts from the first, to the last
+};
+
+/// By likelihood ratio: without the effect the samples before the onset, or after the end, are likelier by more than `needed`. Neither lies within
+/// two ship lengths of way of the ends of the longest run, where the filter settles.
+Spell spell_of(const Trial& trial, const Search& s, std::size_t accepted, double needed);
+
+/// Largest scale of the imperfection that an adequate model leaves.
+inline constexpr double ordinary_scale = 1.5;
 
 }  // namespace swayaw

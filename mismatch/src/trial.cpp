@@ -237,6 +237,12 @@ double log_likelihood(const Trial& trial, const Ship& ship, const Noise& noise) 
   }
 }
 
+std::vector<std::vector<double>> log_likelihoods(const Trial& trial, const Ship& ship, const Noise& noise) {
+  std::vector<std::vector<double>> runs;
+  for (auto& pass : passes_of(trial, ship, noise)) runs.push_back(std::move(pass.log_likelihoods));
+  return runs;
+}
+
 namespace {
 
 /// Climbs a number along its grid from where it is. @return whether it moved
@@ -382,7 +388,7 @@ Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& sc
     if (gain < 0.5) break;
   }
   const double occam = 0.5 * (log_determinant(space.precision.bottomRightCorner(size, size)) - log_determinant(A));
-  return {0.5 * (before - cost) + occam, {point.data() + base, point.data() + point.size()}};
+  return {0.5 * (before - cost) + occam, {point.data() + base, point.data() + point.size()}, A.inverse()};
 }
 
 Eigen::MatrixXd information(const Trial& trial, const Screen& screen, const EffectForm& form) {

@@ -61,6 +61,10 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
 /// ln p(runs | ship); −∞ where the ship cannot sail like that.
 double log_likelihood(const Trial& trial, const Ship& ship, const Noise& noise);
 
+/// The same by run and sample.
+/// @throws Refusal  where the ship cannot sail like that
+std::vector<std::vector<double>> log_likelihoods(const Trial& trial, const Ship& ship, const Noise& noise);
+
 /// The likelihood of a ship, at the noise that suits her best.
 struct Likelihood {
   double log_likelihood;
@@ -91,6 +95,7 @@ Eigen::MatrixXd information(const Trial& trial, const Screen& screen, const Effe
 struct Promise {
   double gain = -HUGE_VAL;
   std::vector<double> coordinates;
+  Eigen::MatrixXd covariance;  ///< of the coordinates
 };
 
 Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form, std::span<const double> start);

@@ -91,6 +91,11 @@ std::vector<Effect> active(const Ship& ship) {
   return effects;
 }
 
+bool unknown_acts(const Ship& ship, double time) {
+  const auto* unknown = find<UnknownForce<>>(std::span<const Effect>(ship.effects));
+  return unknown && !is_null(Effect(*unknown)) && unknown->onset <= time && time < unknown->end;
+}
+
 constexpr double before_all = -std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -101,17 +106,19 @@ std::string cannot_act(const ShipModel& model, const Effect& effect) {
 
 Surroundings<double> surroundings_at(const Ship& ship, double time) { return with_current(with_wind(ship.surroundings, ship, time), ship); }
 
-std::vector<WindChange> wind_changes(const Ship& ship) {
+std::vector<Change> changes_of(const Ship& ship) {
   std::vector<double> times;
-  for (const auto& effect : ship.effects)
-    if (const auto* gust = std::get_if<Gust<>>(&effect); gust && !is_null(effect))
-      for (const double time : {gust->onset, gust->end})
-        if (std::isfinite(time)) times.push_back(time);
+  for (const auto& effect : ship.effects) {
+    if (is_null(effect)) continue;
+    if (const auto* gust = std::get_if<Gust<>>(&effect)) times.insert(times.end(), {gust->onset, gust->end});
+    if (const auto* unknown = std::get_if<UnknownForce<>>(&effect)) times.insert(times.end(), {unknown->onset, unknown->end});
+  }
+  std::erase_if(times, [](double time) { return !std::isfinite(time); });
   std::ranges::sort(times);
-  std::vector<WindChange> changes;
+  std::vector<Change> changes;
   for (const double time : times) {
     const auto around = surroundings_at(ship, time);
-    changes.push_back({time, around.wind, around.windy});
+    changes.push_back({time, around.wind, around.windy, unknown_acts(ship, time)});
   }
   return changes;
 }
@@ -135,13 +142,14 @@ std::vector<Effect> sensor_effects(const Ship& ship) {
 
 template <class Model>
 ActingShip<Model> acting_ship(const Ship& ship, const Model& model) {
-  ActingShip<Model> acting{.model = model, .surroundings = ship.surroundings, .winds = {}, .added = {}, .rudder = {}, .sensors = {}};
+  ActingShip<Model> acting{.model = model, .surroundings = ship.surroundings, .changes = {}, .added = {}, .rudder = {}, .sensors = {}};
   if (ship.effects.empty()) return acting;
   change_model(acting.model, ship);
   acting.surroundings = surroundings_at(ship, before_all);
-  acting.winds = wind_changes(ship);
+  acting.changes = changes_of(ship);
   const auto effects = active(ship);
   acting.added = added_forces(acting.model, std::span<const Effect>(effects));
+  acting.added.mapped = unknown_acts(ship, before_all);
   acting.rudder = rudder_actuator(ship);
   acting.sensors = sensor_effects(ship);
   return acting;
@@ -222,7 +230,7 @@ std::vector<EffectNumber> numbers_of(const Ship& ship, const Effect& effect) {
     if (!own) return;
     const double one = one_of(p.scale, ship, *own), null = std::isnan(p.null) ? *own : p.null;
     const double floor = p.scale == ShipUnit::wind ? p.floor * service_speed(ship) : p.floor * one;
-    numbers.push_back({p.key, place, p.range, std::isnan(value) ? null : value, null, p.prior * one, floor, p.decides});
+    numbers.push_back({p.key, place, p.range, std::isnan(value) ? null : value, null, p.prior * one, floor, p.law, p.decides});
   });
   return numbers;
 }

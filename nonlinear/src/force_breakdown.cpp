@@ -91,10 +91,11 @@ Recording true_run(const Recording& run, const Ship& ship) {
   return truth;
 }
 
-/// In the wind of that time.
+/// With what acts at that time.
 ForceBreakdown breakdown_at(const Ship& ship, double time, const Sample& sample) {
   return visit_acting(ship, [&](const auto& acting) {
-    return break_down(acting, acting.winds.empty() ? acting.surroundings : surroundings_at(ship, time), sample.state, sample.controls);
+    const auto now = acting.at(time);
+    return break_down(now, now.surroundings, sample.state, sample.controls);
   });
 }
 

@@ -92,7 +92,6 @@ bool same_kind(const Effect& a, const Effect& b) {
 }
 
 Effect read_effect(const FileEffect& given, const PartsReader& file) {
-  if (given.kind == "unknown") file.fail(given, "an effect of kind \"unknown\" says in words what is missing and cannot be simulated");
   auto effect = effect_named(given.kind);
   if (!effect) file.fail(given, fmt::format("effect {} is not understood by this version", given.kind));
   read_numbers(*effect, given, file);

@@ -96,9 +96,9 @@ class Voyage {
   Voyage(const ActingShip<Model>& acting, const Moment& start, double tolerance)
       : ship_(acting.model),
         surroundings_(acting.surroundings),
-        winds_(acting.winds),
+        changes_(acting.changes),
         added_(acting.added),
-        with_added_(acting.added.any()),
+        with_added_(acting.added.any() || std::ranges::any_of(acting.changes, &Change::mapped)),
         actuator_(acting.rudder),
         time_(start.time),
         state_(joined(start.state, steady_hidden(acting.added, start.state.motion))),
@@ -107,7 +107,7 @@ class Voyage {
         time_unit_(ship_.particulars.L / std::max(speed(start.state.motion), 0.05 * ship_.particulars.U_0)),
         step_(0.02 * time_unit_),
         stepper_(Controlled(Error(tolerance, ship_.particulars.L, ship_.particulars.L / time_unit_))) {
-    pass_winds();
+    pass_changes();
     if (actuator_.any()) {
       shown_ = rudder_;
       const AngleLine still{start.time, start.controls.delta, 0.0};
@@ -171,7 +171,7 @@ class Voyage {
     const auto g = [&](const State& s, double) { return watch(visible(s)); };
     double before = g(state_, time_);
     while (time_ < until) {
-      const Stretch stretch = next_stretch(std::min({until, rudder_kink_, wind_change_}));
+      const Stretch stretch = next_stretch(std::min({until, rudder_kink_, next_change_}));
       const double after = g(stretch.end, stretch.to);
       const bool fired = passes_zero(before, after);
       const double event = fired ? root(stretch, g) : stretch.to;
@@ -180,7 +180,7 @@ class Voyage {
       advance(stretch, branch_first ? change.time : event);
       note(branch_first ? StepEnd::branch : fired ? StepEnd::watch : time_ >= rudder_kink_ ? StepEnd::kink : StepEnd::none, change.index);
       if (time_ >= rudder_kink_) pass_rudder_kink();
-      if (time_ >= wind_change_) pass_winds();
+      if (time_ >= next_change_) pass_changes();
       if (branch_first) switch_branch(change);
       else if (fired) return true;
       const double now = g(state_, time_);
@@ -262,15 +262,14 @@ class Voyage {
     running_ = false;
   }
 
-  /// The wind as it is from now on.
-  void pass_winds() {
-    while (!winds_.empty() && winds_.front().time <= time_) {
-      surroundings_.wind = winds_.front().wind;
-      surroundings_.windy = winds_.front().windy;
-      winds_.erase(winds_.begin());
+  /// Wind and forces as they are from now on.
+  void pass_changes() {
+    while (!changes_.empty() && changes_.front().time <= time_) {
+      changes_.front().apply(surroundings_, added_);
+      changes_.erase(changes_.begin());
       running_ = false;
     }
-    wind_change_ = winds_.empty() ? never : winds_.front().time;
+    next_change_ = changes_.empty() ? never : changes_.front().time;
   }
 
   struct BranchChange {
@@ -412,7 +411,7 @@ class Voyage {
 
   Model ship_;
   Surroundings<double> surroundings_;
-  std::vector<WindChange> winds_;
+  std::vector<Change> changes_;
   AddedForces<double> added_;
   bool with_added_;
   RudderActuator actuator_;
@@ -427,7 +426,7 @@ class Voyage {
   Branch<double, Model::branch_count> branch_{};
   BranchChange last_change_{-never, 0};
   double rudder_kink_ = never;  ///< when the rudder rate jumps next [s]
-  double wind_change_ = never;  ///< when the wind changes next [s]
+  double next_change_ = never;  ///< when the wind or a force changes next [s]
   RudderMotion<> shown_;        ///< of the indicator, where the rudder is not as it shows
   const Interpolant* shown_along_ = nullptr;
   RudderTrack track_;

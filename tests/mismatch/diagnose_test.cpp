@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch.hpp>
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "random_ships.hpp"
@@ -161,27 +162,95 @@ std::vector<Recording> each(std::vector<Recording> runs, F&& change) {
   return runs;
 }
 
-TEST_CASE("names and order of the runs, the heading they were sailed on and a mirror do not change the answer", "[mismatch][symmetry]") {
-  const Ship ship = test_ship();
-  const double L = length(ship), strong = 1.2 * std::sqrt(0.1 * 9.81 * L);
-  const auto real = with_effect(ship, SteadyWind<double>{strong, 0.9});
+/// What is hidden in a ship, and how it must look where all headings are turned by an angle, and in the mirror.
+struct Hidden {
+  Effect effect;
+  std::function<double(std::string_view key, double value, double angle)> turned;
+  std::function<double(std::string_view key, double value)> mirrored;
+};
+
+bool is_of_earth(std::string_view key) { return key.ends_with("from_rad") || key.ends_with("to_rad"); }
+
+void is_same_wherever_it_comes_from(const Ship& ship, const Hidden& hidden) {
+  const auto real = with_effect(ship, hidden.effect);
   const auto runs = trials(real), unused = held_out(real);
   const auto d = diagnose(ship, runs, {}, unused, quick());
-  finds(d, SteadyWind<double>{});
-  const auto speed = d.effects.front().parameters[0].value, from = d.effects.front().parameters[1].value;
-  const auto is_same = [&](const Diagnosis& other, double from_there) {
-    finds(other, SteadyWind<double>{});
+  finds(d, hidden.effect);
+  const auto is_same = [&](const Diagnosis& other, auto&& seen) {
+    finds(other, hidden.effect);
     CHECK(other.verdict == d.verdict);
-    CHECK(std::abs(error_of(other, "wind_speed_m_s", speed)) < 0.3);
-    CHECK(std::abs(error_of(other, "wind_from_rad", from_there)) < 0.3);
+    for (const auto& p : d.effects.front().parameters) {
+      INFO(p.key);
+      CHECK(std::abs(error_of(other, p.key, seen(p.key, p.value))) < 0.3);
+    }
   };
   auto renamed = runs;
   std::swap(renamed[0].name, renamed[1].name);
   std::swap(renamed[0], renamed[1]);
-  is_same(diagnose(ship, renamed, {}, unused, quick()), from);
-  const auto turn = [](Recording run) { return turned(std::move(run), 2.1); };
-  is_same(diagnose(ship, each(runs, turn), {}, each(unused, turn), quick()), from + 2.1);
-  is_same(diagnose(ship, each(runs, mirrored), {}, each(unused, mirrored), quick()), -from);
+  is_same(diagnose(ship, renamed, {}, unused, quick()), [](std::string_view, double value) { return value; });
+  constexpr double angle = 2.1;
+  const auto turn = [](Recording run) { return turned(std::move(run), angle); };
+  is_same(diagnose(ship, each(runs, turn), {}, each(unused, turn), quick()), [&](std::string_view key, double value) { return hidden.turned(key, value, angle); });
+  is_same(diagnose(ship, each(runs, mirrored), {}, each(unused, mirrored), quick()), hidden.mirrored);
+}
+
+TEST_CASE("names and order of the runs, the heading they were sailed on and a mirror do not change the answer", "[mismatch][symmetry]") {
+  const Ship ship = test_ship();
+  const auto with_the_earth = [](std::string_view key, double value, double angle) { return is_of_earth(key) ? value + angle : value; };
+  const auto to_the_other_side = [](std::string_view key, double value) { return is_of_earth(key) ? -value : value; };
+  const auto stays = [](std::string_view, double value, double) { return value; };
+  SECTION("a wind") { is_same_wherever_it_comes_from(ship, {SteadyWind<double>{1.2 * std::sqrt(0.1 * 9.81 * length(ship)), 0.9}, with_the_earth, to_the_other_side}); }
+  SECTION("a current") { is_same_wherever_it_comes_from(ship, {SteadyCurrent<double>{0.1, 1.0}, with_the_earth, to_the_other_side}); }
+  SECTION("an offset of the rudder") { is_same_wherever_it_comes_from(ship, {RudderOffset<double>{radians(1.5)}, stays, [](std::string_view, double value) { return -value; }}); }
+  SECTION("a rudder that stalls") { is_same_wherever_it_comes_from(ship, {RudderStall<double>{.angle = 0.28, .depth = 0.5, .width = 0.04}, stays, [](std::string_view, double value) { return value; }}); }
+}
+
+// ---------------------------------------------------------------- what has no name, and when
+
+/// A force of the map alone, which no effect with a name explains.
+TEST_CASE("a force without a name is said to be unknown, and its map predicts runs that were not used", "[mismatch][second-route]") {
+  const Ship ship = test_ship();
+  UnknownForce<double> strange;
+  strange.N_cos = 6e-4, strange.Y_cos = -3e-3;
+  const auto real = with_effect(ship, strange);
+  const auto d = diagnose(ship, trials(real), {}, held_out(real), quick());
+  INFO(d.words);
+  REQUIRE(d.verdict == DiagnosisVerdict::unexplained);
+  const auto map = std::ranges::find_if(d.effects, [](const FoundEffect& e) { return std::holds_alternative<UnknownForce<double>>(e.effect); });
+  REQUIRE(map != d.effects.end());
+  const auto heading = [](const std::vector<QuantityError>& list) { return std::ranges::find(list, Quantity::heading, &QuantityError::quantity)->window_rms; };
+  CHECK(heading(d.holdout.front().after) < 0.5 * heading(d.holdout.front().refitted));
+}
+
+TEST_CASE("a push that comes and goes is told by its time, and is no gust", "[mismatch][round-trip]") {
+  const Ship ship = test_ship();
+  const auto real = with_effect(ship, UnknownForce<double>{.Y_0 = 1.5e-3, .N_0 = 4e-4, .onset = 40.0, .end = 75.0});
+  const auto d = diagnose(ship, trials(real), {}, held_out(real), quick());
+  INFO(d.words);
+  CHECK(d.verdict == DiagnosisVerdict::unexplained);
+  REQUIRE(!d.effects.empty());
+  CHECK(id_of(d.effects.front().effect) == "unknown");
+  CHECK(std::abs(error_of(d, "onset_s", 40.0)) < 3.5);
+  CHECK(std::abs(error_of(d, "end_s", 75.0)) < 3.5);
+  CHECK(std::abs(error_of(d, "Y_0", 1.5e-3)) < 3.5);
+  CHECK(d.effects.front().onset.value() == std::get<UnknownForce<double>>(d.effects.front().effect).onset);
+}
+
+TEST_CASE("an effect that begins during a run has an onset", "[mismatch][second-route]") {
+  const Ship ship = test_ship();
+  const auto steady = zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, sampled).run;
+  auto late = measured(steady, "zigzag.csv", 5);
+  constexpr double begins = 60.0;
+  const double bias = 0.06 * service_speed(ship) / length(ship);
+  for (std::size_t i = 0; i < late.samples(); ++i)
+    if (late.time[i] >= begins) late.fill(Channel::r)[i] += bias;
+  const auto d = diagnose(ship, std::vector{late}, {}, {}, quick());
+  finds(d, GyroBias<double>{});
+  REQUIRE(d.effects.front().onset);
+  CHECK(std::abs(*d.effects.front().onset - begins) < 0.5 * length(ship) / service_speed(ship));
+  CHECK_FALSE(d.effects.front().end);
+  const auto whole = of(ship, GyroBias<double>{bias});
+  CHECK_FALSE(whole.effects.front().onset);
 }
 
 // ---------------------------------------------------------------- questions that have no answer

@@ -165,6 +165,28 @@ TEST_CASE("a shaft slows with the speed that the ship loses, as much to both sid
   CHECK(rev_at({0.6 * U, 0.2, 0.05}) == rev_at({0.6 * U, -0.2, -0.05}));
 }
 
+TEMPLATE_TEST_CASE("a force without a name is what its terms say", "[nonlinear][second-route]", EVERY_MODEL) {
+  RandomModels random(74);
+  for (int i = 0; i < 20; ++i) {
+    const auto model = random.ship<TestType>();
+    const auto m = random.motion(model);
+    const auto controls = random.controls(model);
+    const double psi = random.uniform(-pi, pi), L = model.particulars.L, U = model.particulars.U_0, q = 0.5 * model.water.rho * L * L * U * U;
+    const auto force_of = [&](const UnknownForce<double>& map) {
+      const std::vector<Effect> effects{map};
+      return added_force(model, added_forces(model, std::span<const Effect>(effects)), ShipState<double>{0.0, 0.0, psi, m}, Hidden<double>{}, controls);
+    };
+    const double v = m.v / U, r = m.r * L / U;
+    const auto f = force_of({.X_cos = 0.2, .X_vr = 0.3, .X_dd = 0.1, .Y_0 = 0.4, .Y_vv = -0.5, .N_sin = 0.6, .N_d = -0.7});
+    CHECK_THAT(f.X, WithinRel(q * (0.2 * std::cos(psi) + 0.3 * v * r + 0.1 * controls.delta * controls.delta), 1e-12));
+    CHECK_THAT(f.Y, WithinRel(q * (0.4 - 0.5 * v * std::abs(v)), 1e-12));
+    CHECK_THAT(f.N, WithinRel(q * L * (0.6 * std::sin(psi) - 0.7 * controls.delta), 1e-12));
+    const auto g = force_of({.Y_r = 0.2, .N_rr = 0.3});
+    CHECK_THAT(g.Y, WithinRel(0.2 * q * r, 1e-12));
+    CHECK_THAT(g.N, WithinRel(0.3 * q * L * r * std::abs(r), 1e-12));
+  }
+}
+
 TEST_CASE("wind, waves and current turn with the run", "[nonlinear][symmetry]") {
   RandomEffects random(74);
   const auto bare = test::with_areas(sailing_ship<MmgShip<double>>());
@@ -365,7 +387,7 @@ TEST_CASE("effects of a file are refused in words", "[nonlinear][refusal]") {
     }
     return "";
   };
-  CHECK_THAT(refusal("kind = \"unknown\"\n"), ContainsSubstring("cannot be simulated"));
+  CHECK_THAT(refusal("kind = \"unknown\"\n"), ContainsSubstring("unknown has no numbers"));
   CHECK_THAT(refusal("kind = \"rudder_offset\"\noffset_rad = 0.1\n[[effect]]\nkind = \"rudder_offset\"\noffset_rad = 0.2\n"), ContainsSubstring("rudder_offset is given twice"));
   CHECK_THAT(refusal("kind = \"rudder_offset\"\noffset_rad = 7\n"), ContainsSubstring("offset_rad in [[effect]] cannot be 7"));
   CHECK_THAT(refusal("kind = \"channel_delay\"\ndelay_s = 1\n"), ContainsSubstring("channel_delay needs channel"));
@@ -377,6 +399,7 @@ TEST_CASE("effects of a file are refused in words", "[nonlinear][refusal]") {
   CHECK_THROWS_WITH(zigzag_of(with_effect(abkowitz, CrossFlowDrag<>{0.5})), "cross_flow_drag cannot act on a ship of model \"abkowitz\"");
   CHECK_THROWS_WITH(zigzag_of(with_effect(abkowitz, AddedResistance<>{0.5})), "added_resistance cannot act on a ship of model \"abkowitz\"");
   CHECK_THROWS_WITH(spiral(with_effect(ship, WaveDrift<>{0.0, 10.0})), ContainsSubstring("no turn is steady in waves"));
+  CHECK_THROWS_WITH(spiral(with_effect(ship, UnknownForce<>{.Y_cos = 1e-4})), ContainsSubstring("a force that goes with the heading"));
   CHECK_THROWS_WITH(spiral(with_effect(ship, SteadyWind<>{5.0, 0.0})), ContainsSubstring("no turn is steady in wind"));
 }
 

@@ -35,7 +35,8 @@ class RandomEffects {
     if (numbers.empty()) return std::nullopt;
     for (const auto& n : numbers) number_of(effect, n.index) = off_null(n);
     if (id == HullLinearDerivatives<>::id || id == HullNonlinearDamping<>::id) keep_damped(effect, numbers);
-    if (id == Gust<>::id) set_window(effect, ship);
+    if (id == Gust<>::id) set_window(std::get<Gust<>>(effect), ship);
+    if (id == UnknownForce<>::id) set_window(std::get<UnknownForce<>>(effect), ship);
     if (auto* gear = std::get_if<SteeringGearLag<>>(&effect)) gear->rate = 0.5 * steering_gear(ship).rate;
     return effect;
   }
@@ -55,11 +56,10 @@ class RandomEffects {
     return n.range.contains(value) ? value : base - sign * size;
   }
 
-  void set_window(Effect& effect, const Ship& ship) {
+  void set_window(auto& effect, const Ship& ship) {
     const double time_unit = length(ship) / service_speed(ship);
-    auto& gust = std::get<Gust<>>(effect);
-    gust.onset = uniform(1.0, 4.0) * time_unit;
-    gust.end = gust.onset + uniform(1.0, 4.0) * time_unit;
+    effect.onset = uniform(1.0, 4.0) * time_unit;
+    effect.end = effect.onset + uniform(1.0, 4.0) * time_unit;
   }
 
   RandomModels random_;

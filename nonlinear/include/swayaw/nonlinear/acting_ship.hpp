@@ -15,11 +15,18 @@
 /// linearizes a ship takes her from here; without effects the model and her surroundings are those of the ship.
 namespace swayaw {
 
-/// Wind from a time on.
-struct WindChange {
+/// What begins or ends to act at a time: a gust, an unknown force.
+struct Change {
   double time;  ///< [s]
   Wind<double> wind;
   bool windy;
+  bool mapped;  ///< whether the unknown force acts
+
+  template <class S>
+  void apply(Surroundings<double>& around, AddedForces<S>& added) const {
+    around.wind = wind, around.windy = windy;
+    added.mapped = mapped;
+  }
 };
 
 /// What lies between a recorded rudder angle and the rudder, in this order: play, lag with its largest rate, offset.
@@ -39,18 +46,26 @@ struct RudderActuator {
 template <class Model>
 struct ActingShip {
   Model model;                        ///< its numbers as the effects change them
-  Surroundings<double> surroundings;  ///< before the first change of the wind
-  std::vector<WindChange> winds;      ///< in order of time
-  AddedForces<double> added;
+  Surroundings<double> surroundings;  ///< before the first change
+  std::vector<Change> changes;        ///< in order of time
+  AddedForces<double> added;          ///< before the first change
   RudderActuator rudder;
   std::vector<Effect> sensors;
+
+  /// As she is at a time.
+  ActingShip at(double time) const {
+    ActingShip now = *this;
+    for (const auto& change : changes)
+      if (change.time <= time) change.apply(now.surroundings, now.added);
+    return now;
+  }
 };
 
-/// Wind and current of the ship at a time; constant between the times of wind_changes.
+/// Wind and current of the ship at a time; constant between the times of changes_of.
 Surroundings<double> surroundings_at(const Ship& ship, double time);
 
-/// When gusts begin and end, and the wind from then on.
-std::vector<WindChange> wind_changes(const Ship& ship);
+/// When gusts and an unknown force begin and end, and what acts from then on.
+std::vector<Change> changes_of(const Ship& ship);
 
 /// What lies between the recorded rudder angle and the rudder.
 RudderActuator rudder_actuator(const Ship& ship);
@@ -98,6 +113,7 @@ struct EffectNumber {
   double null;    ///< the effect does nothing there
   double prior;   ///< standard deviation about null
   double floor;   ///< a smaller departure from null is a trace
+  double law;     ///< what its law is worth: standard deviation over departure from null, of directions in radians
   bool decides;   ///< its departure from null is the effect
 };
 
@@ -132,6 +148,7 @@ AddedForces<S> added_forces(const Model& model, std::span<const EffectIn<S>> eff
   take(a.roll, a.coupling);
   take(a.memory, a.lag);
   take(a.droop, a.drop);
+  take(a.mapped, a.map);
   if constexpr (requires { model.particulars.B; }) {
     if (std::isnan(value_of(a.coupling.GM))) a.coupling.GM = 0.05 * model.particulars.B;
     if (std::isnan(value_of(a.coupling.lever))) a.coupling.lever = 0.5 * a.d;

@@ -26,6 +26,7 @@ struct Hidden {
 template <class S = double>
 struct AddedForces {
   bool cross_flow = false, waves = false, side_force = false, roll = false, memory = false, droop = false;
+  bool mapped = false;  ///< whether the unknown force acts now
   S rho{}, L{}, d{};
   S U_0{1.0};  ///< service speed [m/s]
   S x_P{};   ///< propeller forward of midship [m]
@@ -36,16 +37,17 @@ struct AddedForces {
   RollCoupling<S> coupling;  ///< all numbers known
   FluidMemory<S> lag;
   ShaftSpeedDrop<S> drop;
+  UnknownForce<S> map;
 
-  bool any() const { return cross_flow || waves || side_force || roll || memory || droop; }
+  bool any() const { return cross_flow || waves || side_force || roll || memory || droop || mapped; }
   bool hidden() const { return roll || memory; }
 };
 
 /// The same with another scalar.
 template <class To, class From>
 AddedForces<To> cast(const AddedForces<From>& a) {
-  return {a.cross_flow, a.waves, a.side_force, a.roll, a.memory, a.droop, To(a.rho), To(a.L), To(a.d), To(a.U_0), To(a.x_P), To(a.k_xx), cast_effect<To>(a.drag),
-          cast_effect<To>(a.wave), cast_effect<To>(a.side), cast_effect<To>(a.coupling), cast_effect<To>(a.lag), cast_effect<To>(a.drop)};
+  return {a.cross_flow, a.waves, a.side_force, a.roll, a.memory, a.droop, a.mapped, To(a.rho), To(a.L), To(a.d), To(a.U_0), To(a.x_P), To(a.k_xx), cast_effect<To>(a.drag),
+          cast_effect<To>(a.wave), cast_effect<To>(a.side), cast_effect<To>(a.coupling), cast_effect<To>(a.lag), cast_effect<To>(a.drop), cast_effect<To>(a.map)};
 }
 
 inline constexpr double effect_gravity = 9.81;  ///< [m/s²]
@@ -137,6 +139,21 @@ PlanarForce<S> memory_force(const Model& ship, const AddedForces<S>& a, const Pl
   return {.X = S(0.0), .Y = a.lag.share * f.Y, .N = a.lag.share * f.N};
 }
 
+/// With q = ½ρL²U_0², u' = u/U_0 − 1, v' = v/U_0, r' = rL/U_0:
+///
+///     X = q (X_0 + X_cos cos ψ + X_sin sin ψ + X_u u' + X_vv v'² + X_vr v'r' + X_rr r'² + X_dd δ²)
+///     Y = q (Y_0 + Y_cos cos ψ + Y_sin sin ψ + Y_v v' + Y_r r' + Y_d δ + Y_vv v'|v'| + Y_rr r'|r'|),   N = q L (the same of N)
+template <class S>
+PlanarForce<S> unknown_force(const AddedForces<S>& a, const ShipState<S>& state, const S& delta) {
+  const auto& k = a.map;
+  const auto [s, c] = sin_cos(state.psi);
+  const S q = 0.5 * a.rho * a.L * a.L * a.U_0 * a.U_0, u = state.motion.u / a.U_0 - 1.0, v = state.motion.v / a.U_0, r = state.motion.r * a.L / a.U_0;
+  const S vv = v * size_of(v), rr = r * size_of(r);
+  return {.X = q * (k.X_0 + k.X_cos * c + k.X_sin * s + k.X_u * u + k.X_vv * v * v + k.X_vr * v * r + k.X_rr * r * r + k.X_dd * delta * delta),
+          .Y = q * (k.Y_0 + k.Y_cos * c + k.Y_sin * s + k.Y_v * v + k.Y_r * r + k.Y_d * delta + k.Y_vv * vv + k.Y_rr * rr),
+          .N = q * a.L * (k.N_0 + k.N_cos * c + k.N_sin * s + k.N_v * v + k.N_r * r + k.N_d * delta + k.N_vv * vv + k.N_rr * rr)};
+}
+
 /// Calls add(name, force) for every force that is there. `controls` as recorded.
 template <class Model, class S, class Add>
 void for_each_added(const Model& ship, const AddedForces<S>& a, const ShipState<S>& state, const Hidden<S>& hidden, const Controls<S>& controls,
@@ -147,6 +164,7 @@ void for_each_added(const Model& ship, const AddedForces<S>& a, const ShipState<
   if (a.side_force) add(PropellerSideForce<S>::id, side_force(a, thrust(ship, m, driven(a, m, controls))));
   if (a.roll) add(RollCoupling<S>::id, heel_force(a, m, hidden.phi));
   if (a.memory) add(FluidMemory<S>::id, memory_force(ship, a, m, hidden));
+  if (a.mapped) add(UnknownForce<S>::id, unknown_force(a, state, controls.delta));
 }
 
 /// Sum of the added forces.
@@ -199,7 +217,7 @@ StateVector<S> rates_of(const Model<S>& ship, const Surroundings<S>& around, con
   return {m.u * c - m.v * s + V_c * cos(psi_c), m.u * s + m.v * c + V_c * sin(psi_c), m.r, a.u, a.v, a.r};
 }
 
-/// Force of model and effects in a motion that lasts, without what depends on the heading: wind and waves.
+/// Force of model and effects in a motion that lasts, without what depends on the heading: wind, waves, an unknown force that does.
 template <template <class> class Model, class S, std::size_t N>
 PlanarForce<S> steady_force(const Model<S>& ship, const AddedForces<S>& added, const PlanarMotion<S>& m, const Controls<S>& controls,
                             const Branch<S, N>& branch) {
@@ -207,6 +225,7 @@ PlanarForce<S> steady_force(const Model<S>& ship, const AddedForces<S>& added, c
   if (!added.any()) return own;
   auto still = added;
   still.waves = false;
+  still.map.X_cos = still.map.X_sin = still.map.Y_cos = still.map.Y_sin = still.map.N_cos = still.map.N_sin = S(0.0);
   return own + added_force(ship, still, ShipState<S>{S(0.0), S(0.0), S(0.0), m}, steady_hidden(added, m), controls);
 }
 

@@ -40,6 +40,7 @@ struct EffectParameter {
   double null = 0.0;                   ///< where the effect does nothing; `unchanged`: at the ship's own number
   double prior = 0.0;                  ///< standard deviation before any data, in `scale`
   double floor = 0.0;                  ///< a smaller departure from null is a trace, in `scale`
+  double law = 0.03;                   ///< what its law is worth: standard deviation over departure from null, of directions in radians
   ShipUnit scale = ShipUnit::one;
   bool decides = true;                 ///< the effect is off while every number that decides has its null value
   bool required = true;                ///< whether a ship file must give it

@@ -23,7 +23,7 @@ using EffectIn = std::variant<SteadyWind<S>, Gust<S>, SteadyCurrent<S>, WaveDrif
                               CrossFlowDrag<S>, AddedResistance<S>, SpeedLossInTurn<S>, AddedMass<S>, RudderEffectiveness<S>, RudderHullInteraction<S>,
                               RudderStall<S>, RudderGap<S>, FlowStraightening<S>, RaceOnRudder<S>, PropellerSideForce<S>, WakeChange<S>, ShaftSpeedDrop<S>,
                               RudderOffset<S>, SteeringGearLag<S>, SteeringGearBacklash<S>, RollCoupling<S>, FluidMemory<S>, HeadingBias<S>, GyroBias<S>,
-                              LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>>;
+                              LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>, UnknownForce<S>>;
 
 using Effect = EffectIn<double>;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "swayaw/core/angle.hpp"
@@ -22,8 +23,8 @@ struct SteadyWind {
   static constexpr auto parameters() {
     using P = EffectParameter<SteadyWind, S>;
     return std::array{
-        P{.key = "wind_speed_m_s", .member = &SteadyWind::speed, .range = non_negative, .prior = 1.0, .floor = 0.2, .scale = ShipUnit::wind},
-        P{.key = "wind_from_rad", .member = &SteadyWind::from, .range = direction, .prior = pi, .decides = false},
+        P{.key = "wind_speed_m_s", .member = &SteadyWind::speed, .range = non_negative, .prior = 1.0, .floor = 0.2, .law = 0.1, .scale = ShipUnit::wind},
+        P{.key = "wind_from_rad", .member = &SteadyWind::from, .range = direction, .prior = pi, .law = 0.05, .decides = false},
     };
   }
 };
@@ -42,10 +43,10 @@ struct Gust {
     using P = EffectParameter<Gust, S>;
     constexpr double never = std::numeric_limits<double>::infinity();
     return std::array{
-        P{.key = "wind_speed_m_s", .member = &Gust::speed, .range = non_negative, .prior = 1.0, .floor = 0.2, .scale = ShipUnit::wind},
-        P{.key = "wind_from_rad", .member = &Gust::from, .range = direction, .prior = pi, .decides = false},
-        P{.key = "onset_s", .member = &Gust::onset, .prior = 5.0, .scale = ShipUnit::time, .decides = false},
-        P{.key = "end_s", .member = &Gust::end, .null = never, .prior = 5.0, .scale = ShipUnit::time, .decides = false, .required = false, .fallback = never},
+        P{.key = "wind_speed_m_s", .member = &Gust::speed, .range = non_negative, .prior = 1.0, .floor = 0.2, .law = 0.1, .scale = ShipUnit::wind},
+        P{.key = "wind_from_rad", .member = &Gust::from, .range = direction, .prior = pi, .law = 0.05, .decides = false},
+        P{.key = "onset_s", .member = &Gust::onset, .prior = 5.0, .law = 0.0, .scale = ShipUnit::time, .decides = false},
+        P{.key = "end_s", .member = &Gust::end, .null = never, .prior = 5.0, .law = 0.0, .scale = ShipUnit::time, .decides = false, .required = false, .fallback = never},
     };
   }
 };
@@ -61,8 +62,8 @@ struct SteadyCurrent {
   static constexpr auto parameters() {
     using P = EffectParameter<SteadyCurrent, S>;
     return std::array{
-        P{.key = "current_speed_m_s", .member = &SteadyCurrent::speed, .range = non_negative, .prior = 0.1, .floor = 0.02, .scale = ShipUnit::speed},
-        P{.key = "current_to_rad", .member = &SteadyCurrent::to, .range = direction, .prior = pi, .decides = false},
+        P{.key = "current_speed_m_s", .member = &SteadyCurrent::speed, .range = non_negative, .prior = 0.1, .floor = 0.02, .law = 0.0, .scale = ShipUnit::speed},
+        P{.key = "current_to_rad", .member = &SteadyCurrent::to, .range = direction, .prior = pi, .law = 0.0, .decides = false},
     };
   }
 };
@@ -80,7 +81,7 @@ struct WaveDrift {
   static constexpr auto parameters() {
     using P = EffectParameter<WaveDrift, S>;
     return std::array{
-        P{.key = "wave_from_rad", .member = &WaveDrift::from, .range = direction, .prior = pi, .decides = false},
+        P{.key = "wave_from_rad", .member = &WaveDrift::from, .range = direction, .prior = pi, .law = 0.05, .decides = false},
         P{.key = "force_N", .member = &WaveDrift::force, .range = non_negative, .prior = 1.0, .floor = 0.05, .scale = ShipUnit::force},
         P{.key = "ahead", .member = &WaveDrift::ahead, .null = 0.4, .prior = 0.3, .decides = false, .required = false, .fallback = 0.4},
         P{.key = "moment", .member = &WaveDrift::moment, .prior = 0.1, .decides = false, .required = false},
@@ -97,7 +98,7 @@ struct CrossFlowDrag {
   static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<CrossFlowDrag, S>;
-    return std::array{P{.key = "drag_coefficient", .member = &CrossFlowDrag::C_D, .prior = 0.5, .floor = 0.05}};
+    return std::array{P{.key = "drag_coefficient", .member = &CrossFlowDrag::C_D, .prior = 0.5, .floor = 0.2, .law = 0.1}};
   }
 };
 
@@ -157,6 +158,40 @@ struct FluidMemory {
         P{.key = "tau_s", .member = &FluidMemory::tau, .range = positive, .null = 1.0, .prior = 1.0, .scale = ShipUnit::time, .decides = false},
         P{.key = "share", .member = &FluidMemory::share, .range = {-2.0, 2.0}, .prior = 0.3, .floor = 0.05, .required = false, .fallback = 0.3},
     };
+  }
+};
+
+/// A force that no other effect knows, from onset to end, as a map of what it goes with: nothing at all, the heading, the motion.
+///
+/// Coefficients over ½ρL²U_0², of the moment over ½ρL³U_0²; the motion over U_0 and U_0/L.
+template <class S = double>
+struct UnknownForce {
+  S X_0{}, X_cos{}, X_sin{}, X_u{}, X_vv{}, X_vr{}, X_rr{}, X_dd{};
+  S Y_0{}, Y_cos{}, Y_sin{}, Y_v{}, Y_r{}, Y_d{}, Y_vv{}, Y_rr{};
+  S N_0{}, N_cos{}, N_sin{}, N_v{}, N_r{}, N_d{}, N_vv{}, N_rr{};
+  S onset = S(-std::numeric_limits<double>::infinity());  ///< [s]
+  S end = S(std::numeric_limits<double>::infinity());     ///< [s]
+
+  static constexpr std::string_view id = "unknown";
+  static constexpr EffectPlace place = EffectPlace::force;
+  static constexpr auto parameters() {
+    using U = UnknownForce;
+    constexpr double never = std::numeric_limits<double>::infinity();
+    constexpr auto force = [](std::string_view key, S U::*member) { return EffectParameter<U, S>{.key = key, .member = member, .prior = 1e-3, .floor = 2e-5, .required = false}; };
+    constexpr auto moment = [](std::string_view key, S U::*member) { return EffectParameter<U, S>{.key = key, .member = member, .prior = 3e-4, .floor = 5e-6, .required = false}; };
+    return std::array{
+        force("X_0", &U::X_0),  force("X_cos", &U::X_cos),  force("X_sin", &U::X_sin),  force("X_u", &U::X_u),  force("X_vv", &U::X_vv), force("X_vr", &U::X_vr), force("X_rr", &U::X_rr),  force("X_dd", &U::X_dd),
+        force("Y_0", &U::Y_0),  force("Y_cos", &U::Y_cos),  force("Y_sin", &U::Y_sin),  force("Y_v", &U::Y_v),  force("Y_r", &U::Y_r),   force("Y_d", &U::Y_d),   force("Y_vv", &U::Y_vv),  force("Y_rr", &U::Y_rr),
+        moment("N_0", &U::N_0), moment("N_cos", &U::N_cos), moment("N_sin", &U::N_sin), moment("N_v", &U::N_v), moment("N_r", &U::N_r),  moment("N_d", &U::N_d),  moment("N_vv", &U::N_vv), moment("N_rr", &U::N_rr),
+        EffectParameter<U, S>{.key = "onset_s", .member = &U::onset, .null = -never, .prior = 5.0, .law = 0.0, .scale = ShipUnit::time, .decides = false, .required = false, .fallback = -never},
+        EffectParameter<U, S>{.key = "end_s", .member = &U::end, .null = never, .prior = 5.0, .law = 0.0, .scale = ShipUnit::time, .decides = false, .required = false, .fallback = never},
+    };
+  }
+
+  bool goes_with_heading_or_time() const {
+    if (std::isfinite(onset) || std::isfinite(end)) return true;
+    const auto there = [](const S& c) { return !(c == S(0.0)); };
+    return there(X_cos) || there(X_sin) || there(Y_cos) || there(Y_sin) || there(N_cos) || there(N_sin);
   }
 };
 

@@ -80,7 +80,7 @@ struct HeadingBias {
   static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<HeadingBias, S>;
-    return std::array{P{.key = "bias_rad", .member = &HeadingBias::bias, .range = {-pi, pi}, .prior = radians(2.0), .floor = radians(0.3)}};
+    return std::array{P{.key = "bias_rad", .member = &HeadingBias::bias, .range = {-pi, pi}, .prior = radians(2.0), .floor = radians(0.3), .law = 0.0}};
   }
 };
 
@@ -93,7 +93,7 @@ struct GyroBias {
   static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<GyroBias, S>;
-    return std::array{P{.key = "bias_rad_s", .member = &GyroBias::bias, .prior = 0.02, .floor = 0.002, .scale = ShipUnit::yaw_rate}};
+    return std::array{P{.key = "bias_rad_s", .member = &GyroBias::bias, .prior = 0.02, .floor = 0.002, .law = 0.0, .scale = ShipUnit::yaw_rate}};
   }
 };
 
@@ -106,7 +106,7 @@ struct LogScale {
   static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<LogScale, S>;
-    return std::array{P{.key = "scale", .member = &LogScale::scale, .range = positive, .null = 1.0, .prior = 0.05, .floor = 0.01}};
+    return std::array{P{.key = "scale", .member = &LogScale::scale, .range = positive, .null = 1.0, .prior = 0.05, .floor = 0.01, .law = 0.0}};
   }
 };
 
@@ -121,8 +121,8 @@ struct AntennaLeverArm {
   static constexpr auto parameters() {
     using P = EffectParameter<AntennaLeverArm, S>;
     return std::array{
-        P{.key = "x_m", .member = &AntennaLeverArm::x, .prior = 0.3, .floor = 0.02, .scale = ShipUnit::length},
-        P{.key = "y_m", .member = &AntennaLeverArm::y, .prior = 0.05, .floor = 0.02, .scale = ShipUnit::length, .required = false},
+        P{.key = "x_m", .member = &AntennaLeverArm::x, .prior = 0.3, .floor = 0.02, .law = 0.0, .scale = ShipUnit::length},
+        P{.key = "y_m", .member = &AntennaLeverArm::y, .prior = 0.05, .floor = 0.02, .law = 0.0, .scale = ShipUnit::length, .required = false},
     };
   }
 };

@@ -13,8 +13,8 @@ namespace swayaw {
 /// A number of the model that gets another value. One that is not given stays as it is.
 template <class Part, class S>
 constexpr EffectParameter<Part, S> other_value(std::string_view key, S Part::*member, std::string_view table, std::string_view number,
-                                               std::string_view other_name = {}, Range range = any_number) {
-  return {.key = key, .member = member, .range = range, .null = unchanged, .prior = 0.25, .floor = 0.05, .scale = ShipUnit::own,
+                                               std::string_view other_name = {}, Range range = any_number, double law = 0.03) {
+  return {.key = key, .member = member, .range = range, .null = unchanged, .prior = 0.25, .floor = 0.05, .law = law, .scale = ShipUnit::own,
           .required = false, .fallback = unchanged, .table = table, .replaces = {number, other_name}};
 }
 
@@ -42,7 +42,7 @@ struct HullNonlinearDamping {
   static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using H = HullNonlinearDamping;
-    constexpr auto term = [](std::string_view key, S H::*member) { return other_value<H, S>(key, member, "hull", key); };
+    constexpr auto term = [](std::string_view key, S H::*member) { return other_value<H, S>(key, member, "hull", key, {}, any_number, 0.2); };
     return std::array{term("Y_vvv", &H::Y_vvv), term("Y_vvr", &H::Y_vvr), term("Y_vrr", &H::Y_vrr), term("Y_rrr", &H::Y_rrr),
                       term("N_vvv", &H::N_vvv), term("N_vvr", &H::N_vvr), term("N_vrr", &H::N_vrr), term("N_rrr", &H::N_rrr)};
   }
@@ -57,7 +57,7 @@ struct SpeedLossInTurn {
   static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using H = SpeedLossInTurn;
-    constexpr auto term = [](std::string_view key, S H::*member) { return other_value<H, S>(key, member, "hull", key); };
+    constexpr auto term = [](std::string_view key, S H::*member) { return other_value<H, S>(key, member, "hull", key, {}, any_number, 0.2); };
     return std::array{term("X_vv", &H::X_vv), term("X_vr", &H::X_vr), term("X_rr", &H::X_rr), term("X_vvvv", &H::X_vvvv)};
   }
 };
@@ -87,7 +87,7 @@ struct AddedResistance {
   static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<AddedResistance, S>;
-    return std::array{P{.key = "relative_increase", .member = &AddedResistance::relative_increase, .range = {.low = -1.0, .above_low = true}, .prior = 0.3, .floor = 0.05}};
+    return std::array{P{.key = "relative_increase", .member = &AddedResistance::relative_increase, .range = {.low = -1.0, .above_low = true}, .prior = 0.3, .floor = 0.05, .law = 0.06}};
   }
 };
 
