@@ -1,10 +1,10 @@
-"""Tables of docs/results/open_cases.md from the scores of labelled cases: open_cases.py SCORES.json FOLDER"""
+"""Tables of docs/results/open_cases.md from the scores of labelled cases: open_cases.py SCORES.json WRONG_SCORES.json FOLDER"""
 import json
 import pathlib
 import statistics
 import sys
 
-rows, folder = json.load(open(sys.argv[1])), pathlib.Path(sys.argv[2])
+rows, wrong, folder = json.load(open(sys.argv[1])), json.load(open(sys.argv[2])), pathlib.Path(sys.argv[3])
 
 
 def level(row):
@@ -25,18 +25,25 @@ def write(name, head, lines):
     (folder / f"{name}.md").write_text("\n".join(text) + "\n")
 
 
-groups = {
-    "one effect, strong": [r for r in rows if level(r) == "strong" and len(r["truth"]) == 1 and not r["truth"][0].startswith("unknown")],
-    "one effect, moderate": [r for r in rows if level(r) == "moderate" and len(r["truth"]) == 1 and not r["truth"][0].startswith("unknown")],
-    "two effects": [r for r in rows if len(r["truth"]) > 1],
-    "unknown": [r for r in rows if r["truth"][0].startswith("unknown")],
-    "nothing": [r for r in rows if r["truth"] == ["none"]],
-}
-lines = []
-for name, some in groups.items():
-    gains = [[r[k] for r in some if k in r] for k in ("gain_yaw_rate", "gain_heading")]
-    lines.append([name, share(some, "top1"), share(some, "top3"), *map(median, gains), median([r["seconds"] for r in some])])
-write("scores", ["cases", "first", "among three", "gain in yaw rate", "gain in heading", "seconds"], lines)
+def scores(name, rows):
+    groups = {
+        "one effect, strong": [r for r in rows if level(r) == "strong" and len(r["truth"]) == 1 and not r["truth"][0].startswith("unknown")],
+        "one effect, moderate": [r for r in rows if level(r) == "moderate" and len(r["truth"]) == 1 and not r["truth"][0].startswith("unknown")],
+        "two effects": [r for r in rows if len(r["truth"]) > 1],
+        "unknown": [r for r in rows if r["truth"][0].startswith("unknown")],
+        "nothing": [r for r in rows if r["truth"] == ["none"]],
+    }
+    lines = []
+    for group, some in groups.items():
+        gains = [[r[k] for r in some if k in r] for k in ("gain_yaw_rate", "gain_heading")]
+        lines.append([group, share(some, "top1"), share(some, "top3"), *map(median, gains), median([r["seconds"] for r in some])])
+    write(name, ["cases", "first", "among three", "gain in yaw rate", "gain in heading", "seconds"], lines)
+
+
+scores("scores", rows)
+scores("wrong", wrong)
+write("missed", ["case", "hidden", "verdict", "found"],
+      [[r["case"], ", ".join(t.replace(":", " ") for t in r["truth"]), r["verdict"], ", ".join(r["got"]) or "-"] for r in wrong if not r["top1"]])
 
 write("cases", ["case", "hidden", "verdict", "found", "errors of its numbers", "first"],
       [[r["case"], ", ".join(t.replace(":", " ") for t in r["truth"]), r["verdict"], ", ".join(r["got"]) or "-",

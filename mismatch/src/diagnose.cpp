@@ -138,6 +138,15 @@ std::string listed(const std::vector<std::string>& names) {
 
 bool is_nameless(const FoundEffect& e) { return std::holds_alternative<UnknownForce<double>>(e.effect); }
 
+/// ", as a constant push to starboard from 514 to 856 s, 0.3 lengths before midship"
+std::string push_words(const UnknownForce<double>& push) {
+  const double lever = push.N_0 / push.Y_0;
+  const bool sideways = std::abs(push.Y_0) > std::abs(push.X_0) && std::abs(lever) < 0.6;
+  const auto when = fmt::format("from {:.5g} to {:.5g} s", push.onset, push.end);
+  if (!sideways) return ", as a constant push " + when;
+  return fmt::format(", as a constant push to {} {}, {:.2f} lengths {} midship", push.Y_0 > 0.0 ? "starboard" : "port", when, std::abs(lever), lever > 0.0 ? "before" : "behind");
+}
+
 /// What acts that has no name, in words: a push by its time, else its place, what it goes with, and the terms of its map if there is one.
 std::string unknown_words(const Diagnosis& d) {
   std::string words = "Something real is missing that no known effect explains";
@@ -146,7 +155,7 @@ std::string unknown_words(const Diagnosis& d) {
   const auto unknown = std::ranges::find_if(d.effects, is_nameless);
   if (unknown != d.effects.end()) {
     const auto& force = std::get<UnknownForce<double>>(unknown->effect);
-    if (std::isfinite(force.onset)) return words + fmt::format(", as a constant push from {:.5g} to {:.5g} s", force.onset, force.end);
+    if (std::isfinite(force.onset)) return words + push_words(force);
   }
   if (place != d.location.end()) words += ", " + place->where;
   if (!d.symmetry.empty()) words += "; " + d.symmetry;

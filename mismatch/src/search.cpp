@@ -15,6 +15,8 @@ constexpr double as_good = 5.0;      ///< difference in log evidence that does n
 constexpr double worth_keeping = 0.2; ///< log evidence that speaks for a term; one that the data do not tell has 0
 constexpr double worth_of_a_name = 20.0;  ///< log evidence by which a force without a name must beat an effect that has one
 constexpr std::size_t most_traces = 2;
+constexpr double adequate_scale = 0.25; ///< of the imperfection, beside which no further effect is looked for
+constexpr double quiet_scale = 0.6;     ///< of the imperfection, beside which what promises nothing is not fitted: there is no disturbance that could hide it
 
 // ---------------------------------------------------------------- all candidates
 
@@ -26,23 +28,46 @@ struct Screened {
   Promise promise;
 };
 
-std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, const Screen& screen, std::span<const EffectForm> forms) {
-  struct Job {
-    const EffectForm* form;
-    const std::vector<double>* start;
-    Promise promise{};
-  };
-  std::vector<Job> jobs;
-  for (const auto& form : forms) {
-    if (std::ranges::any_of(accepted, [&](const EffectForm* a) { return a->id == form.id; })) continue;
-    for (const auto& start : form.starts) jobs.push_back({&form, &start});
-  }
+/// A form and where its search begins.
+struct Job {
+  const EffectForm* form;
+  std::vector<double> start;
+  int iterations;
+  Promise promise{};
+};
+
+void work_on(std::vector<Job>& jobs, const Trial& trial, const Hypothesis& accepted, const Screen& screen) {
   in_parallel(jobs.size(), 0, [&](std::size_t i) {
     try {
-      jobs[i].promise = promise(trial, accepted, screen, *jobs[i].form, *jobs[i].start);
+      jobs[i].promise = promise(trial, accepted, screen, *jobs[i].form, jobs[i].start, jobs[i].iterations);
     } catch (const Refusal&) {  // the ship cannot sail with such an effect
     }
   });
+}
+
+/// Of each form with many starts the two that promise most after a first step go on from there.
+std::vector<Job> worth_more(const std::vector<Job>& first) {
+  std::vector<Job> chosen;
+  for (auto job = first.begin(); job != first.end();) {
+    const auto end = std::find_if(job, first.end(), [&](const Job& j) { return j.form != job->form; });
+    std::vector<const Job*> of_form;
+    for (; job != end; ++job)
+      if (std::isfinite(job->promise.gain)) of_form.push_back(&*job);
+    std::ranges::stable_sort(of_form, std::greater{}, [](const Job* j) { return j->promise.gain; });
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, of_form.size()); ++i) chosen.push_back({of_form[i]->form, of_form[i]->promise.coordinates, 4});
+  }
+  return chosen;
+}
+
+std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, const Screen& screen, std::span<const EffectForm> forms) {
+  std::vector<Job> jobs, many;
+  for (const auto& form : forms) {
+    if (std::ranges::any_of(accepted, [&](const EffectForm* a) { return a->id == form.id; })) continue;
+    for (const auto& start : form.starts) (form.starts.size() > 2 ? many : jobs).push_back({&form, start, form.starts.size() > 2 ? 1 : 5});
+  }
+  work_on(many, trial, accepted, screen);
+  std::ranges::move(worth_more(many), std::back_inserter(jobs));
+  work_on(jobs, trial, accepted, screen);
   std::map<const EffectForm*, Promise> best;
   for (auto& job : jobs)
     if (job.promise.gain > best[job.form].gain) best[job.form] = std::move(job.promise);
@@ -373,12 +398,14 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
   s.forms.assign(forms.begin(), forms.end());
   begin_where_force_is_missing(s.forms, s.located, length(trial.ship) / service_speed(trial.ship));
   std::size_t findings = 0, traces = 0;
-  while (working && findings < options.most_effects && (s.accepted.empty() || s.now.noise.scale > 0.6)) {
+  while (working && findings < options.most_effects && (s.accepted.empty() || s.now.noise.scale > adequate_scale)) {
     working = goes_on(s.accepted.empty() ? "trying every effect" : "trying a further effect");
     const auto before = s.hypothesis();
     const auto screen = screen_of(trial, before, s.now);
     if (s.accepted.empty()) s.screen = screen;
-    const auto tried = confirmed(trial, before, s.now, screened(trial, before, screen, s.forms), options.confirmed);
+    auto promising = screened(trial, before, screen, s.forms);
+    if (!s.accepted.empty() && s.now.noise.scale <= quiet_scale) std::erase_if(promising, [](const Screened& c) { return c.promise.gain < 0.0; });
+    const auto tried = confirmed(trial, before, s.now, promising, options.confirmed);
     if (s.accepted.empty()) s.first = tried;
     const double needed = s.accepted.empty() ? options.detection : options.further;
     const auto best = chosen(trial, unused, s, tried, needed, traces < most_traces);

@@ -346,7 +346,7 @@ Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& n
   return screen;
 }
 
-Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form, std::span<const double> start) {
+Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form, std::span<const double> start, int iterations) {
   Hypothesis hypothesis = accepted;
   hypothesis.push_back(&form);
   const Space space = space_of(trial, hypothesis);
@@ -364,7 +364,7 @@ Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& sc
   double cost = quadratic(e) + prior(point), damping = 1e-3;
   Eigen::MatrixXd slopes(trial.rows(), point.size());
   Eigen::MatrixXd A = Eigen::MatrixXd::Identity(size, size);
-  for (int iteration = 0; iteration < 5; ++iteration) {
+  for (int iteration = 0; iteration < iterations; ++iteration) {
     differences(trial, hypothesis, space, point, screen.passes, e, base, slopes);
     const Eigen::MatrixXd J = slopes.rightCols(size), MJ = screen.projected(J);
     const Eigen::MatrixXd Lambda = space.precision.bottomRightCorner(size, size);

@@ -98,6 +98,6 @@ struct Promise {
   Eigen::MatrixXd covariance;  ///< of the coordinates
 };
 
-Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form, std::span<const double> start);
+Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form, std::span<const double> start, int iterations = 5);
 
 }  // namespace swayaw

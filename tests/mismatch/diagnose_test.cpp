@@ -233,6 +233,8 @@ TEST_CASE("a push that comes and goes is told by its time, and is no gust", "[mi
   CHECK(std::abs(error_of(d, "onset_s", 40.0)) < 3.5);
   CHECK(std::abs(error_of(d, "end_s", 75.0)) < 3.5);
   CHECK(std::abs(error_of(d, "Y_0", 1.5e-3)) < 3.5);
+  CHECK_THAT(d.words, ContainsSubstring("a constant push to starboard"));
+  CHECK_THAT(d.words, ContainsSubstring("lengths before midship"));
   CHECK(d.effects.front().onset.value() == std::get<UnknownForce<double>>(d.effects.front().effect).onset);
 }
 
