@@ -300,8 +300,11 @@ std::optional<Tried> chosen(const Trial& trial, const Trial& unused, Search& s, 
       if (trace_may && leads && holds_elsewhere(trial, unused, s, t)) return t;
       continue;
     }
-    auto whole = reduced(trial, s.hypothesis(), t, s.reduced);
-    if (holds_elsewhere(trial, unused, s, whole) && whole.gain + whole.held_out > needed) return whole;
+    try {
+      auto whole = reduced(trial, s.hypothesis(), t, s.reduced);
+      if (holds_elsewhere(trial, unused, s, whole) && whole.gain + whole.held_out > needed) return whole;
+    } catch (const Refusal&) {  // a ship with some of its terms alone cannot sail these runs
+    }
   }
   return std::nullopt;
 }
@@ -392,6 +395,8 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
   Search s;
   bool working = goes_on("fitting the baseline");
   s.null = fit(trial, {}, trial.mean, Noise{});
+  if (s.null.point.size() == 0)  // far off: what nothing explains is large from the first
+    s.null = fit(trial, {}, trial.mean, best_noise(trial, ship_at(trial, {}, trial.mean), Noise{}, true).noise);
   if (s.null.point.size() == 0) throw Refusal("the model cannot follow these runs at all; look at them with compare first");
   s.now = s.null;
   s.located = located(trial, ship_at(trial, {}, s.null.point), s.null.noise);

@@ -302,6 +302,7 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
   MapFit best;
   for (int round = 0; round < rounds; ++round) {
     const auto ship = ship_at(trial, hypothesis, point);
+    if (round > 0 && !std::isfinite(log_likelihood(trial, ship, noise))) break;
     const auto passes = passes_of(trial, ship, noise);
     Eigen::VectorXd e = residuals_of(trial, ship, passes);
     double cost = e.squaredNorm() + space.prior(point), damping = 1e-3;
