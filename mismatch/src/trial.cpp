@@ -302,7 +302,6 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
   MapFit best;
   for (int round = 0; round < rounds; ++round) {
     const auto ship = ship_at(trial, hypothesis, point);
-    if (round > 0 && !std::isfinite(log_likelihood(trial, ship, noise))) break;
     const auto passes = passes_of(trial, ship, noise);
     Eigen::VectorXd e = residuals_of(trial, ship, passes);
     double cost = e.squaredNorm() + space.prior(point), damping = 1e-3;
@@ -330,7 +329,7 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
     const Eigen::MatrixXd A = slopes.transpose() * slopes + space.precision;
     const double evidence = log_likelihood - 0.5 * space.prior(point) + 0.5 * (log_determinant(space.precision) - log_determinant(A));
     if (evidence > best.log_evidence) best = {point, evidence, found, A.inverse()};
-    if (found == noise && round > 0) break;
+    if (!std::isfinite(log_likelihood) || (found == noise && round > 0)) break;  // where the filter cannot follow there is no further round
     noise = found;
   }
   return best;

@@ -69,12 +69,15 @@ void finds(const Diagnosis& d, const Effect& hidden) {
   CHECK(d.effects.front().probability > 0.8);
 }
 
+/// Whether a number is a direction on the earth.
+bool is_of_earth(std::string_view key) { return key.ends_with("from_rad") || key.ends_with("to_rad"); }
+
 /// Value of a number less the truth, in standard errors.
 double error_of(const Diagnosis& d, std::string_view key, double truth) {
   const auto& list = d.effects.front().parameters;
   const auto p = std::ranges::find(list, key, &EffectParameterEstimate::key);
   REQUIRE(p != list.end());
-  const double error = key.ends_with("from_rad") || key.ends_with("to_rad") ? wrapped(p->value - truth) : p->value - truth;
+  const double error = is_of_earth(key) ? wrapped(p->value - truth) : p->value - truth;
   return error / p->standard_error;
 }
 
@@ -168,8 +171,6 @@ struct Hidden {
   std::function<double(std::string_view key, double value, double angle)> turned;
   std::function<double(std::string_view key, double value)> mirrored;
 };
-
-bool is_of_earth(std::string_view key) { return key.ends_with("from_rad") || key.ends_with("to_rad"); }
 
 void is_same_wherever_it_comes_from(const Ship& ship, const Hidden& hidden) {
   const auto real = with_effect(ship, hidden.effect);
