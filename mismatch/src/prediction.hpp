@@ -152,15 +152,19 @@ class Predictor {
     return {h.phi + t * rate.phi, h.p + t * rate.p, h.v + t * rate.v, h.r + t * rate.r};
   }
 
-  /// The classical Runge–Kutta step.
+  /// The midpoint rule; the classical Runge–Kutta step where something swings out of sight. What the rule is short of, (h/T)²/6 of an acceleration that changes
+  /// in the time T, is 0.3 % for the shortest step response of a hull, and the next sample takes it in.
   void step(const Controls<double>& a, const Controls<double>& b, double h) {
     const auto middle = between(a, b, 0.5);
     const auto [k1, m1] = rates(x_, hidden_, a);
     const auto [k2, m2] = rates(x_ + 0.5 * h * k1, moved(hidden_, m1, 0.5 * h), middle);
+    if (!acting_.added.hidden()) {
+      x_ += h * k2;
+      return;
+    }
     const auto [k3, m3] = rates(x_ + 0.5 * h * k2, moved(hidden_, m2, 0.5 * h), middle);
     const auto [k4, m4] = rates(x_ + h * k3, moved(hidden_, m3, h), b);
     x_ += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-    if (!acting_.added.hidden()) return;
     const auto mean = [&](double Hidden<double>::*q) { return (m1.*q + 2.0 * m2.*q + 2.0 * m3.*q + m4.*q) / 6.0; };
     hidden_ = moved(hidden_, {mean(&Hidden<double>::phi), mean(&Hidden<double>::p), mean(&Hidden<double>::v), mean(&Hidden<double>::r)}, h);
   }
@@ -267,15 +271,17 @@ class Predictor {
   Eigen::MatrixXd slopes(std::size_t k) const {
     const auto m = static_cast<Eigen::Index>(run_.channels.size());
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(m, filter_states);
-    for (Eigen::Index i = 0; i < m; ++i) {
-      const auto channel = run_.channels[static_cast<std::size_t>(i)].channel;
-      if (std::isnan((*run_.run)[channel][k])) continue;
-      for (int j = 0; j < 6; ++j) {
-        const double h = j < 2 ? 1.0 : 1e-6;
-        FilterState up = x_, down = x_;
-        up[j] += h, down[j] -= h;
-        const auto at = [&](const FilterState& x) { return shown(channel, {{x[0], x[1], x[2], {x[3], x[4], x[5]}}, way(x), hidden_.phi}, acting_.sensors); };
-        H(i, j) = (at(up) - at(down)) / (2.0 * h);
+    const auto at = [&](const FilterState& x) { return Instant{{x[0], x[1], x[2], {x[3], x[4], x[5]}}, way(x), hidden_.phi}; };
+    for (int j = 0; j < 6; ++j) {
+      const double h = j < 2 ? 1.0 : 1e-6;
+      FilterState x = x_;
+      x[j] = x_[j] + h;
+      const auto up = at(x);
+      x[j] = x_[j] - h;
+      const auto down = at(x);
+      for (Eigen::Index i = 0; i < m; ++i) {
+        const auto channel = run_.channels[static_cast<std::size_t>(i)].channel;
+        if (!std::isnan((*run_.run)[channel][k])) H(i, j) = (shown(channel, up, acting_.sensors) - shown(channel, down, acting_.sensors)) / (2.0 * h);
       }
     }
     return H;

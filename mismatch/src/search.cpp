@@ -148,8 +148,8 @@ const MapFit& likelier(const MapFit& a, const MapFit& b) { return b.log_evidence
 
 /// A fit that comes out far below the hypothesis without the effect stopped too early; from a small effect it begins once more. What comes and goes is
 /// fitted where most force is missing too, with no more than the ordinary imperfection: beside that which it makes necessary its edges cannot be seen.
-MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit& now, const std::vector<double>& promised) {
-  const auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise);
+MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit& now, const Screen& screen, const std::vector<double>& promised) {
+  const auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise, 3, &screen.slopes);
   auto other = promised;
   if (const auto& window = hypothesis.back()->window; !window.empty() && now.noise.scale > ordinary_scale) {
     std::ranges::copy(window, other.end() - 2);
@@ -185,14 +185,15 @@ std::vector<Screened> most_promising(const std::vector<Screened>& candidates, st
 }
 
 /// Converged fits of the most promising candidates, best first.
-std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, const MapFit& now, const std::vector<Screened>& screening, std::size_t most) {
+std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, const MapFit& now, const Screen& screen, const std::vector<Screened>& screening,
+                             std::size_t most) {
   const auto candidates = most_promising(screening, most);
   std::vector<std::optional<Tried>> fits(candidates.size());
   in_parallel(candidates.size(), 0, [&](std::size_t i) {
     const auto& form = *candidates[i].form;
     const auto hypothesis = with(accepted, form);
     try {
-      const auto found = fit_beside(trial, hypothesis, now, candidates[i].promise.coordinates);
+      const auto found = fit_beside(trial, hypothesis, now, screen, candidates[i].promise.coordinates);
       const double gain = found.log_evidence - now.log_evidence;
       if (!std::isfinite(gain)) return;
       const auto effect = last_effect(hypothesis, found.point);
@@ -316,12 +317,13 @@ void map_unknown(const Trial& trial, const Trial& unused, Search& s, double need
   const auto before = s.hypothesis();
   const auto whole = unknown_map(trial.ship);
   const std::vector<double> nothing(whole.coordinates.size(), 0.0);
-  const auto guess = promise(trial, before, screen_of(trial, before, s.now), whole, nothing);
+  const auto screen = screen_of(trial, before, s.now);
+  const auto guess = promise(trial, before, screen, whole, nothing);
   const auto terms = pruned(whole, Eigen::Map<const Eigen::VectorXd>(guess.coordinates.data(), std::ssize(guess.coordinates)), guess.covariance).kept;
   s.reduced.push_back(whole.with_terms(terms));
   Screened start{&s.reduced.back(), {}};
   for (const auto i : terms) start.promise.coordinates.push_back(guess.coordinates[i]);
-  const auto tried = confirmed(trial, before, s.now, {start}, 1);
+  const auto tried = confirmed(trial, before, s.now, screen, {start}, 1);
   if (tried.empty() || !(tried.front().gain > needed)) return;
   auto map = reduced(trial, before, tried.front(), s.reduced);
   if (!holds_elsewhere(trial, unused, s, map)) return;
@@ -410,7 +412,7 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
     if (s.accepted.empty()) s.screen = screen;
     auto promising = screened(trial, before, screen, s.forms);
     if (!s.accepted.empty() && s.now.noise.scale <= quiet_scale) std::erase_if(promising, [](const Screened& c) { return c.promise.gain < 0.0; });
-    const auto tried = confirmed(trial, before, s.now, promising, options.confirmed);
+    const auto tried = confirmed(trial, before, s.now, screen, promising, options.confirmed);
     if (s.accepted.empty()) s.first = tried;
     const double needed = s.accepted.empty() ? options.detection : options.further;
     const auto best = chosen(trial, unused, s, tried, needed, traces < most_traces);

@@ -294,7 +294,7 @@ Likelihood best_noise(const Trial& trial, const Ship& ship, const Noise& start, 
   return best;
 }
 
-MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, int rounds) {
+MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, int rounds, const Eigen::MatrixXd* known) {
   const Space space = space_of(trial, hypothesis);
   const auto base = trial.baseline_size();
   Point point = space.clamped(start);
@@ -305,8 +305,10 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
     const auto passes = passes_of(trial, ship, noise);
     Eigen::VectorXd e = residuals_of(trial, ship, passes);
     double cost = e.squaredNorm() + space.prior(point), damping = 1e-3;
-    for (int iteration = 0; iteration < 10; ++iteration) {
-      differences(trial, hypothesis, space, point, passes, e, iteration == 0 ? 0 : base, slopes);
+    Eigen::Index fresh = 0;  // the first column to renew
+    if (known && round == 0) slopes.leftCols(fresh = known->cols()) = *known;
+    for (int iteration = 0; iteration < 10; ++iteration, fresh = base) {
+      differences(trial, hypothesis, space, point, passes, e, fresh, slopes);
       const Eigen::MatrixXd A = slopes.transpose() * slopes + space.precision;
       const Eigen::VectorXd b = -slopes.transpose() * e - space.precision * (point - space.mean);
       double gain = 0.0;

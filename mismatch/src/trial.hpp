@@ -56,7 +56,8 @@ struct MapFit {
 };
 
 /// Converged fit, the gains of the filter and the noise renewed as often as they change.
-MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, int rounds = 3);
+/// @param known  slopes of the residuals by the first coordinates, near the start: good enough for the first round
+MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, int rounds = 3, const Eigen::MatrixXd* known = nullptr);
 
 /// ln p(runs | ship); −∞ where the ship cannot sail like that.
 double log_likelihood(const Trial& trial, const Ship& ship, const Noise& noise);
