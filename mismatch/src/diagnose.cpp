@@ -274,7 +274,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   const auto s = search(trial, unused, forms, options, goes_on);
   Diagnosis d{.verdict = {}, .words = {}, .location = {}, .symmetry = {}, .linear = {}, .effects = {}, .traces = {}, .candidates = ranked(s.first, options.detection), .shifts = shifts_of(trial, s.now.point),
               .train = {}, .holdout = {}, .refitted = ship_at(trial, {}, s.null.point), .improved = ship_at(trial, s.hypothesis(), s.now.point),
-              .imperfection = s.named_scale, .refitted_imperfection = s.null.noise.scale};
+              .imperfection = s.named_scale, .refitted_imperfection = s.null.noise.largest_scale()};
   put_effects(d, trial, s, options.detection);
   d.verdict = verdict_of(d);
   if (d.imperfection > ordinary_scale)

@@ -30,7 +30,7 @@ struct PreparedRun {
   const Recording* run;
   std::vector<SeenChannel> channels;
   ShipState<double> start;
-  double tau;      ///< memory of the ordinary imperfection [s]
+  double tau;      ///< memory of the ordinary imperfection, L/U [s]
   double longest;  ///< way made in one step of the integration [m]
 
   std::size_t samples() const { return run->samples(); }
@@ -49,6 +49,7 @@ using FilterCovariance = Eigen::Matrix<double, filter_states, filter_states>;
 
 /// What the filter made of a run: gains and whitening of each sample, which stay while parameters change a little.
 struct FilterPass {
+  double tau = 0.0;                     ///< memory of the imperfection [s]
   std::vector<Eigen::MatrixXd> gain;    ///< 9 × channels
   std::vector<Eigen::MatrixXd> whiten;  ///< L⁻¹ of S = L Lᵀ; rows of missing samples are 0
   double log_likelihood = 0.0;
@@ -87,6 +88,7 @@ class Predictor {
   /// @throws Refusal  if the motion runs away
   FilterPass filter(const OrdinaryImperfection& size, const Noise& noise, FilterTrace* trace = nullptr) {
     FilterPass pass;
+    tau_ = pass.tau = run_.tau * noise.memory;
     noise_.clear();
     for (const auto& [channel, deviation] : run_.channels) noise_.push_back(deviation * noise.factor[index_of(channel)]);
     start();
@@ -105,6 +107,7 @@ class Predictor {
 
   /// Whitened innovations with the gains of a pass.
   void innovations(const FilterPass& pass, Eigen::Ref<Eigen::VectorXd> out) {
+    tau_ = pass.tau;
     start();
     const auto m = static_cast<Eigen::Index>(run_.channels.size());
     Eigen::VectorXd e(m);
@@ -144,7 +147,7 @@ class Predictor {
     const auto driven_by = driven(acting_.added, s.motion, c);
     const auto r = rates_of(acting_.model, around_, acting_.added, s, hidden, c, branch_at(acting_.model, s.motion, driven_by));
     FilterState rate;
-    rate << r[0], r[1], r[2], r[3] + x[6], r[4] + x[7], r[5] + x[8], -x[6] / run_.tau, -x[7] / run_.tau, -x[8] / run_.tau;
+    rate << r[0], r[1], r[2], r[3] + x[6], r[4] + x[7], r[5] + x[8], -x[6] / tau_, -x[7] / tau_, -x[8] / tau_;
     return {rate, acting_.added.hidden() ? hidden_rates(acting_.added, s.motion, hidden) : Hidden<double>{}};
   }
 
@@ -218,7 +221,7 @@ class Predictor {
     FilterCovariance A = FilterCovariance::Zero();
     for (int i = 0; i < 6; ++i) A.template block<1, 4>(i, 2) = r[static_cast<std::size_t>(i)].v.transpose();
     A.template block<3, 3>(3, 6).setIdentity();
-    A.template block<3, 3>(6, 6).diagonal().setConstant(-1.0 / run_.tau);
+    A.template block<3, 3>(6, 6).diagonal().setConstant(-1.0 / tau_);
     return A;
   }
 
@@ -229,7 +232,7 @@ class Predictor {
       step(a, b, h);
       P = Phi * P * Phi.transpose();
       if (transition) *transition = (Phi * *transition).eval();
-      const double share = -std::expm1(-2.0 * h / run_.tau);
+      const double share = -std::expm1(-2.0 * h / tau_);
       P(6, 6) += share * size.u * size.u, P(7, 7) += share * size.v * size.v, P(8, 8) += share * size.r * size.r;
     });
     return P;
@@ -323,6 +326,7 @@ class Predictor {
   AddedForces<D> dual_added_;
   std::vector<Controls<double>> at_samples_;
   std::vector<double> noise_;  ///< of each channel
+  double tau_ = 0.0;  ///< memory of the imperfection [s]
   FilterState x_;
   Hidden<double> hidden_;
   Surroundings<double> around_;

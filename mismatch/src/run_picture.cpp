@@ -118,7 +118,7 @@ std::vector<MissingForce> missing_force(const Ship& ship, const Recording& run, 
   std::vector<MissingForce> result;
   const auto of_model = [&](const auto& model) {
     FilterTrace trace;
-    const auto pass = Predictor(ship, model, trial.runs.front()).filter(imperfection(ship, noise.scale), noise, &trace);
+    const auto pass = Predictor(ship, model, trial.runs.front()).filter(imperfection(ship, noise), noise, &trace);
     const auto s = smoothed(pass, trace);
     const auto M = mass_matrix(acting_ship(ship, model).model);
     for (std::size_t k = 0; k < run.samples(); ++k) result.push_back(missing_force_of(s.mean[k], s.covariance[k], M));
@@ -128,7 +128,9 @@ std::vector<MissingForce> missing_force(const Ship& ship, const Recording& run, 
 }
 
 PlanarForce<double> ordinary_force(const Ship& ship) {
-  const auto size = imperfection(ship, 1.0);
+  Noise noise;
+  noise.scale = 1.0;
+  const auto size = imperfection(ship, noise);
   const Eigen::Matrix3d spread = Eigen::Vector3d(size.u * size.u, size.v * size.v, size.r * size.r).asDiagonal();
   return visit_acting(ship, [&](const auto& acting) {
     const auto M = mass_matrix(acting.model);

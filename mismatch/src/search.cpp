@@ -12,7 +12,7 @@ namespace swayaw {
 namespace {
 
 constexpr double as_good = 5.0;      ///< difference in log evidence that does not tell effects apart
-constexpr double worth_keeping = 0.2; ///< log evidence that speaks for a term; one that the data do not tell has 0
+constexpr double worth_of_a_term = 5.0; ///< log evidence by which a further term of an effect must gain
 constexpr double worth_of_a_name = 20.0;  ///< log evidence by which a force without a name must beat an effect that has one
 constexpr std::size_t most_traces = 2;
 constexpr double adequate_scale = 0.25; ///< of the imperfection, beside which no further effect is looked for
@@ -100,31 +100,53 @@ struct Pruned {
   double gain = 0.0;
 };
 
-/// Savage–Dickey: without a term the evidence grows by posterior over prior density of the term at 0, the posterior as wide as evidence is in excess. The
-/// worst is dropped first, and the others take the values that they have without it.
-Pruned pruned(const EffectForm& form, Eigen::VectorXd mean, const Eigen::MatrixXd& covariance) {
+/// Terms are taken in one by one, that first by which the evidence grows most, as long as it grows by what tells terms apart; one that the others make
+/// needless goes again. Evidence of a subset S, its prior about 0 with precision P and the information I, h of the data counted as for `widened`:
+///
+///     ln E = ½ h_Sᵀ (I_S + P_S)⁻¹ h_S − ½ ln det(I_S + P_S) + ½ ln det P_S
+Pruned pruned(const EffectForm& form, const Eigen::VectorXd& mean, const Eigen::MatrixXd& covariance) {
   Pruned result;
-  for (std::size_t i = 0; i < form.coordinates.size(); ++i) result.kept.push_back(i);
+  const auto size = form.coordinates.size();
+  for (std::size_t i = 0; i < size; ++i) result.kept.push_back(i);
   if (!form.with_terms) return result;
-  Eigen::MatrixXd C = widened(form, covariance);
-  mean = (C * covariance.inverse() * mean / evidence_excess).eval();  // the prior is about 0
-  while (result.kept.size() > 1) {
-    const Eigen::VectorXd growth = -0.5 * mean.array().square() / C.diagonal().array() - 0.5 * C.diagonal().array().log();
-    Eigen::Index worst = 0;
-    if (!(growth.maxCoeff(&worst) > -worth_keeping)) break;
-    result.gain += growth[worst];
-    const Eigen::VectorXd slope = C.col(worst) / C(worst, worst);
-    mean -= slope * mean[worst];
-    C -= (slope * C.row(worst)).eval();
-    const auto rest = mean.size() - 1;
-    std::vector<Eigen::Index> others;
-    for (Eigen::Index i = 0; i <= rest; ++i)
-      if (i != worst) others.push_back(i);
-    mean = mean(others).eval();
-    C = C(others, others).eval();
-    result.kept.erase(result.kept.begin() + worst);
+  Eigen::VectorXd precision(mean.size());
+  for (std::size_t i = 0; i < size; ++i) precision[static_cast<Eigen::Index>(i)] = std::pow(form.coordinates[i].deviation, -2);
+  const Eigen::MatrixXd A = widened(form, covariance).inverse();
+  const Eigen::VectorXd h = covariance.inverse() * mean / evidence_excess;
+  const auto evidence = [&](const std::vector<std::size_t>& subset) {
+    const std::vector<Eigen::Index> s(subset.begin(), subset.end());
+    const auto factor = Eigen::MatrixXd(A(s, s)).ldlt();
+    const Eigen::VectorXd h_s = h(s);
+    return 0.5 * h_s.dot(factor.solve(h_s)) - 0.5 * factor.vectorD().array().log().sum() + 0.5 * precision(s).array().log().sum();
+  };
+  const double whole = evidence(result.kept);
+  std::vector<std::size_t> kept;
+  double now = 0.0;
+  const auto better = [&](std::vector<std::size_t> subset, double worth, std::vector<std::size_t>& best, double& most) {
+    std::ranges::sort(subset);
+    if (const double there = evidence(subset); there > most + worth) best = std::move(subset), most = there;
+  };
+  for (bool grown = true; grown;) {
+    auto best = kept;
+    double most = kept.empty() ? -HUGE_VAL : now + worth_of_a_term;
+    for (std::size_t i = 0; i < size; ++i) {
+      if (std::ranges::count(kept, i) > 0) continue;
+      auto more = kept;
+      more.push_back(i);
+      better(std::move(more), 0.0, best, most);
+    }
+    grown = best.size() > kept.size();
+    if (!grown) break;
+    kept = best, now = most;
+    most = now - worth_of_a_term;
+    for (std::size_t i = 0; kept.size() > 1 && i < kept.size(); ++i) {
+      auto fewer = kept;
+      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+      better(std::move(fewer), 0.0, best, most);
+    }
+    if (best.size() < kept.size()) kept = best, now = most;
   }
-  return result;
+  return {kept, now - whole};
 }
 
 Pruned pruned(const EffectForm& form, const MapFit& fit) {
@@ -149,12 +171,12 @@ const MapFit& likelier(const MapFit& a, const MapFit& b) { return b.log_evidence
 /// A fit that comes out far below the hypothesis without the effect stopped too early; from a small effect it begins once more. What comes and goes is
 /// fitted where most force is missing too, with no more than the ordinary imperfection: beside that which it makes necessary its edges cannot be seen.
 MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit& now, const Screen& screen, const std::vector<double>& promised) {
-  const auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise, 3, &screen.slopes);
+  const auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise, 6, &screen.slopes);
   auto other = promised;
-  if (const auto& window = hypothesis.back()->window; !window.empty() && now.noise.scale > ordinary_scale) {
+  if (const auto& window = hypothesis.back()->window; !window.empty() && now.noise.largest_scale() > ordinary_scale) {
     std::ranges::copy(window, other.end() - 2);
     auto quiet = now.noise;
-    quiet.scale = ordinary_scale;
+    quiet.scale = ordinary_scale, quiet.axes.fill(1.0), quiet.memory = 1.0;
     return likelier(found, fit(trial, hypothesis, with_start(now.point, other), quiet));
   }
   if (found.log_evidence > now.log_evidence - 15.0) return found;
@@ -209,26 +231,30 @@ std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, con
   return result;
 }
 
-/// The effect with those of its terms that the evidence keeps.
+/// The effect with those of its terms that the evidence keeps, fitted anew until it keeps all.
 Tried reduced(const Trial& trial, const Hypothesis& accepted, Tried tried, std::deque<EffectForm>& forms) {
-  const auto terms = pruned(*tried.form, tried.fit);
-  if (terms.kept.size() == tried.form->coordinates.size()) return tried;
-  forms.push_back(tried.form->with_terms(terms.kept));
-  const auto base = tried.fit.point.size() - static_cast<Eigen::Index>(tried.form->coordinates.size());
-  std::vector<double> start;
-  for (const auto i : terms.kept) start.push_back(tried.fit.point[base + static_cast<Eigen::Index>(i)]);
-  const auto hypothesis = with(accepted, forms.back());
-  auto found = fit(trial, hypothesis, with_start(tried.fit.point.head(base), start), tried.fit.noise, 2);
-  if (!std::isfinite(found.log_evidence)) return tried;
-  tried.form = &forms.back();
-  tried.effect = last_effect(hypothesis, found.point);
-  tried.trace = !is_finding(trial.ship, tried.effect);
-  for (std::size_t i = 0; i < terms.kept.size(); ++i) {
-    const auto before = base + static_cast<Eigen::Index>(terms.kept[i]), now = base + static_cast<Eigen::Index>(i);
-    tried.widening.push_back(std::max(1.0, std::sqrt(tried.fit.covariance(before, before) / found.covariance(now, now))));
+  for (;;) {
+    const auto kept = pruned(*tried.form, tried.fit).kept;
+    if (kept.size() == tried.form->coordinates.size()) return tried;
+    const auto base = tried.fit.point.size() - std::ssize(tried.form->coordinates);
+    std::vector<double> start;
+    for (const auto i : kept) start.push_back(tried.fit.point[base + static_cast<Eigen::Index>(i)]);
+    forms.push_back(tried.form->with_terms(kept));
+    const auto hypothesis = with(accepted, forms.back());
+    auto found = fit(trial, hypothesis, with_start(tried.fit.point.head(base), start), tried.fit.noise);
+    if (!std::isfinite(found.log_evidence)) return tried;
+    std::vector<double> widening;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      const auto before = base + static_cast<Eigen::Index>(kept[i]), now = base + static_cast<Eigen::Index>(i);
+      const double so_far = tried.widening.empty() ? 1.0 : tried.widening[kept[i]];
+      widening.push_back(so_far * std::max(1.0, std::sqrt(tried.fit.covariance(before, before) / found.covariance(now, now))));
+    }
+    tried.form = &forms.back();
+    tried.effect = last_effect(hypothesis, found.point);
+    tried.trace = !is_finding(trial.ship, tried.effect);
+    tried.widening = std::move(widening);
+    tried.fit = std::move(found);
   }
-  tried.fit = std::move(found);
-  return tried;
 }
 
 // ---------------------------------------------------------------- runs that were not used
@@ -270,14 +296,17 @@ bool holds_elsewhere(const Trial& trial, const Trial& unused, const Search& s, T
 
 // ---------------------------------------------------------------- choice
 
-/// Against nothing, which stands at the gain that is needed, and against the others that matter.
+/// Whether it may stand for what is missing: it matters, and no other run speaks against it.
+bool may_stand(const Tried& tried) { return !tried.trace && !tried.refuted; }
+
+/// Against nothing, which stands at the gain that is needed, and against the others that may stand.
 double probability_of(const Tried& one, std::span<const Tried> tried, double needed) {
-  if (one.trace) return 0.0;
+  if (!may_stand(one)) return 0.0;
   const double gain = one.gain + one.held_out;
   double sum = 1.0 + std::exp((needed - gain) / evidence_excess);
   for (const auto& t : tried) {
     const bool itself = t.form->id == one.form->id && t.gain == one.gain;
-    if (!t.trace && !itself) sum += std::exp((t.gain - gain) / evidence_excess);
+    if (may_stand(t) && !itself) sum += std::exp((t.gain - gain) / evidence_excess);
   }
   return 1.0 / sum;
 }
@@ -285,15 +314,16 @@ double probability_of(const Tried& one, std::span<const Tried> tried, double nee
 Accepted accepted_as(const Tried& best, std::span<const Tried> tried, double needed) {
   Accepted result{best.form, best.gain, probability_of(best, tried, needed), best.trace, best.widening, {}};
   for (const auto& t : tried) {
-    if (t.form->id == best.form->id || best.gain - t.gain > as_good || t.gain < as_good || t.trace) continue;
+    if (t.form->id == best.form->id || best.gain - t.gain > as_good || t.gain < as_good || !may_stand(t)) continue;
     if (std::ranges::none_of(result.rivals, [&](const Tried& r) { return r.form->id == t.form->id; })) result.rivals.push_back(t);
   }
   return result;
 }
 
 /// The best that matters, gains enough, in runs used and held out together, and holds elsewhere; a trace only where nothing that matters is nearly as good.
-std::optional<Tried> chosen(const Trial& trial, const Trial& unused, Search& s, std::span<const Tried> tried, double needed, bool trace_may) {
-  for (auto t : tried) {
+/// What does not hold elsewhere is marked.
+std::optional<Tried> chosen(const Trial& trial, const Trial& unused, Search& s, std::span<Tried> tried, double needed, bool trace_may) {
+  for (auto& t : tried) {
     if (!(t.gain > (unused.runs.empty() ? needed : 0.5 * needed))) break;
     if (t.trace) {
       if (!(t.gain > needed)) continue;
@@ -303,7 +333,8 @@ std::optional<Tried> chosen(const Trial& trial, const Trial& unused, Search& s, 
     }
     try {
       auto whole = reduced(trial, s.hypothesis(), t, s.reduced);
-      if (holds_elsewhere(trial, unused, s, whole) && whole.gain + whole.held_out > needed) return whole;
+      t.refuted = !holds_elsewhere(trial, unused, s, whole);
+      if (!t.refuted && whole.gain + whole.held_out > needed) return whole;
     } catch (const Refusal&) {  // a ship with some of its terms alone cannot sail these runs
     }
   }
@@ -392,38 +423,57 @@ std::vector<Candidate> ranked(std::span<const Tried> tried, double needed) {
   return result;
 }
 
-Search search(const Trial& trial, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options,
-              const std::function<bool(std::string_view)>& goes_on) {
+namespace {
+
+/// All effects that have names, or come and go, beside an imperfection that begins as given.
+Search named(const Trial& trial, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options, const Noise& start,
+             const std::function<bool(std::string_view)>& goes_on) {
   Search s;
-  bool working = goes_on("fitting the baseline");
-  s.null = fit(trial, {}, trial.mean, Noise{});
+  s.null = fit(trial, {}, trial.mean, start);
   if (s.null.point.size() == 0)  // far off: what nothing explains is large from the first
-    s.null = fit(trial, {}, trial.mean, best_noise(trial, ship_at(trial, {}, trial.mean), Noise{}, true).noise);
+    s.null = fit(trial, {}, trial.mean, best_noise(trial, ship_at(trial, {}, trial.mean), start, true).noise);
   if (s.null.point.size() == 0) throw Refusal("the model cannot follow these runs at all; look at them with compare first");
   s.now = s.null;
   s.located = located(trial, ship_at(trial, {}, s.null.point), s.null.noise);
   s.forms.assign(forms.begin(), forms.end());
   begin_where_force_is_missing(s.forms, s.located, length(trial.ship) / service_speed(trial.ship));
   std::size_t findings = 0, traces = 0;
-  while (working && findings < options.most_effects && (s.accepted.empty() || s.now.noise.scale > adequate_scale)) {
+  bool working = true;
+  while (working && findings < options.most_effects && (findings == 0 || s.now.noise.largest_scale() > adequate_scale)) {
     working = goes_on(s.accepted.empty() ? "trying every effect" : "trying a further effect");
     const auto before = s.hypothesis();
     const auto screen = screen_of(trial, before, s.now);
     if (s.accepted.empty()) s.screen = screen;
     auto promising = screened(trial, before, screen, s.forms);
-    if (!s.accepted.empty() && s.now.noise.scale <= quiet_scale) std::erase_if(promising, [](const Screened& c) { return c.promise.gain < 0.0; });
-    const auto tried = confirmed(trial, before, s.now, screen, promising, options.confirmed);
-    if (s.accepted.empty()) s.first = tried;
+    if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale) std::erase_if(promising, [](const Screened& c) { return c.promise.gain < 0.0; });
+    auto tried = confirmed(trial, before, s.now, screen, promising, options.confirmed);
     const double needed = s.accepted.empty() ? options.detection : options.further;
     const auto best = chosen(trial, unused, s, tried, needed, traces < most_traces);
+    if (s.accepted.empty()) s.first = tried;
     if (!best) break;
     s.accepted.push_back(accepted_as(*best, tried, needed));
     s.now = best->fit;
     ++(best->trace ? traces : findings);
   }
-  s.named_scale = s.now.noise.scale;
+  s.named_scale = s.now.noise.largest_scale();
+  return s;
+}
+
+}  // namespace
+
+Search search(const Trial& trial, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options,
+              const std::function<bool(std::string_view)>& goes_on) {
+  bool working = goes_on("fitting the baseline");
+  auto s = named(trial, unused, forms, options, {}, [&](std::string_view what) { return working = working && goes_on(what); });
+  if (working && s.named_scale > ordinary_scale) {
+    working = goes_on("once more, surge, sway and yaw apart");
+    Noise apart;
+    apart.apart = true;
+    auto other = named(trial, unused, forms, options, apart, [&](std::string_view what) { return working = working && goes_on(what); });
+    if (other.now.log_evidence > s.now.log_evidence) s = std::move(other);
+  }
   if (working && s.named_scale > ordinary_scale && std::ranges::none_of(s.accepted, [](const Accepted& a) { return is_unknown(*a.form); })) {
-    working = goes_on("a map of what has no name");
+    goes_on("a map of what has no name");
     map_unknown(trial, unused, s, options.further);
   }
   return s;

@@ -21,6 +21,7 @@ struct Tried {
   Effect effect;
   bool trace;     ///< too small to matter
   double held_out = 0.0;           ///< gain in log likelihood of held-out runs, where they were asked
+  bool refuted = false;            ///< by runs that were not used
   std::vector<double> widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
 };
 
@@ -71,8 +72,5 @@ struct Spell {
 /// By likelihood ratio: without the effect the samples before the onset, or after the end, are likelier by more than `needed`. Neither lies within
 /// two ship lengths of way of the ends of the longest run, where the filter settles.
 Spell spell_of(const Trial& trial, const Search& s, std::size_t accepted, double needed);
-
-/// Largest scale of the imperfection that an adequate model leaves.
-inline constexpr double ordinary_scale = 1.5;
 
 }  // namespace swayaw

@@ -100,7 +100,7 @@ void for_each_run(const Trial& trial, const Ship& ship, F&& f) {
 
 std::vector<FilterPass> passes_of(const Trial& trial, const Ship& ship, const Noise& noise) {
   std::vector<FilterPass> passes(trial.runs.size());
-  for_each_run(trial, ship, [&](std::size_t i, auto& predictor, Eigen::Index) { passes[i] = predictor.filter(imperfection(trial.ship, noise.scale), noise); });
+  for_each_run(trial, ship, [&](std::size_t i, auto& predictor, Eigen::Index) { passes[i] = predictor.filter(imperfection(trial.ship, noise), noise); });
   return passes;
 }
 
@@ -170,9 +170,9 @@ double log_determinant(const Eigen::MatrixXd& positive) { return positive.ldlt()
 
 }  // namespace
 
-OrdinaryImperfection imperfection(const Ship& ship, double scale) {
-  const double U = service_speed(ship), L = length(ship), a = 0.002 * scale * U * U / L;
-  return {0.3 * a, a, 1.5 * a / L};
+OrdinaryImperfection imperfection(const Ship& ship, const Noise& noise) {
+  const double U = service_speed(ship), L = length(ship), a = 0.002 * noise.scale * U * U / L;
+  return {0.3 * a * noise.axes[0], a * noise.axes[1], 1.5 * a / L * noise.axes[2]};
 }
 
 Eigen::Index Trial::rows() const {
@@ -272,6 +272,17 @@ bool scale_climbed(const Trial& trial, const Ship& ship, Likelihood& best) {
                  [](Noise& noise, int i) { noise.scale = scales[static_cast<std::size_t>(i)]; });
 }
 
+/// The imperfection of each axis and its memory by powers of two; each must gain by it.
+bool axes_climbed(const Trial& trial, const Ship& ship, Likelihood& best) {
+  bool moved = false;
+  const auto climb = [&](int first, int last, auto&& of) {
+    moved |= climbed(trial, ship, best, first, last, static_cast<int>(std::lround(std::log2(of(best.noise)))), 5.0, [&](Noise& noise, int i) { of(noise) = std::ldexp(1.0, i); });
+  };
+  for (std::size_t k = 0; k < 3; ++k) climb(-6, 6, [k](Noise& noise) -> double& { return noise.axes[k]; });
+  climb(-5, 4, [](Noise& noise) -> double& { return noise.memory; });
+  return moved;
+}
+
 /// Noise of the channels by powers of two; a channel must gain by it.
 bool factors_climbed(const Trial& trial, const Ship& ship, Likelihood& best, bool all) {
   bool moved = false;
@@ -291,6 +302,7 @@ Likelihood best_noise(const Trial& trial, const Ship& ship, const Noise& start, 
   Likelihood best{log_likelihood(trial, ship, start), start};
   scale_climbed(trial, ship, best);
   for (int i = 0; i < 3 && factors_climbed(trial, ship, best, every_channel); ++i) scale_climbed(trial, ship, best);
+  for (int i = 0; i < 3 && best.noise.apart && axes_climbed(trial, ship, best); ++i) factors_climbed(trial, ship, best, every_channel);
   return best;
 }
 
@@ -300,6 +312,7 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
   Point point = space.clamped(start);
   Eigen::MatrixXd slopes(trial.rows(), point.size());
   MapFit best;
+  double density = -HUGE_VAL;  // of the posterior, logarithm
   for (int round = 0; round < rounds; ++round) {
     const auto ship = ship_at(trial, hypothesis, point);
     const auto passes = passes_of(trial, ship, noise);
@@ -329,22 +342,25 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
     }
     const auto [log_likelihood, found] = best_noise(trial, ship_at(trial, hypothesis, point), noise, hypothesis.empty());
     const Eigen::MatrixXd A = slopes.transpose() * slopes + space.precision;
-    const double evidence = log_likelihood - 0.5 * space.prior(point) + 0.5 * (log_determinant(space.precision) - log_determinant(A));
-    if (evidence > best.log_evidence) best = {point, evidence, found, A.inverse()};
-    if (!std::isfinite(log_likelihood) || (found == noise && round > 0)) break;  // where the filter cannot follow there is no further round
-    noise = found;
+    const double here = log_likelihood - 0.5 * space.prior(point), gain = here - density;
+    // the last round is the one whose slopes belong to the noise that was found, so it stands unless it is clearly the worse
+    if (gain > -0.5) best = {point, here + 0.5 * (log_determinant(space.precision) - log_determinant(A)), found, A.inverse()};
+    if (!(gain > 0.5) && found == noise) break;
+    if (!std::isfinite(here)) break;  // the filter cannot follow
+    density = std::max(density, here), noise = found;
   }
   return best;
 }
 
 Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& null) {
   const auto ship = ship_at(trial, accepted, null.point);
-  Screen screen{.baseline = null.point, .passes = passes_of(trial, ship, null.noise), .residuals = {}, .slopes = {}, .inverse = {}};
+  Screen screen{.baseline = null.point, .passes = passes_of(trial, ship, null.noise), .residuals = {}, .slopes = {}, .inverse = {}, .pull = {}};
   const Space space = space_of(trial, accepted);
   screen.residuals = residuals_of(trial, ship, screen.passes);
   screen.slopes.resize(trial.rows(), null.point.size());
   differences(trial, accepted, space, null.point, screen.passes, screen.residuals, 0, screen.slopes);
   screen.inverse = (screen.slopes.transpose() * screen.slopes + space.precision).inverse();
+  screen.pull = space.precision * (null.point - space.mean);
   return screen;
 }
 
@@ -353,17 +369,15 @@ Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& sc
   hypothesis.push_back(&form);
   const Space space = space_of(trial, hypothesis);
   const auto base = screen.baseline.size(), size = static_cast<Eigen::Index>(form.coordinates.size());
-  // cost(e) = eᵀ M e, but for the baseline's prior, which stands at its optimum
   const auto prior = [&](const Point& p) {
     double sum = 0.0;
     for (Eigen::Index i = base; i < p.size(); ++i) sum += space.precision(i, i) * std::pow(p[i] - space.mean[i], 2);
     return sum;
   };
-  const auto quadratic = [&](const Eigen::VectorXd& e) { return (e.transpose() * screen.projected(e)).value(); };
-  const double before = quadratic(screen.residuals);
+  const double before = screen.cost(screen.residuals);
   Point point = space.clamped(with_start(screen.baseline, start));
   Eigen::VectorXd e = residuals_of(trial, ship_at(trial, hypothesis, point), screen.passes);
-  double cost = quadratic(e) + prior(point), damping = 1e-3;
+  double cost = screen.cost(e) + prior(point), damping = 1e-3;
   Eigen::MatrixXd slopes(trial.rows(), point.size());
   Eigen::MatrixXd A = Eigen::MatrixXd::Identity(size, size);
   for (int iteration = 0; iteration < iterations; ++iteration) {
@@ -371,7 +385,7 @@ Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& sc
     const Eigen::MatrixXd J = slopes.rightCols(size), MJ = screen.projected(J);
     const Eigen::MatrixXd Lambda = space.precision.bottomRightCorner(size, size);
     A = J.transpose() * MJ + Lambda;
-    const Eigen::VectorXd b = -MJ.transpose() * e - Lambda * (point - space.mean).tail(size);
+    const Eigen::VectorXd b = -J.transpose() * screen.answered(e) - Lambda * (point - space.mean).tail(size);
     double gain = 0.0;
     for (int attempt = 0; attempt < 4 && gain == 0.0; ++attempt, damping = std::max(10.0 * damping, 1e-3)) {
       Eigen::MatrixXd damped = A;
@@ -381,7 +395,7 @@ Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& sc
       if (!moved.allFinite()) continue;
       moved = space.clamped(moved);
       const Eigen::VectorXd there = residuals_if_any(trial, hypothesis, moved, screen.passes);
-      const double cost_there = quadratic(there) + prior(moved);
+      const double cost_there = screen.cost(there) + prior(moved);
       if (!(cost_there < cost)) continue;
       gain = cost - cost_there;
       point = moved, e = there, cost = cost_there;

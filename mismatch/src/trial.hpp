@@ -24,8 +24,11 @@ struct Trial {
   Eigen::Index baseline_size() const { return static_cast<Eigen::Index>(numbers.size()) + (lift_loss ? 1 : 0); }
 };
 
-/// Accelerations that no model has, by scale: a fraction of U²/L and U²/L².
-OrdinaryImperfection imperfection(const Ship& ship, double scale);
+/// Largest scale of the imperfection that an adequate model leaves.
+inline constexpr double ordinary_scale = 1.5;
+
+/// Accelerations that no model has, as fractions of U²/L and U²/L².
+OrdinaryImperfection imperfection(const Ship& ship, const Noise& noise);
 
 /// @param runs  must outlive what is prepared of them
 std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels);
@@ -57,7 +60,7 @@ struct MapFit {
 
 /// Converged fit, the gains of the filter and the noise renewed as often as they change.
 /// @param known  slopes of the residuals by the first coordinates, near the start: good enough for the first round
-MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, int rounds = 3, const Eigen::MatrixXd* known = nullptr);
+MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, int rounds = 6, const Eigen::MatrixXd* known = nullptr);
 
 /// ln p(runs | ship); −∞ where the ship cannot sail like that.
 double log_likelihood(const Trial& trial, const Ship& ship, const Noise& noise);
@@ -80,11 +83,21 @@ struct Screen {
   Point baseline;
   std::vector<FilterPass> passes;
   Eigen::VectorXd residuals;
-  Eigen::MatrixXd slopes;   ///< of the residuals by the baseline
-  Eigen::MatrixXd inverse;  ///< (slopesᵀ slopes + precision)⁻¹
+  Eigen::MatrixXd slopes;   ///< J, of the residuals by the baseline
+  Eigen::MatrixXd inverse;  ///< (JᵀJ + Λ)⁻¹ with the precision Λ of the prior
+  Eigen::VectorXd pull;     ///< Λ (baseline − mean), by which the prior draws the baseline back
 
-  /// M e, what is left of columns of residuals after the baseline's numbers took what they can: e − J (JᵀJ + Λ)⁻¹ Jᵀe.
+  /// M e, what is left of columns of changes of the residuals after the baseline's numbers took what they can: e − J (JᵀJ + Λ)⁻¹ Jᵀe.
   Eigen::MatrixXd projected(const Eigen::MatrixXd& e) const { return e - slopes * (inverse * (slopes.transpose() * e)); }
+
+  /// The same of the residuals themselves, of which the baseline takes the less the further it is from its mean: e − J (JᵀJ + Λ)⁻¹ (Jᵀe + pull).
+  Eigen::VectorXd answered(const Eigen::VectorXd& e) const { return e - slopes * (inverse * (slopes.transpose() * e + pull)); }
+
+  /// Least sum of squares of residuals and prior that the baseline can reach from residuals e, but for a constant: eᵀe − gᵀ (JᵀJ + Λ)⁻¹ g, g = Jᵀe + pull.
+  double cost(const Eigen::VectorXd& e) const {
+    const Eigen::VectorXd g = slopes.transpose() * e + pull;
+    return e.squaredNorm() - g.dot(inverse * g);
+  }
 };
 
 Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& null);
