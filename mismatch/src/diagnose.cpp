@@ -165,7 +165,8 @@ std::string unknown_words(const Diagnosis& d) {
   return words + fmt::format("; as a map it has the terms {}", listed(terms));
 }
 
-std::string words_of(const Diagnosis& d) {
+/// Verdict in words, without doubt of the baseline.
+std::string verdict_words(const Diagnosis& d) {
   std::vector<std::string> names;
   for (const auto& e : d.effects)
     if (!is_nameless(e)) names.emplace_back(phrase(id_of(e.effect)));
@@ -178,6 +179,11 @@ std::string words_of(const Diagnosis& d) {
   std::string nearest = listed(names);
   nearest[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(nearest[0])));
   return fmt::format("{}. {} {} nearest and {} not explain it all.{}", unknown, nearest, names.size() > 1 ? "come" : "comes", names.size() > 1 ? "do" : "does", traces);
+}
+
+std::string words_of(const Diagnosis& d) {
+  const auto words = verdict_words(d);
+  return d.doubt > 1.0 ? fmt::format("{} The baseline's numbers are known {:.0f} times less well than was said.", words, d.doubt) : words;
 }
 
 // ---------------------------------------------------------------- where an instrument is wrong
@@ -272,9 +278,10 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   unused.runs = prepared_runs(ship, holdout, channels);
   const auto forms = effect_forms(ship, channels, duration_of(runs));
   const auto s = search(trial, unused, forms, options, goes_on);
+  trial.precision /= s.doubt * s.doubt;
   Diagnosis d{.verdict = {}, .words = {}, .location = {}, .symmetry = {}, .linear = {}, .effects = {}, .traces = {}, .candidates = ranked(s.first, options.detection), .shifts = shifts_of(trial, s.now.point),
               .train = {}, .holdout = {}, .refitted = ship_at(trial, {}, s.null.point), .improved = ship_at(trial, s.hypothesis(), s.now.point),
-              .imperfection = s.named_scale, .refitted_imperfection = s.null.noise.largest_scale()};
+              .imperfection = s.named_scale, .refitted_imperfection = s.null.noise.largest_scale(), .doubt = s.doubt};
   put_effects(d, trial, s, options.detection);
   d.verdict = verdict_of(d);
   if (d.imperfection > ordinary_scale)

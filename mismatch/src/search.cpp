@@ -15,6 +15,8 @@ constexpr double as_good = 5.0;      ///< difference in log evidence that does n
 constexpr double worth_of_a_term = 5.0; ///< log evidence by which a further term of an effect must gain
 constexpr double worth_of_a_name = 20.0;  ///< log evidence by which a force without a name must beat an effect that has one
 constexpr std::size_t most_traces = 2;
+constexpr double less_known = 3.0;  ///< factor on the deviations of the baseline's numbers, where the runs speak against them
+constexpr double most_doubt = 10.0;
 constexpr double adequate_scale = 0.25; ///< of the imperfection, beside which no further effect is looked for
 constexpr double quiet_scale = 0.6;     ///< of the imperfection, beside which what promises nothing is not fitted: there is no disturbance that could hide it
 
@@ -341,6 +343,26 @@ std::optional<Tried> chosen(const Trial& trial, const Trial& unused, Search& s, 
   return std::nullopt;
 }
 
+// ---------------------------------------------------------------- doubt
+
+/// The trial with numbers of the baseline that are less well known.
+Trial doubted(Trial trial, double factor) {
+  trial.precision /= factor * factor;
+  return trial;
+}
+
+/// The same effects beside a baseline that is less well known, if runs used and held out gain more by that than by one more effect.
+std::optional<MapFit> doubt_instead(const Trial& trial, const Trial& unused, const Search& s, const Tried& best) try {
+  const auto hypothesis = s.hypothesis();
+  auto found = fit(doubted(trial, less_known), hypothesis, s.now.point, s.now.noise);
+  double gain = found.log_evidence - s.now.log_evidence;
+  if (!unused.runs.empty()) gain += held_out_gain(trial, unused, hypothesis, s.now, hypothesis, found);
+  if (!(gain > best.gain + best.held_out)) return std::nullopt;
+  return found;
+} catch (const Refusal&) {
+  return std::nullopt;
+}
+
 // ---------------------------------------------------------------- what has no name
 
 /// The force that is left, as a map of the motion and the heading: terms that the evidence keeps, if other runs gain by them.
@@ -426,7 +448,7 @@ std::vector<Candidate> ranked(std::span<const Tried> tried, double needed) {
 namespace {
 
 /// All effects that have names, or come and go, beside an imperfection that begins as given.
-Search named(const Trial& trial, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options, const Noise& start,
+Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options, const Noise& start,
              const std::function<bool(std::string_view)>& goes_on) {
   Search s;
   s.null = fit(trial, {}, trial.mean, start);
@@ -451,6 +473,14 @@ Search named(const Trial& trial, const Trial& unused, std::span<const EffectForm
     const auto best = chosen(trial, unused, s, tried, needed, traces < most_traces);
     if (s.accepted.empty()) s.first = tried;
     if (!best) break;
+    if (s.doubt * less_known < most_doubt)
+      if (auto instead = doubt_instead(trial, unused, s, *best)) {
+        trial = doubted(std::move(trial), less_known);
+        s.doubt *= less_known;
+        s.now = *std::move(instead);
+        if (s.accepted.empty()) s.null = s.now;
+        continue;
+      }
     s.accepted.push_back(accepted_as(*best, tried, needed));
     s.now = best->fit;
     ++(best->trace ? traces : findings);
@@ -474,7 +504,7 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
   }
   if (working && s.named_scale > ordinary_scale && std::ranges::none_of(s.accepted, [](const Accepted& a) { return is_unknown(*a.form); })) {
     goes_on("a map of what has no name");
-    map_unknown(trial, unused, s, options.further);
+    map_unknown(doubted(trial, s.doubt), unused, s, options.further);
   }
   return s;
 }

@@ -37,6 +37,7 @@ struct Accepted {
 
 struct Search {
   MapFit null, now;
+  double doubt = 1.0;               ///< factor on what the baseline's numbers are known to, where the runs speak against it
   double named_scale = 0.0;         ///< of the imperfection beside all effects that have names
   Screen screen;                    ///< of the baseline alone
   Located located;                  ///< where the baseline alone lacks force

@@ -10,6 +10,7 @@
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/windage_sources.hpp"
 
@@ -131,6 +132,23 @@ TEST_CASE("nothing is missing in runs of the ship herself", "[mismatch][limit]")
     REQUIRE(offset != d.detectable.end());
     CHECK(offset->value < radians(0.5));
     CHECK(offset->value > 0.0);
+  }
+}
+
+TEST_CASE("numbers that are less well known than the ship file says are no missing physics", "[mismatch][limit]") {
+  Ship ship = test_ship();
+  for (const unsigned seed : {31u, 32u, 33u}) {
+    std::mt19937_64 engine(seed);
+    std::normal_distribution normal;
+    auto numbers = ship_numbers(ship);
+    std::erase_if(numbers, [](const ShipNumber& n) { return n.role != Role::coefficient || !(n.deviation > 0.0); });
+    std::vector<double> values;
+    for (const auto& n : numbers) values.push_back(n.value + 3.0 * n.deviation * normal(engine));
+    const auto real = with_values(ship, numbers, values);
+    const auto d = diagnose(ship, trials(real, seed), {}, held_out(real, seed + 10), quick());
+    INFO(d.words);
+    CHECK(d.verdict == DiagnosisVerdict::nothing_missing);
+    CHECK((d.doubt == 1.0 || d.words.find("less well") != std::string::npos));
   }
 }
 

@@ -107,6 +107,7 @@ struct Diagnosis {
   Ship improved;                        ///< with the effects found
   double imperfection;                  ///< scale of what stays unexplained; 1 is ordinary
   double refitted_imperfection;         ///< the same without any effect
+  double doubt = 1.0;                   ///< factor on what the ship file or the reference runs say the numbers of the baseline are known to
   std::optional<Advice> next{};
   std::vector<DetectableSize> detectable{};
   std::vector<RunPicture> train_pictures{}, holdout_pictures{};  ///< if asked for
