@@ -1,0 +1,99 @@
+#include "trial.hpp"
+
+#include <algorithm>
+#include <catch.hpp>
+#include <cmath>
+#include <random>
+#include <string_view>
+
+#include "random_ships.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+
+/// Fits of a ship's numbers and of effects, from inside.
+namespace swayaw {
+namespace {
+
+/// With numbers that are known to 2 %.
+Ship test_ship() {
+  Ship ship = test::kvlcc2_l7();
+  ship.confidence.coefficients = 0.02;
+  return ship;
+}
+
+/// Two zigzags and a turn with the white noise of a tank's instruments.
+std::vector<Recording> runs_of(const Ship& ship, unsigned seed) {
+  const ManoeuvreOptions sampled{.duration = 90.0, .step = 0.3};
+  std::vector<Recording> runs{zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, sampled).run,
+                              zigzag(ship, {.rudder = radians(10), .heading = radians(10), .first = Side::port}, sampled).run,
+                              turning_circle(ship, {.rudder = radians(35), .side = Side::starboard}, sampled).run};
+  std::mt19937_64 engine(seed);
+  for (auto& run : runs) {
+    for (const auto& [channel, deviation] : {std::pair{Channel::x, 5e-3}, {Channel::y, 5e-3}, {Channel::psi, 2e-3}, {Channel::r, 1e-3}, {Channel::u, 5e-3}}) {
+      std::normal_distribution error(0.0, deviation);
+      for (double& sample : run.fill(channel)) sample += error(engine);
+    }
+    run.channels[index_of(Channel::v)].clear();
+    run.channels[index_of(Channel::thrust)].clear();
+  }
+  return runs;
+}
+
+/// A trial, its fitted baseline and the forms of all effects.
+struct Fitted {
+  std::vector<Recording> runs;
+  Trial trial;
+  MapFit null;
+  std::vector<EffectForm> forms;
+
+  Fitted(const Ship& ship, std::vector<Recording> recorded)
+      : runs(std::move(recorded)), trial(trial_of(ship, runs, seen_channels(runs))), null(fit(trial, {}, trial.mean, Noise{})), forms(effect_forms(ship, seen_channels(runs), 90.0)) {}
+
+  const EffectForm& form(std::string_view id) const { return *std::ranges::find(forms, id, &EffectForm::id); }
+};
+
+}  // namespace
+
+// A baseline that took in a hidden effect as far as its prior let it is relieved by the effect itself: a promise that forgets this sees nothing.
+TEST_CASE("a screening promises what the converged fit gains", "[mismatch][second-route]") {
+  const Ship ship = test_ship();
+  for (const Effect& hidden : {Effect(RudderEffectiveness<double>{.factor = 0.7}), Effect(AddedResistance<double>{.relative_increase = 0.5}), Effect(RudderOffset<double>{.offset = radians(2)})}) {
+    CAPTURE(id_of(hidden));
+    const Fitted f(ship, runs_of(with_effect(ship, hidden), 3));
+    const auto& form = f.form(id_of(hidden));
+    const auto promised = promise(f.trial, {}, screen_of(f.trial, {}, f.null), form, form.starts.front());
+    const Hypothesis hypothesis{&form};
+    const auto converged = fit(f.trial, hypothesis, with_start(f.null.point, promised.coordinates), f.null.noise);
+    const double gain = converged.log_evidence - f.null.log_evidence;
+    CHECK(gain > 15.0);
+    CHECK(promised.gain > 0.2 * gain);  // beside the imperfection that the baseline alone needs
+  }
+}
+
+TEST_CASE("a fit that has converged stays where it is", "[mismatch][limit]") {
+  const Ship ship = test_ship();
+  for (const Effect& hidden : {Effect(RudderEffectiveness<double>{.factor = 0.7}), Effect(CrossFlowDrag<double>{.C_D = 0.5})}) {
+    CAPTURE(id_of(hidden));
+    const Fitted f(ship, runs_of(with_effect(ship, hidden), 5));
+    const auto again = fit(f.trial, {}, f.null.point, f.null.noise);
+    CHECK(std::abs(again.log_evidence - f.null.log_evidence) < 1.0);
+    CHECK(again.noise == f.null.noise);
+  }
+}
+
+TEST_CASE("an imperfection whose axes and memory are apart is never the less likely", "[mismatch][limit]") {
+  const Ship ship = test_ship();
+  const Fitted f(ship, runs_of(with_effect(ship, AddedResistance<double>{.relative_increase = 1.0}), 7));  // surge alone
+  const auto given = ship_at(f.trial, {}, f.trial.mean);
+  const auto one = best_noise(f.trial, given, Noise{}, true);
+  Noise start;
+  start.apart = true;
+  const auto apart = best_noise(f.trial, given, start, true);
+  CHECK(one.noise.axes == Noise{}.axes);
+  CHECK(apart.log_likelihood >= one.log_likelihood);
+  CHECK(apart.noise.axes[0] > apart.noise.axes[1]);
+  CHECK(apart.noise.axes[0] > apart.noise.axes[2]);
+}
+
+}  // namespace swayaw
