@@ -121,34 +121,30 @@ Pruned pruned(const EffectForm& form, const Eigen::VectorXd& mean, const Eigen::
     const Eigen::VectorXd h_s = h(s);
     return 0.5 * h_s.dot(factor.solve(h_s)) - 0.5 * factor.vectorD().array().log().sum() + 0.5 * precision(s).array().log().sum();
   };
-  const double whole = evidence(result.kept);
-  std::vector<std::size_t> kept;
-  double now = 0.0;
-  const auto better = [&](std::vector<std::size_t> subset, double worth, std::vector<std::size_t>& best, double& most) {
-    std::ranges::sort(subset);
-    if (const double there = evidence(subset); there > most + worth) best = std::move(subset), most = there;
+  struct Subset {
+    std::vector<std::size_t> terms;
+    double evidence;
   };
-  for (bool grown = true; grown;) {
-    auto best = kept;
-    double most = kept.empty() ? -HUGE_VAL : now + worth_of_a_term;
+  /// The likeliest of the subsets with one term more, or one less.
+  const auto next = [&](const std::vector<std::size_t>& from, bool more) {
+    Subset best{{}, -HUGE_VAL};
     for (std::size_t i = 0; i < size; ++i) {
-      if (std::ranges::count(kept, i) > 0) continue;
-      auto more = kept;
-      more.push_back(i);
-      better(std::move(more), 0.0, best, most);
+      auto terms = from;
+      if ((std::ranges::count(from, i) > 0) == more) continue;
+      if (more) terms.insert(std::ranges::upper_bound(terms, i), i);
+      else std::erase(terms, i);
+      if (const double there = evidence(terms); there > best.evidence) best = {std::move(terms), there};
     }
-    grown = best.size() > kept.size();
-    if (!grown) break;
-    kept = best, now = most;
-    most = now - worth_of_a_term;
-    for (std::size_t i = 0; kept.size() > 1 && i < kept.size(); ++i) {
-      auto fewer = kept;
-      fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-      better(std::move(fewer), 0.0, best, most);
-    }
-    if (best.size() < kept.size()) kept = best, now = most;
+    return best;
+  };
+  auto now = next({}, true);
+  if (now.terms.empty()) return result;
+  for (auto larger = next(now.terms, true); larger.evidence > now.evidence + worth_of_a_term; larger = next(now.terms, true)) {
+    now = std::move(larger);
+    if (auto smaller = next(now.terms, false); smaller.evidence > now.evidence - worth_of_a_term) now = std::move(smaller);
   }
-  return {kept, now - whole};
+  const double whole = evidence(result.kept);
+  return {std::move(now.terms), now.evidence - whole};
 }
 
 Pruned pruned(const EffectForm& form, const MapFit& fit) {
