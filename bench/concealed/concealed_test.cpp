@@ -71,6 +71,18 @@ TEST_CASE("what is hidden with the size 0 changes no digit", "[bench][limit]") {
     CHECK(recording_text(sail(ship, nothing, manoeuvre, {.seed = 3})) == recording_text(sail(ship, {}, manoeuvre, {.seed = 3})));
 }
 
+TEST_CASE("positions that are late show where she was", "[bench][limit]") {
+  const auto ship = true_ship("tanker", 2);
+  const auto manoeuvre = turn(35, false, 2.0);
+  const double step = sail(ship, {}, manoeuvre, still).time[1];
+  const auto prompt = sail(ship, {}, manoeuvre, still), late = sail(ship, {.delay = 4.0 * step, .late = Channel::x}, manoeuvre, still);
+  for (std::size_t i = 4; i < prompt.samples(); ++i) {
+    CHECK(std::abs(late[Channel::x][i] - prompt[Channel::x][i - 4]) < 1e-5 * ship.L);
+    CHECK(std::abs(late[Channel::y][i] - prompt[Channel::y][i - 4]) < 1e-5 * ship.L);
+  }
+  CHECK(std::hypot(late[Channel::x][0] + 4.0 * step * ship.U_0 * std::cos(2.0), late[Channel::y][0] + 4.0 * step * ship.U_0 * std::sin(2.0)) < 0.01 * ship.L);
+}
+
 TEST_CASE("every kind of hidden effect shows in the recording, under the keys of its numbers", "[bench][limit]") {
   const auto ship = true_ship("training", 4);
   const auto file = fair_ship(ship, 0.02).ship;

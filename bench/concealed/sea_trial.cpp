@@ -170,7 +170,10 @@ TrueTrack sailed(const TrueShip& s, const Concealment& h, const Manoeuvre& m, co
   const auto before = static_cast<long>(settling * T / step), kept = static_cast<long>(T / step), after = static_cast<long>((m.lengths + 0.1) * T / step);
   TrueTrack track{.from = -static_cast<double>(kept) * step, .step = step, .states = {}, .delta = {}};
   for (long i = -before; i <= after; ++i) {
-    if (i == 0) q[State::x] = q[State::y] = 0.0;
+    if (i == 0) {  // the record begins where she is now, what is late shows where she was
+      for (auto& past : track.states) past[State::x] -= q[State::x], past[State::y] -= q[State::y];
+      q[State::x] = q[State::y] = 0.0;
+    }
     if (i >= -kept) track.states.push_back(q), track.delta.push_back(gear.shown());
     now.time = static_cast<double>(i) * step;
     now.disturbance = {0.3 * unit * d_u.next(), unit * d_v.next(), 1.5 * unit / s.L * d_r.next()};
