@@ -278,7 +278,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   unused.runs = prepared_runs(ship, holdout, channels);
   const auto forms = effect_forms(ship, channels, duration_of(runs));
   const auto s = search(trial, unused, forms, options, goes_on);
-  trial.precision /= s.doubt * s.doubt;
+  trial = doubted(std::move(trial), s.doubt);
   Diagnosis d{.verdict = {}, .words = {}, .location = {}, .symmetry = {}, .linear = {}, .effects = {}, .traces = {}, .candidates = ranked(s.first, options.detection), .shifts = shifts_of(trial, s.now.point),
               .train = {}, .holdout = {}, .refitted = ship_at(trial, {}, s.null.point), .improved = ship_at(trial, s.hypothesis(), s.now.point),
               .imperfection = s.named_scale, .refitted_imperfection = s.null.noise.largest_scale(), .doubt = s.doubt};

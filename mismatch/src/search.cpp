@@ -125,7 +125,7 @@ Pruned pruned(const EffectForm& form, const Eigen::VectorXd& mean, const Eigen::
     std::vector<std::size_t> terms;
     double evidence;
   };
-  /// The likeliest of the subsets with one term more, or one less.
+  // the likeliest of the subsets with one term more, or one less.
   const auto next = [&](const std::vector<std::size_t>& from, bool more) {
     Subset best{{}, -HUGE_VAL};
     for (std::size_t i = 0; i < size; ++i) {
@@ -169,7 +169,7 @@ const MapFit& likelier(const MapFit& a, const MapFit& b) { return b.log_evidence
 /// A fit that comes out far below the hypothesis without the effect stopped too early; from a small effect it begins once more. What comes and goes is
 /// fitted where most force is missing too, with no more than the ordinary imperfection: beside that which it makes necessary its edges cannot be seen.
 MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit& now, const Screen& screen, const std::vector<double>& promised) {
-  const auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise, 6, &screen.slopes);
+  const auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise, &screen.slopes);
   auto other = promised;
   if (const auto& window = hypothesis.back()->window; !window.empty() && now.noise.largest_scale() > ordinary_scale) {
     std::ranges::copy(window, other.end() - 2);
@@ -271,7 +271,7 @@ double held_out_gain(const Trial& trial, const Trial& unused, const Hypothesis& 
     others.runs.erase(others.runs.begin() + static_cast<std::ptrdiff_t>(i));
     one.runs = {trial.runs[i]};
     const auto of = [&](const Hypothesis& h, const MapFit& from) {
-      MapFit found = fit(others, h, from.point, from.noise, 1);
+      MapFit found = fit(others, h, from.point, from.noise, nullptr, 1);
       found.noise = from.noise;
       return found.point.size() == 0 ? -HUGE_VAL : log_likelihood_of(one, h, found);
     };
@@ -340,12 +340,6 @@ std::optional<Tried> chosen(const Trial& trial, const Trial& unused, Search& s, 
 }
 
 // ---------------------------------------------------------------- doubt
-
-/// The trial with numbers of the baseline that are less well known.
-Trial doubted(Trial trial, double factor) {
-  trial.precision /= factor * factor;
-  return trial;
-}
 
 /// The same effects beside a baseline that is less well known, if runs used and held out gain more by that than by one more effect.
 std::optional<MapFit> doubt_instead(const Trial& trial, const Trial& unused, const Search& s, const Tried& best) try {

@@ -206,6 +206,11 @@ Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<cons
   return trial;
 }
 
+Trial doubted(Trial trial, double factor) {
+  trial.precision /= factor * factor;
+  return trial;
+}
+
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
   std::vector<double> values;
   for (std::size_t i = 0; i < trial.numbers.size(); ++i) values.push_back(trial.numbers[i].value + trial.numbers[i].deviation * point[static_cast<Eigen::Index>(i)]);
@@ -306,7 +311,7 @@ Likelihood best_noise(const Trial& trial, const Ship& ship, const Noise& start, 
   return best;
 }
 
-MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, int rounds, const Eigen::MatrixXd* known) {
+MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, const Eigen::MatrixXd* known, int rounds) {
   const Space space = space_of(trial, hypothesis);
   const auto base = trial.baseline_size();
   Point point = space.clamped(start);

@@ -24,6 +24,9 @@ struct Trial {
   Eigen::Index baseline_size() const { return static_cast<Eigen::Index>(numbers.size()) + (lift_loss ? 1 : 0); }
 };
 
+/// The trial with numbers of the baseline that are known so many times less well.
+Trial doubted(Trial trial, double factor);
+
 /// Largest scale of the imperfection that an adequate model leaves.
 inline constexpr double ordinary_scale = 1.5;
 
@@ -60,7 +63,7 @@ struct MapFit {
 
 /// Converged fit, the gains of the filter and the noise renewed as often as they change.
 /// @param known  slopes of the residuals by the first coordinates, near the start: good enough for the first round
-MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, int rounds = 6, const Eigen::MatrixXd* known = nullptr);
+MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, const Eigen::MatrixXd* known = nullptr, int rounds = 6);
 
 /// ln p(runs | ship); −∞ where the ship cannot sail like that.
 double log_likelihood(const Trial& trial, const Ship& ship, const Noise& noise);

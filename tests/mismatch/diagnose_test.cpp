@@ -13,6 +13,7 @@
 #include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/windage_sources.hpp"
+#include "tank_instruments.hpp"
 
 /// What a ship hides from her model is named, with its size, wherever the runs come from.
 namespace swayaw {
@@ -34,12 +35,7 @@ Ship test_ship() {
 Recording measured(Recording run, std::string name, unsigned seed) {
   run.name = std::move(name);
   std::mt19937_64 engine(seed);
-  for (const auto& [channel, deviation] : {std::pair{Channel::x, 5e-3}, {Channel::y, 5e-3}, {Channel::psi, 2e-3}, {Channel::r, 1e-3}, {Channel::u, 5e-3}}) {
-    std::normal_distribution error(0.0, deviation);
-    for (double& sample : run.fill(channel)) sample += error(engine);
-  }
-  run.channels[index_of(Channel::v)].clear();
-  run.channels[index_of(Channel::thrust)].clear();
+  test::measure(run, engine);
   return run;
 }
 

@@ -10,6 +10,7 @@
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
+#include "tank_instruments.hpp"
 
 /// Fits of a ship's numbers and of effects, from inside.
 namespace swayaw {
@@ -29,14 +30,7 @@ std::vector<Recording> runs_of(const Ship& ship, unsigned seed) {
                               zigzag(ship, {.rudder = radians(10), .heading = radians(10), .first = Side::port}, sampled).run,
                               turning_circle(ship, {.rudder = radians(35), .side = Side::starboard}, sampled).run};
   std::mt19937_64 engine(seed);
-  for (auto& run : runs) {
-    for (const auto& [channel, deviation] : {std::pair{Channel::x, 5e-3}, {Channel::y, 5e-3}, {Channel::psi, 2e-3}, {Channel::r, 1e-3}, {Channel::u, 5e-3}}) {
-      std::normal_distribution error(0.0, deviation);
-      for (double& sample : run.fill(channel)) sample += error(engine);
-    }
-    run.channels[index_of(Channel::v)].clear();
-    run.channels[index_of(Channel::thrust)].clear();
-  }
+  for (auto& run : runs) test::measure(run, engine);
   return runs;
 }
 

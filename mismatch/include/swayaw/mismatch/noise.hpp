@@ -16,6 +16,7 @@ struct Noise {
   std::array<double, channel_count> factor{};    ///< on the noise of each channel, 1 where third differences tell all of it
 
   Noise() { factor.fill(1.0); }
+
   /// Of the axis that is worst.
   double largest_scale() const { return scale * std::ranges::max(axes); }
 
