@@ -17,6 +17,7 @@ constexpr double worth_of_a_name = 20.0;  ///< log evidence by which a force wit
 constexpr std::size_t most_traces = 2;
 constexpr double less_known = 3.0;  ///< factor on the deviations of the baseline's numbers, where the runs speak against them
 constexpr double most_doubt = 10.0;
+constexpr double worth_a_doubt = 0.04; ///< of an effect's gain that doubt must promise at the present noise; noise renewed made at most 25 times as much of it
 constexpr double adequate_scale = 0.25; ///< of the imperfection, beside which no further effect is looked for
 constexpr double quiet_scale = 0.6;     ///< of the imperfection, beside which what promises nothing is not fitted: there is no disturbance that could hide it
 
@@ -342,9 +343,11 @@ std::optional<Tried> chosen(const Trial& trial, const Trial& unused, Search& s, 
 // ---------------------------------------------------------------- doubt
 
 /// The same effects beside a baseline that is less well known, if runs used and held out gain more by that than by one more effect.
-std::optional<MapFit> doubt_instead(const Trial& trial, const Trial& unused, const Search& s, const Tried& best) try {
+std::optional<MapFit> doubt_instead(const Trial& trial, const Trial& unused, const Search& s, const Screen& screen, const Tried& best) try {
   const auto hypothesis = s.hypothesis();
-  auto found = fit(doubted(trial, less_known), hypothesis, s.now.point, s.now.noise);
+  const auto less_sure = doubted(trial, less_known);
+  if (linear_evidence(less_sure, hypothesis, screen) - linear_evidence(trial, hypothesis, screen) < worth_a_doubt * best.gain) return std::nullopt;
+  auto found = fit(less_sure, hypothesis, s.now.point, s.now.noise, &screen.slopes);
   double gain = found.log_evidence - s.now.log_evidence;
   if (!unused.runs.empty()) gain += held_out_gain(trial, unused, hypothesis, s.now, hypothesis, found);
   if (!(gain > best.gain + best.held_out)) return std::nullopt;
@@ -464,7 +467,7 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
     if (s.accepted.empty()) s.first = tried;
     if (!best) break;
     if (s.doubt * less_known < most_doubt)
-      if (auto instead = doubt_instead(trial, unused, s, *best)) {
+      if (auto instead = doubt_instead(trial, unused, s, screen, *best)) {
         trial = doubted(std::move(trial), less_known);
         s.doubt *= less_known;
         s.now = *std::move(instead);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw {
@@ -84,16 +85,16 @@ PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Cha
 
 constexpr std::array scales{0.1, 0.25, 0.6, 1.5, 4.0, 10.0, 25.0, 60.0, 150.0, 400.0};
 
-/// Calls f(run, predictor, first row) for each run of a ship.
+/// Calls f(run, predictor, first row) for each run of a ship, on all cores.
 template <class F>
 void for_each_run(const Trial& trial, const Ship& ship, F&& f) {
+  std::vector<Eigen::Index> rows{0};
+  for (const auto& run : trial.runs) rows.push_back(rows.back() + run.rows());
   const auto of_model = [&]<class Model>(const Model& model) {
-    Eigen::Index row = 0;
-    for (std::size_t i = 0; i < trial.runs.size(); ++i) {
+    in_parallel(trial.runs.size(), 0, [&](std::size_t i) {
       Predictor<Model> predictor(ship, model, trial.runs[i]);
-      f(i, predictor, row);
-      row += trial.runs[i].rows();
-    }
+      f(i, predictor, rows[i]);
+    });
   };
   std::visit(of_model, ship.model);
 }
@@ -158,12 +159,13 @@ bool takes_lift(const EffectForm* form) { return form->id == "rudder_gap" || for
 /// d(residuals)/d(point), columns from..to.
 void differences(const Trial& trial, const Hypothesis& hypothesis, const Space& space, const Point& point, const std::vector<FilterPass>& passes,
                  const Eigen::VectorXd& residuals, Eigen::Index from, Eigen::MatrixXd& slopes) {
-  for (Eigen::Index i = from; i < point.size(); ++i) {
+  in_parallel(static_cast<std::size_t>(point.size() - from), 0, [&](std::size_t k) {
+    const auto i = from + static_cast<Eigen::Index>(k);
     Point moved = point;
     const double step = point[i] + space.step[i] > space.high[i] ? -space.step[i] : space.step[i];
     moved[i] += step;
     slopes.col(i) = (residuals_if_any(trial, hypothesis, moved, passes) - residuals) / step;
-  }
+  });
 }
 
 double log_determinant(const Eigen::MatrixXd& positive) { return positive.ldlt().vectorD().array().abs().log().sum(); }
@@ -367,6 +369,14 @@ Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& n
   screen.inverse = (screen.slopes.transpose() * screen.slopes + space.precision).inverse();
   screen.pull = space.precision * (null.point - space.mean);
   return screen;
+}
+
+double linear_evidence(const Trial& trial, const Hypothesis& accepted, const Screen& screen) {
+  const Space space = space_of(trial, accepted);
+  const Eigen::MatrixXd A = screen.slopes.transpose() * screen.slopes + space.precision;
+  const Eigen::VectorXd g = screen.slopes.transpose() * screen.residuals + space.precision * (screen.baseline - space.mean);
+  const double cost = screen.residuals.squaredNorm() + space.prior(screen.baseline) - g.dot(A.ldlt().solve(g));
+  return 0.5 * (log_determinant(space.precision) - log_determinant(A) - cost);
 }
 
 Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form, std::span<const double> start, int iterations) {

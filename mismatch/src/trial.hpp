@@ -105,6 +105,10 @@ struct Screen {
 
 Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& null);
 
+/// Log evidence of a trial's prior beside a screening of the same runs, its gains frozen and linear about its baseline; differences are what counts:
+/// −½ (eᵀe + dᵀΛd − gᵀ(JᵀJ + Λ)⁻¹g) + ½ ln det Λ − ½ ln det(JᵀJ + Λ) with d = baseline − mean, g = Jᵀe + Λd.
+double linear_evidence(const Trial& trial, const Hypothesis& accepted, const Screen& screen);
+
 /// What the runs tell of the coordinates of an effect about null, after the baseline's numbers took what they can: JᵀMJ.
 Eigen::MatrixXd information(const Trial& trial, const Screen& screen, const EffectForm& form);
 
