@@ -43,22 +43,8 @@ std::vector<EffectParameterEstimate> estimates(const Trial& trial, const Accepte
   const auto& form = *accepted.form;
   const auto size = static_cast<Eigen::Index>(form.coordinates.size());
   const Point c = found.point.segment(from, size);
-  const auto values_at = [&](const Point& p) {
-    std::vector<double> values;
-    for (const auto& n : numbers_of(trial.ship, form.at({p.data(), static_cast<std::size_t>(size)}))) values.push_back(n.value);
-    return values;
-  };
   const auto numbers = numbers_of(trial.ship, form.at({c.data(), static_cast<std::size_t>(size)}));
-  Eigen::MatrixXd slopes(static_cast<Eigen::Index>(numbers.size()), size);
-  for (Eigen::Index k = 0; k < size; ++k) {
-    Point up = c, down = c;
-    up[k] += 1e-4, down[k] -= 1e-4;
-    const auto a = values_at(up), b = values_at(down);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const double change = a[i] - b[i];
-      slopes(static_cast<Eigen::Index>(i), k) = (is_direction(numbers[i]) ? wrapped(change) : change) / 2e-4;
-    }
-  }
+  Eigen::MatrixXd slopes = number_slopes(trial.ship, form, c);
   if (!accepted.widening.empty()) slopes *= Eigen::Map<const Eigen::VectorXd>(accepted.widening.data(), size).asDiagonal();
   const Eigen::MatrixXd covariance = slopes * widened(form, found.covariance.block(from, from, size, size)) * slopes.transpose();
   std::vector<EffectParameterEstimate> result;

@@ -1,10 +1,12 @@
 #include "search.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "swayaw/core/angle.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 
@@ -14,6 +16,8 @@ namespace {
 constexpr double as_good = 5.0;      ///< difference in log evidence that does not tell effects apart
 constexpr double worth_of_a_term = 5.0; ///< log evidence by which a further term of an effect must gain
 constexpr double worth_of_a_name = 20.0;  ///< log evidence by which a force without a name must beat an effect that has one
+constexpr double may_lead = 0.4;       ///< of the best candidate's gain: with less, held-out runs are not asked
+constexpr double small_loss = 0.05;    ///< of what an effect gains: held-out runs that lose no more do not refute what gains several times what is needed
 constexpr std::size_t most_traces = 2;
 constexpr double less_known = 3.0;  ///< factor on the deviations of the baseline's numbers, where the runs speak against them
 constexpr double most_doubt = 10.0;
@@ -24,6 +28,10 @@ constexpr double quiet_scale = 0.6;     ///< of the imperfection, beside which w
 // ---------------------------------------------------------------- all candidates
 
 bool is_unknown(const EffectForm& form) { return form.id == UnknownForce<>::id; }
+
+bool is_of_an_instrument(const Effect& effect) {
+  return std::visit([](const auto& e) { return e.place == EffectPlace::sensor; }, effect);
+}
 
 /// The best start of a form, by what it promises.
 struct Screened {
@@ -194,6 +202,30 @@ bool acts(const EffectForm& form, const MapFit& found) {
   return false;
 }
 
+/// Whether the numbers that decide are told from those of no effect, zᵀC⁻¹z > 4 with their covariance C: a gust that kicked her for an instant may gain much,
+/// and yet be of any size.
+bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
+  const auto size = std::ssize(form.coordinates);
+  const Point c = found.point.tail(size);
+  const auto numbers = numbers_of(ship, form.at({c.data(), static_cast<std::size_t>(size)}));
+  std::vector<Eigen::Index> deciding;
+  std::vector<double> departures;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!numbers[i].decides) continue;
+    if (!std::isfinite(numbers[i].value - numbers[i].null)) return true;
+    deciding.push_back(static_cast<Eigen::Index>(i)), departures.push_back(numbers[i].value - numbers[i].null);
+  }
+  const Eigen::MatrixXd slopes = number_slopes(ship, form, c)(deciding, Eigen::all);
+  const Eigen::MatrixXd C = slopes * widened(form, found.covariance.bottomRightCorner(size, size)) * slopes.transpose();
+  const Eigen::Map<const Eigen::VectorXd> z(departures.data(), std::ssize(departures));
+  return !(z.dot(C.completeOrthogonalDecomposition().solve(z)) < 4.0);
+}
+
+/// Too small to matter, or no more than what explains a heel, or not told from nothing.
+bool is_trace(const Ship& ship, const EffectForm& form, const MapFit& found, const Effect& effect) {
+  return !is_finding(ship, effect) || !acts(form, found) || !is_told(ship, form, found);
+}
+
 /// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels. What comes and goes is among them wherever all
 /// runs lack force at the same time: under the imperfection that this makes necessary it promises too little.
 std::vector<Screened> most_promising(const std::vector<Screened>& candidates, std::size_t most) {
@@ -219,7 +251,7 @@ std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, con
       if (!std::isfinite(gain)) return;
       const auto effect = last_effect(hypothesis, found.point);
       const double without = pruned(form, found).gain, nameless = is_unknown(form) ? worth_of_a_name : 0.0;
-      fits[i] = Tried{&form, found, gain + without - nameless, effect, !is_finding(trial.ship, effect) || !acts(form, found)};
+      fits[i] = Tried{&form, found, gain + without - nameless, effect, is_trace(trial.ship, form, found, effect)};
     } catch (const Refusal&) {
     }
   });
@@ -250,7 +282,7 @@ Tried reduced(const Trial& trial, const Hypothesis& accepted, Tried tried, std::
     }
     tried.form = &forms.back();
     tried.effect = last_effect(hypothesis, found.point);
-    tried.trace = !is_finding(trial.ship, tried.effect);
+    tried.trace = is_trace(trial.ship, forms.back(), found, tried.effect);
     tried.widening = std::move(widening);
     tried.fit = std::move(found);
   }
@@ -263,9 +295,21 @@ double log_likelihood_of(const Trial& trial, const Hypothesis& hypothesis, const
   return best_noise(trial, ship_at(trial, hypothesis, found.point), found.noise, true).log_likelihood;
 }
 
+/// Held-out runs, if any, and their log likelihood as things stand.
+struct Elsewhere {
+  const Trial& unused;
+  double now;
+
+  bool is_empty() const { return unused.runs.empty(); }
+};
+
+Elsewhere elsewhere_of(const Trial& unused, const Hypothesis& hypothesis, const MapFit& now) {
+  return {unused, unused.runs.empty() ? 0.0 : log_likelihood_of(unused, hypothesis, now)};
+}
+
 /// Gain in log likelihood of held-out runs, or of each run by a fit to the others.
-double held_out_gain(const Trial& trial, const Trial& unused, const Hypothesis& before, const MapFit& a, const Hypothesis& after, const MapFit& b) {
-  if (!unused.runs.empty()) return log_likelihood_of(unused, after, b) - log_likelihood_of(unused, before, a);
+double held_out_gain(const Trial& trial, const Elsewhere& elsewhere, const Hypothesis& before, const MapFit& a, const Hypothesis& after, const MapFit& b) {
+  if (!elsewhere.is_empty()) return log_likelihood_of(elsewhere.unused, after, b) - elsewhere.now;
   std::vector<double> gains(trial.runs.size());
   in_parallel(trial.runs.size(), 0, [&](std::size_t i) {
     Trial others = trial, one = trial;
@@ -283,14 +327,23 @@ double held_out_gain(const Trial& trial, const Trial& unused, const Hypothesis& 
   return sum;
 }
 
-/// Whether other runs gain too, and how much. An effect of a time in one run is not asked for it, nor is a single run.
-bool holds_elsewhere(const Trial& trial, const Trial& unused, const Search& s, Tried& tried) {
-  const auto* unknown = std::get_if<UnknownForce<double>>(&tried.effect);
-  if (std::holds_alternative<Gust<double>>(tried.effect) || (unknown && std::isfinite(unknown->onset)) || (unused.runs.empty() && trial.runs.size() < 2)) return true;
+/// A force of a time in one run is not asked for in another.
+bool is_of_a_time(const Effect& effect) {
+  const auto* unknown = std::get_if<UnknownForce<double>>(&effect);
+  return std::holds_alternative<Gust<double>>(effect) || (unknown && std::isfinite(unknown->onset));
+}
+
+/// Whether runs that were not used speak against an effect: they gain nothing by it, or, where it gains several times what is needed, lose clearly.
+bool speaks_against(double held_out, double gain, double needed) { return !(held_out > 1.0) && !(gain > 3.0 * needed && held_out > -small_loss * gain); }
+
+/// What runs that were not used say of an effect that was tried. Of a single run nothing is known.
+void ask(const Elsewhere& elsewhere, const Trial& trial, const Search& s, Tried& tried, double needed) {
+  const bool of_a_time = is_of_a_time(tried.effect);
+  if (elsewhere.is_empty() && (of_a_time || trial.runs.size() < 2)) return;
   const auto before = s.hypothesis();
-  const double gain = held_out_gain(trial, unused, before, s.now, with(before, *tried.form), tried.fit);
-  if (!unused.runs.empty()) tried.held_out = gain;  // without held-out runs the same runs have told it already
-  return gain > 1.0;
+  const double gain = held_out_gain(trial, elsewhere, before, s.now, with(before, *tried.form), tried.fit);
+  tried.refuted = !of_a_time && speaks_against(gain, tried.gain, needed);
+  if (!elsewhere.is_empty()) tried.held_out = of_a_time ? std::max(0.0, gain) : gain;  // without held-out runs the same runs have told it already
 }
 
 // ---------------------------------------------------------------- choice
@@ -298,14 +351,17 @@ bool holds_elsewhere(const Trial& trial, const Trial& unused, const Search& s, T
 /// Whether it may stand for what is missing: it matters, and no other run speaks against it.
 bool may_stand(const Tried& tried) { return !tried.trace && !tried.refuted; }
 
-/// Against nothing, which stands at the gain that is needed, and against the others that may stand.
+/// In log evidence of runs used and held out.
+double whole_gain(const Tried& tried) { return tried.gain + tried.held_out; }
+
+/// Against nothing, which stands at the gain that is needed, and against the others that may stand, or a trace that leads them all.
 double probability_of(const Tried& one, std::span<const Tried> tried, double needed) {
   if (!may_stand(one)) return 0.0;
-  const double gain = one.gain + one.held_out;
+  const double gain = whole_gain(one);
   double sum = 1.0 + std::exp((needed - gain) / evidence_excess);
   for (const auto& t : tried) {
     const bool itself = t.form->id == one.form->id && t.gain == one.gain;
-    if (may_stand(t) && !itself) sum += std::exp((t.gain - gain) / evidence_excess);
+    if ((may_stand(t) && !itself) || t.leads) sum += std::exp((whole_gain(t) - gain) / evidence_excess);
   }
   return 1.0 / sum;
 }
@@ -313,44 +369,48 @@ double probability_of(const Tried& one, std::span<const Tried> tried, double nee
 Accepted accepted_as(const Tried& best, std::span<const Tried> tried, double needed) {
   Accepted result{best.form, best.gain, probability_of(best, tried, needed), best.trace, best.widening, {}};
   for (const auto& t : tried) {
-    if (t.form->id == best.form->id || best.gain - t.gain > as_good || t.gain < as_good || !may_stand(t)) continue;
+    if (t.form->id == best.form->id || whole_gain(best) - whole_gain(t) > as_good || t.gain < as_good || !may_stand(t)) continue;
     if (std::ranges::none_of(result.rivals, [&](const Tried& r) { return r.form->id == t.form->id; })) result.rivals.push_back(t);
   }
   return result;
 }
 
-/// The best that matters, gains enough, in runs used and held out together, and holds elsewhere; a trace only where nothing that matters is nearly as good.
-/// What does not hold elsewhere is marked.
-std::optional<Tried> chosen(const Trial& trial, const Trial& unused, Search& s, std::span<Tried> tried, double needed, bool trace_may) {
+/// The best by runs used and held out that gains enough and that no other run speaks against; a trace only where nothing that matters is nearly as good.
+/// All that may lead are asked for held-out runs; where there are none, one after the other until one holds in each run by a fit to the others.
+std::optional<Tried> chosen(const Trial& trial, const Elsewhere& elsewhere, Search& s, std::span<Tried> tried, double needed, bool trace_may) {
+  if (tried.empty()) return std::nullopt;
+  const double least = elsewhere.is_empty() ? needed : std::max(0.5 * needed, may_lead * tried.front().gain);
+  std::optional<Tried> best, trace;
   for (auto& t : tried) {
-    if (!(t.gain > (unused.runs.empty() ? needed : 0.5 * needed))) break;
-    if (t.trace) {
-      if (!(t.gain > needed)) continue;
-      const bool leads = std::ranges::none_of(tried, [&](const Tried& o) { return !o.trace && o.gain > needed && o.gain > t.gain - as_good; });
-      if (trace_may && leads && holds_elsewhere(trial, unused, s, t)) return t;
-      continue;
-    }
+    if (!(t.gain > least)) break;
+    if (elsewhere.is_empty() && (best || (trace && t.gain < trace->gain - as_good))) break;
+    if (t.trace && !(trace_may && t.gain > needed)) continue;
     try {
-      auto whole = reduced(trial, s.hypothesis(), t, s.reduced);
-      t.refuted = !holds_elsewhere(trial, unused, s, whole);
-      if (!t.refuted && whole.gain + whole.held_out > needed) return whole;
+      auto whole = t.trace ? t : reduced(trial, s.hypothesis(), t, s.reduced);
+      ask(elsewhere, trial, s, whole, needed);
+      t.held_out = whole.held_out, t.refuted = whole.refuted;
+      if (whole.refuted || !(whole_gain(whole) > needed) || (whole.trace && !trace_may)) continue;
+      auto& place = whole.trace ? trace : best;
+      if (!place || whole_gain(whole) > whole_gain(*place)) place = std::move(whole);
     } catch (const Refusal&) {  // a ship with some of its terms alone cannot sail these runs
     }
   }
-  return std::nullopt;
+  if (!trace || (best && whole_gain(*best) > whole_gain(*trace) - as_good)) return best;
+  std::ranges::find(tried, trace->gain, &Tried::gain)->leads = true;
+  return trace;
 }
 
 // ---------------------------------------------------------------- doubt
 
 /// The same effects beside a baseline that is less well known, if runs used and held out gain more by that than by one more effect.
-std::optional<MapFit> doubt_instead(const Trial& trial, const Trial& unused, const Search& s, const Screen& screen, const Tried& best) try {
+std::optional<MapFit> doubt_instead(const Trial& trial, const Elsewhere& elsewhere, const Search& s, const Screen& screen, const Tried& best) try {
   const auto hypothesis = s.hypothesis();
   const auto less_sure = doubted(trial, less_known);
   if (linear_evidence(less_sure, hypothesis, screen) - linear_evidence(trial, hypothesis, screen) < worth_a_doubt * best.gain) return std::nullopt;
   auto found = fit(less_sure, hypothesis, s.now.point, s.now.noise, &screen.slopes);
   double gain = found.log_evidence - s.now.log_evidence;
-  if (!unused.runs.empty()) gain += held_out_gain(trial, unused, hypothesis, s.now, hypothesis, found);
-  if (!(gain > best.gain + best.held_out)) return std::nullopt;
+  if (!elsewhere.is_empty()) gain += held_out_gain(trial, elsewhere, hypothesis, s.now, hypothesis, found);
+  if (!(gain > whole_gain(best))) return std::nullopt;
   return found;
 } catch (const Refusal&) {
   return std::nullopt;
@@ -372,7 +432,8 @@ void map_unknown(const Trial& trial, const Trial& unused, Search& s, double need
   const auto tried = confirmed(trial, before, s.now, screen, {start}, 1);
   if (tried.empty() || !(tried.front().gain > needed)) return;
   auto map = reduced(trial, before, tried.front(), s.reduced);
-  if (!holds_elsewhere(trial, unused, s, map)) return;
+  ask(elsewhere_of(unused, before, s.now), trial, s, map, needed);
+  if (map.refuted) return;
   s.accepted.push_back(accepted_as(map, {&map, 1}, needed));
   s.now = map.fit;
 } catch (const Refusal&) {  // she cannot sail with such a force
@@ -391,6 +452,23 @@ Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covarianc
   for (Eigen::Index i = 0; i < precision.size(); ++i) precision[i] = std::pow(form.coordinates[static_cast<std::size_t>(i)].deviation, -2);
   const Eigen::MatrixXd prior = precision.asDiagonal();
   return (prior + (covariance.inverse() - prior) / evidence_excess).inverse();
+}
+
+Eigen::MatrixXd number_slopes(const Ship& ship, const EffectForm& form, const Point& c) {
+  constexpr double step = 1e-4;
+  const auto size = c.size();
+  const auto numbers_at = [&](const Point& p) { return numbers_of(ship, form.at({p.data(), static_cast<std::size_t>(size)})); };
+  Eigen::MatrixXd slopes(std::ssize(numbers_at(c)), size);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    Point up = c, down = c;
+    up[k] += step, down[k] -= step;
+    const auto a = numbers_at(up), b = numbers_at(down);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double change = a[i].value - b[i].value;
+      slopes(static_cast<Eigen::Index>(i), k) = (is_direction(a[i]) ? wrapped(change) : change) / (2.0 * step);
+    }
+  }
+  return slopes;
 }
 
 Spell spell_of(const Trial& trial, const Search& s, std::size_t accepted, double needed) {
@@ -452,9 +530,9 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
   s.located = located(trial, ship_at(trial, {}, s.null.point), s.null.noise);
   s.forms.assign(forms.begin(), forms.end());
   begin_where_force_is_missing(s.forms, s.located, length(trial.ship) / service_speed(trial.ship));
-  std::size_t findings = 0, traces = 0;
+  std::size_t findings = 0, instruments = 0, traces = 0;
   bool working = true;
-  while (working && findings < options.most_effects && (findings == 0 || s.now.noise.largest_scale() > adequate_scale)) {
+  while (working && findings < options.most_effects && (findings + instruments == 0 || s.now.noise.largest_scale() > adequate_scale)) {
     working = goes_on(s.accepted.empty() ? "trying every effect" : "trying a further effect");
     const auto before = s.hypothesis();
     const auto screen = screen_of(trial, before, s.now);
@@ -463,11 +541,12 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
     if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale) std::erase_if(promising, [](const Screened& c) { return c.promise.gain < 0.0; });
     auto tried = confirmed(trial, before, s.now, screen, promising, options.confirmed);
     const double needed = s.accepted.empty() ? options.detection : options.further;
-    const auto best = chosen(trial, unused, s, tried, needed, traces < most_traces);
+    const auto elsewhere = elsewhere_of(unused, before, s.now);
+    const auto best = chosen(trial, elsewhere, s, tried, needed, traces < most_traces);
     if (s.accepted.empty()) s.first = tried;
     if (!best) break;
     if (s.doubt * less_known < most_doubt)
-      if (auto instead = doubt_instead(trial, unused, s, screen, *best)) {
+      if (auto instead = doubt_instead(trial, elsewhere, s, screen, *best)) {
         trial = doubted(std::move(trial), less_known);
         s.doubt *= less_known;
         s.now = *std::move(instead);
@@ -476,7 +555,7 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
       }
     s.accepted.push_back(accepted_as(*best, tried, needed));
     s.now = best->fit;
-    ++(best->trace ? traces : findings);
+    ++(best->trace ? traces : is_of_an_instrument(best->effect) ? instruments : findings);
   }
   s.named_scale = s.now.noise.largest_scale();
   return s;

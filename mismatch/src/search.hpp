@@ -19,9 +19,10 @@ struct Tried {
   MapFit fit;
   double gain;    ///< in log evidence, the terms that it does better without left out; less where it has no name
   Effect effect;
-  bool trace;     ///< too small to matter
+  bool trace;     ///< too small to matter, or not told from nothing
   double held_out = 0.0;           ///< gain in log likelihood of held-out runs, where they were asked
   bool refuted = false;            ///< by runs that were not used
+  bool leads = false;              ///< a trace that is accepted before all others
   std::vector<double> widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
 };
 
@@ -64,6 +65,9 @@ inline constexpr double evidence_excess = 3.0;
 
 /// Covariance of the coordinates of an effect where the data count evidence_excess times less: (Λ + (C⁻¹ − Λ)/excess)⁻¹ with the prior's precision Λ.
 Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covariance);
+
+/// d(numbers)/d(coordinates) of an effect, numbers as `numbers_of` gives them.
+Eigen::MatrixXd number_slopes(const Ship& ship, const EffectForm& form, const Point& coordinates);
 
 /// When an effect that was accepted begins and ends to act, in the time of the runs.
 struct Spell {
