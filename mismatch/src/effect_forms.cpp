@@ -127,9 +127,12 @@ EffectForm stall_form(const Effect& null, std::span<const EffectNumber> numbers)
   return by_moves(null, {std::move(at), from_null(depth), by_factor(width, 0.5)}, {{0.25, 0.0, 0.0}, {0.4, 0.0, 0.0}});
 }
 
-EffectForm gap_form(const Effect& null) {
-  EffectForm form{.id = std::string(id_of(null)), .coordinates = {{.name = "from", .deviation = 0.3, .low = 0.0, .high = 0.5}, {.name = "loss", .low = 0.0, .high = 10.0}},
-                  .at = [](std::span<const double> c) { return Effect(RudderGap<double>{c[0], -c[1]}); }, .starts = {{0.1, 0.3}}};
+/// About the ship's own gap.
+EffectForm gap_form(const Effect& null, std::span<const EffectNumber> numbers) {
+  const double from = numbers[0].null, loss = -numbers[1].null;
+  EffectForm form{.id = std::string(id_of(null)),
+                  .coordinates = {{.name = "from", .centre = from, .deviation = 0.3, .low = 0.0, .high = std::max(0.5, from)}, {.name = "loss", .centre = loss, .low = 0.0, .high = 10.0 + loss}},
+                  .at = [](std::span<const double> c) { return Effect(RudderGap<double>{c[0], -c[1]}); }, .starts = {{from + 0.1, loss + 0.3}}};
   return form;
 }
 
@@ -204,7 +207,7 @@ EffectForm form_of(const Effect& null, std::span<const EffectNumber> numbers, co
   if (id == UnknownForce<>::id) return push_form(null, numbers, length(ship) / service_speed(ship), duration);
   if (id == "shallow_water") return shallow_form(null);
   if (id == "rudder_stall") return stall_form(null, numbers);
-  if (id == "rudder_gap") return gap_form(null);
+  if (id == "rudder_gap") return gap_form(null, numbers);
   if (id == "steering_gear_lag") return gear_form(null, ship, numbers.front());
   if (id == "roll_coupling") return roll_form(null, numbers);
   if (id == "fluid_memory") return memory_form(null, numbers, length(ship) / service_speed(ship));
@@ -221,13 +224,10 @@ EffectForm form_of(const Effect& null, std::span<const EffectNumber> numbers, co
 
 std::optional<EffectForm> ordinary_lift_loss(const Ship& ship) {
   const Effect null = make_effect("rudder_gap");
-  if (!cannot_act(ship.model, null).empty()) return std::nullopt;
+  const auto numbers = numbers_of(ship, null);
+  if (numbers.empty() || number_named(numbers, "s").null != 0.0) return std::nullopt;
   EffectForm form{.id = "rudder_gap", .coordinates = {{.name = "loss", .deviation = 0.2, .step = 0.02, .low = 0.0, .high = 1.0}}, .at = {}, .starts = {{0.0}}};
-  form.at = [null](std::span<const double> c) {
-    Effect effect = null;
-    std::get<RudderGap<double>>(effect).s = -c[0];
-    return effect;
-  };
+  form.at = [](std::span<const double> c) { return Effect(RudderGap<double>{0.0, -c[0]}); };
   return form;
 }
 
@@ -255,17 +255,20 @@ namespace {
 /// A rudder that loses less than this share of its lift at 35 deg does what every rudder does.
 constexpr double ordinary_loss = 0.1;
 
-bool is_lift_lost(const Effect& effect) {
+/// Whether a stall or a gap costs more lift than that, or another gap than the ship's own changes it by more.
+bool is_lift_lost(const Ship& ship, const Effect& effect) {
   const double alpha = radians(35.0);
   if (const auto* stall = std::get_if<RudderStall<double>>(&effect)) return 1.0 - stall_factor(Stall<double>{stall->angle, stall->depth, stall->width}, alpha) > ordinary_loss;
-  if (const auto* gap = std::get_if<RudderGap<double>>(&effect)) return 1.0 - open_gap_factor(gap->delta_lim, gap->s, alpha) > ordinary_loss;
-  return true;
+  if (!std::holds_alternative<RudderGap<double>>(effect)) return true;
+  const auto numbers = numbers_of(ship, effect);
+  const auto left = [&](double EffectNumber::*value) { return open_gap_factor(numbers[0].*value, numbers[1].*value, alpha); };
+  return std::abs(left(&EffectNumber::null) - left(&EffectNumber::value)) > ordinary_loss;
 }
 
 }  // namespace
 
 bool is_finding(const Ship& ship, const Effect& effect) {
-  return is_lift_lost(effect) &&
+  return is_lift_lost(ship, effect) &&
          std::ranges::any_of(numbers_of(ship, effect), [](const EffectNumber& n) { return n.decides && !(std::abs(n.value - n.null) <= n.floor); });
 }
 

@@ -33,7 +33,7 @@ struct EffectForm {
 
 /// A rudder whose lift falls a little with its angle, K = 1 − loss (delta)²: what every lift curve does and no linear one knows. It belongs to the
 /// baseline of every ship that has a place for it.
-/// @return nothing for other models
+/// @return nothing for other models, and where the ship has a gap of her own
 std::optional<EffectForm> ordinary_lift_loss(const Ship& ship);
 
 /// Whether a number is a direction on the earth, that wind and waves come from or a stream goes to.

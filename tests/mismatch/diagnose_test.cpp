@@ -223,6 +223,36 @@ TEST_CASE("names and order of the runs, the heading they were sailed on and a mi
 // ---------------------------------------------------------------- what has no name, and when
 
 /// A force of the map alone, which no effect with a name explains.
+// At one shaft speed a side force of the propeller is the twin of a rudder offset; where the shaft is slowed it is not.
+TEST_CASE("held-out runs tell twins apart that the runs used cannot", "[mismatch][second-route]") {
+  const Ship ship = test_ship();
+  for (const Effect& hidden : {Effect(RudderOffset<double>{radians(1.5)}), Effect(PropellerSideForce<double>{.share = 0.1})}) {
+    CAPTURE(id_of(hidden));
+    const auto real = with_effect(ship, hidden);
+    auto brief = sampled;
+    brief.duration = 40.0;
+    const auto gentle = zigzag(real, {.rudder = radians(5), .heading = radians(5)}, brief);
+    auto slowed = sampled;
+    slowed.rev = 0.3 * gentle.propulsion.rev;
+    const std::vector used{measured(gentle.run, "used.csv", 3)}, unused{measured(zigzag(real, {.rudder = radians(5), .heading = radians(5)}, slowed).run, "slowed.csv", 5)};
+    const auto d = diagnose(ship, used, {}, unused, quick());
+    finds(d, hidden);
+    const auto gain = [&](std::string_view id) { return std::ranges::find(d.candidates, id, &Candidate::effect)->log_evidence_gain; };
+    CHECK(std::abs(gain("rudder_offset") - gain("propeller_side_force")) < 10.0);
+  }
+}
+
+TEST_CASE("errors of instruments do not take the place of what acts on the ship", "[mismatch][round-trip]") {
+  const Ship ship = test_ship();
+  const auto real = with_effect(with_effect(with_effect(ship, RudderOffset<double>{radians(1.5)}), HeadingBias<double>{radians(3)}), LogScale<double>{0.93});
+  const auto d = diagnose(ship, trials(real), {}, held_out(real), {.most_effects = 1});
+  std::vector<std::string_view> found;
+  for (const auto& e : d.effects) found.push_back(id_of(e.effect));
+  CAPTURE(d.words);
+  for (const auto* id : {"rudder_offset", "heading_bias", "log_scale"}) CHECK(std::ranges::count(found, id) == 1);
+  CHECK(found.size() == 3);
+}
+
 TEST_CASE("a force without a name is said to be unknown, and its map predicts runs that were not used", "[mismatch][second-route]") {
   const Ship ship = test_ship();
   UnknownForce<double> strange;

@@ -6,10 +6,12 @@
 #include <random>
 #include <string_view>
 
+#include "files.hpp"
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/ship_file.hpp"
 #include "tank_instruments.hpp"
 
 /// Fits of a ship's numbers and of effects, from inside.
@@ -88,6 +90,20 @@ TEST_CASE("an imperfection whose axes and memory are apart is never the less lik
   CHECK(apart.log_likelihood >= one.log_likelihood);
   CHECK(apart.noise.axes[0] > apart.noise.axes[1]);
   CHECK(apart.noise.axes[0] > apart.noise.axes[2]);
+}
+
+TEST_CASE("a rudder that has a gap of her own keeps it in the baseline", "[mismatch][limit]") {
+  const Ship own = read_ship(test::ships / "wpcc_pi.toml"), none = test_ship();
+  CHECK(ordinary_lift_loss(none));
+  CHECK_FALSE(ordinary_lift_loss(own));
+  const auto runs = std::vector{zigzag(own, {.rudder = radians(20), .heading = radians(20)}, {.duration = 60.0, .step = 0.3}).run};
+  const auto trial = trial_of(own, runs, seen_channels(runs));
+  const auto pick = [](const Ship& ship) { return std::get<PiShip<double>>(ship.model).rudder; };
+  CHECK(pick(ship_at(trial, {}, trial.mean)).s == pick(own).s);
+  // her own gap is no effect, no gap at all is one
+  CHECK_FALSE(is_finding(own, RudderGap<double>{pick(own).delta_lim, pick(own).s}));
+  CHECK(is_finding(own, RudderGap<double>{0.0, 0.0}));
+  CHECK(is_finding(none, RudderGap<double>{0.1, -2.0}));
 }
 
 }  // namespace swayaw

@@ -37,6 +37,7 @@ class RandomEffects {
     if (id == HullLinearDerivatives<>::id || id == HullNonlinearDamping<>::id) keep_damped(effect, numbers);
     if (id == Gust<>::id) set_window(std::get<Gust<>>(effect), ship);
     if (id == UnknownForce<>::id) set_window(std::get<UnknownForce<>>(effect), ship);
+    if (auto* gap = std::get_if<RudderGap<>>(&effect)) gap->delta_lim = uniform(0.04, 0.08);  // opens in any zigzag
     if (auto* gear = std::get_if<SteeringGearLag<>>(&effect)) gear->rate = 0.5 * steering_gear(ship).rate;
     return effect;
   }

@@ -182,16 +182,17 @@ struct RudderStall {
 /// Lift lost to the gap between rudder and horn, 1 + s (|delta| − delta_lim)² beyond delta_lim.
 template <class S = double>
 struct RudderGap {
-  S delta_lim{};  ///< [rad]
-  S s{};          ///< [1/rad²]
+  S delta_lim{unchanged};  ///< [rad]
+  S s{unchanged};          ///< [1/rad²]
 
   static constexpr std::string_view id = "rudder_gap";
   static constexpr EffectPlace place = EffectPlace::force;
   static constexpr auto parameters() {
     using P = EffectParameter<RudderGap, S>;
-    return std::array{P{.key = "delta_lim_rad", .member = &RudderGap::delta_lim, .range = {.low = 0.0, .high = 0.5 * pi}, .prior = 0.2, .decides = false,
+    return std::array{P{.key = "delta_lim_rad", .member = &RudderGap::delta_lim, .range = {.low = 0.0, .high = 0.5 * pi}, .null = unchanged, .prior = 0.2, .decides = false,
                         .table = "rudder", .replaces = {"gap_angle_rad", {}}},
-                      P{.key = "s", .member = &RudderGap::s, .range = {.high = 0.0}, .prior = 1.0, .floor = 0.2, .table = "rudder", .replaces = {"gap_strength", {}}}};
+                      P{.key = "s", .member = &RudderGap::s, .range = {.high = 0.0}, .null = unchanged, .prior = 1.0, .floor = 0.2, .table = "rudder",
+                        .replaces = {"gap_strength", {}}}};
   }
 };
 
