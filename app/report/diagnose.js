@@ -363,6 +363,7 @@ function remarkOf(candidate, report) {
   if (report.effects.some(({ effect }) => effect === candidate.effect)) return report.verdict === 'unexplained' ? 'comes nearest' : 'found';
   const rivalOf = report.effects.find(({ indistinguishable_from: rivals }) => (rivals || []).includes(candidate.effect));
   if (rivalOf) return `explains the runs as well as ${nameOf(rivalOf.effect)}`;
+  if (candidate.refuted) return 'runs that were not used speak against it';
   if (candidate.trace) return 'a trace, too small to matter';
   return candidate.log_evidence_gain > 0 && candidate.log_evidence_gain < report.needed_gain ? 'gains less than a finding needs' : '';
 }
@@ -372,12 +373,13 @@ function gainBar(gain, top) {
   return el('td', { class: 'gain' }, el('span', { class: 'bar', style: `width: ${width.toFixed(2)}%` }));
 }
 
-function candidateRow(candidate, report, top) {
+function candidateRow(candidate, report, top, withHeldOut) {
   const remark = remarkOf(candidate, report);
   const gain = candidate.log_evidence_gain;
   const cells = row(
     el('th', { scope: 'row' }, capital(nameOf(candidate.effect)), ' ', small(candidate.effect)),
     el('td', {}, fixed(gain, 1)), gainBar(gain, top),
+    withHeldOut ? el('td', {}, isNumber(candidate.holdout_log_likelihood_gain) ? fixed(candidate.holdout_log_likelihood_gain, 1) : '') : null,
     el('td', {}, certainty(candidate.probability)),
     el('td', { class: 'words' }, remark));
   const isFound = report.effects.some(({ effect }) => effect === candidate.effect);
@@ -396,11 +398,12 @@ function rankingSection(report) {
   const top = Math.max(1, ...tried.map(({ log_evidence_gain: gain }) => gain || 0));
   const needed = isNumber(report.needed_gain) ? ` A finding needs ${trimmed(report.needed_gain)}.` : '';
   const beside = report.effects.some(({ effect }) => tried.every((candidate) => candidate.effect !== effect)) ? ' Effects that are not in this list were found beside the first.' : '';
-  const headings = [column('Effect, added alone'), column('Gain'), column(''), column('Probability'), el('th', { scope: 'col', style: 'text-align: left' }, '')];
+  const withHeldOut = tried.some(({ holdout_log_likelihood_gain: gain }) => isNumber(gain));
+  const headings = [column('Effect, added alone'), column('Gain'), column(''), ...(withHeldOut ? [column('Held out')] : []), column('Probability'), el('th', { scope: 'col', style: 'text-align: left' }, '')];
   return el('section', { class: 'part', id: 'ranking' }, el('h2', {}, 'What could explain it'),
-    table('ranking', headings, tried.map((candidate) => candidateRow(candidate, report, top))),
+    table('ranking', headings, tried.map((candidate) => candidateRow(candidate, report, top, withHeldOut))),
     el('p', { class: 'note' }, `Gain: how much more probable the runs are with the effect, as a natural logarithm, its numbers and those of the model refitted.${needed} ` +
-      `Probability: among these effects, each alone, and none of them.${beside}`));
+      `${withHeldOut ? 'Held out: the same for the likelihood of the held-out runs, without any refit, where it was asked. ' : ''}Probability: among these effects, each alone, and none of them.${beside}`));
 }
 
 // ---- proof by replay ---------------------------------------------------------------------

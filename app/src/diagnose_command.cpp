@@ -73,7 +73,8 @@ Json document_of(const Diagnosis& d) {
   for (const auto& p : d.location) location.push_back(place_json(p));
   for (const auto& e : d.effects) effects.push_back(effect_json(e));
   for (const auto& c : d.candidates)
-    candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"log_evidence_gain", number(c.log_evidence_gain)}, {"holdout_gain", number(c.holdout_gain)}, {"trace", c.trace}});
+    candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"log_evidence_gain", number(c.log_evidence_gain)}, {"holdout_log_likelihood_gain", number(c.holdout_log_likelihood_gain)},
+                          {"holdout_gain", number(c.holdout_gain)}, {"trace", c.trace}, {"refuted", c.refuted}});
   return {{"schema", "swayaw.diagnosis/1"}, {"version", version()}, {"verdict", name_of(d.verdict)}, {"words", d.words}, {"location", std::move(location)},
           {"effects", std::move(effects)}, {"candidates", std::move(candidates)}, {"doubt", number(d.doubt)}, {"imperfection", {{"refitted", number(d.refitted_imperfection)}, {"after", number(d.imperfection)}}},
           {"symmetry", d.symmetry}, {"traces", d.traces}, {"baseline_shift", shifts_json(d.shifts)}, {"linear", linear_json(d.linear)}, {"linear_words", words_of(d.linear)},

@@ -352,7 +352,7 @@ void ask(const Elsewhere& elsewhere, const Trial& trial, const Search& s, Tried&
 bool may_stand(const Tried& tried) { return !tried.trace && !tried.refuted; }
 
 /// In log evidence of runs used and held out.
-double whole_gain(const Tried& tried) { return tried.gain + tried.held_out; }
+double whole_gain(const Tried& tried) { return tried.gain + tried.held_out.value_or(0.0); }
 
 /// Against nothing, which stands at the gain that is needed, and against the others that may stand, or a trace that leads them all.
 double probability_of(const Tried& one, std::span<const Tried> tried, double needed) {
@@ -511,7 +511,7 @@ std::vector<Candidate> ranked(std::span<const Tried> tried, double needed) {
     const double probability = probability_of(t, tried, needed);
     const auto same = std::ranges::find(result, t.form->id, &Candidate::effect);
     if (same != result.end()) same->probability += probability;
-    else result.push_back({t.form->id, probability, t.gain, {}, t.trace});
+    else result.push_back({t.form->id, probability, t.gain, t.held_out, {}, t.trace, t.refuted});
   }
   return result;
 }
@@ -543,6 +543,7 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
     const double needed = s.accepted.empty() ? options.detection : options.further;
     const auto elsewhere = elsewhere_of(unused, before, s.now);
     const auto best = chosen(trial, elsewhere, s, tried, needed, traces < most_traces);
+    std::ranges::stable_sort(tried, std::greater{}, whole_gain);
     if (s.accepted.empty()) s.first = tried;
     if (!best) break;
     if (s.doubt * less_known < most_doubt)

@@ -20,10 +20,10 @@ struct Tried {
   double gain;    ///< in log evidence, the terms that it does better without left out; less where it has no name
   Effect effect;
   bool trace;     ///< too small to matter, or not told from nothing
-  double held_out = 0.0;           ///< gain in log likelihood of held-out runs, where they were asked
-  bool refuted = false;            ///< by runs that were not used
-  bool leads = false;              ///< a trace that is accepted before all others
-  std::vector<double> widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
+  std::optional<double> held_out{};  ///< gain in log likelihood of held-out runs, where they were asked
+  bool refuted = false;              ///< by runs that were not used
+  bool leads = false;                ///< a trace that is accepted before all others
+  std::vector<double> widening{};    ///< of the deviation of each coordinate, for terms that were tried with it and dropped
 };
 
 /// An effect that was accepted.
@@ -44,7 +44,7 @@ struct Search {
   Located located;                  ///< where the baseline alone lacks force
   std::vector<EffectForm> forms;    ///< that were tried
   std::vector<Accepted> accepted;   ///< in the order of acceptance, traces with them
-  std::vector<Tried> first;         ///< all that were tried alone, best first
+  std::vector<Tried> first;         ///< all that were tried alone, best first by runs used and held out
   std::deque<EffectForm> reduced;   ///< forms made by the search
 
   Hypothesis hypothesis(std::size_t count) const;

@@ -53,8 +53,10 @@ struct Candidate {
   std::string effect;
   double probability;
   double log_evidence_gain;
+  std::optional<double> holdout_log_likelihood_gain;  ///< of the held-out runs, where they were asked
   std::optional<double> holdout_gain;  ///< fall of the replay errors of held-out runs over the refitted baseline
-  bool trace;  ///< too small to matter
+  bool trace;    ///< too small to matter, or not told from nothing
+  bool refuted;  ///< by runs that were not used
 };
 
 /// Where force is missing in a run.
