@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <mutex>
@@ -81,7 +80,6 @@ Json diagnosis_of(const Riddle& riddle) {
 
 /// The answers to one case beside its truth. What cannot be diagnosed is a wrong answer.
 Json answered(const fs::path& folder, bool rivals_only) {
-  const auto start = std::chrono::steady_clock::now();
   Json line = Json::parse(read_text(folder / "truth.json"));
   line["case"] = folder.filename().string();
   const auto riddle = read_riddle(folder);
@@ -93,7 +91,6 @@ Json answered(const fs::path& folder, bool rivals_only) {
   } catch (const std::exception& trouble) {
     line["answer"] = {{"verdict", "failed"}, {"words", trouble.what()}, {"effects", Json::array()}, {"candidates", Json::array()}, {"holdout_ratio", nullptr}};
   }
-  line["seconds"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return line;
 }
 

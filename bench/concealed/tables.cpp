@@ -190,9 +190,6 @@ std::string overview(const std::vector<Json>& lines) {
   for (const auto* line : some) singles.add(*line);
   for (const auto* line : two) pairs.add(*line);
   int misnamed = 0;
-  std::vector<double> seconds;
-  for (const auto& line : lines)
-    if (line.contains("seconds")) seconds.push_back(line["seconds"].get<double>());
   for (const auto* line : strange) {
     unknown.add(*line);
     const auto& a = line->at("answer");
@@ -215,7 +212,6 @@ std::string overview(const std::vector<Json>& lines) {
   line("numbers in their 95 % interval", inside(singles.numbers), "90–99 %");
   line("median error of the onset of a gust [L/U]", plain(median(singles.onsets)), "≤ 1");
   line("median held-out ratio to the refitted baseline, effects of instruments left out", plain(median(singles.ratios)), "≤ 0.65");
-  line("median time of a case [s]", plain(median(seconds)), "");
   return text;
 }
 
