@@ -29,10 +29,6 @@ constexpr double quiet_scale = 0.6;     ///< of the imperfection, beside which w
 
 bool is_unknown(const EffectForm& form) { return form.id == UnknownForce<>::id; }
 
-bool is_of_an_instrument(const Effect& effect) {
-  return std::visit([](const auto& e) { return e.place == EffectPlace::sensor; }, effect);
-}
-
 /// The best start of a form, by what it promises.
 struct Screened {
   const EffectForm* form;
@@ -367,7 +363,7 @@ double probability_of(const Tried& one, std::span<const Tried> tried, double nee
 }
 
 Accepted accepted_as(const Tried& best, std::span<const Tried> tried, double needed) {
-  Accepted result{best.form, best.gain, probability_of(best, tried, needed), best.trace, best.widening, {}};
+  Accepted result{best, probability_of(best, tried, needed), {}};
   for (const auto& t : tried) {
     if (t.form->id == best.form->id || whole_gain(best) - whole_gain(t) > as_good || t.gain < as_good || !may_stand(t)) continue;
     if (std::ranges::none_of(result.rivals, [&](const Tried& r) { return r.form->id == t.form->id; })) result.rivals.push_back(t);
@@ -530,9 +526,9 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
   s.located = located(trial, ship_at(trial, {}, s.null.point), s.null.noise);
   s.forms.assign(forms.begin(), forms.end());
   begin_where_force_is_missing(s.forms, s.located, length(trial.ship) / service_speed(trial.ship));
-  std::size_t findings = 0, instruments = 0, traces = 0;
+  std::size_t findings = 0, traces = 0;
   bool working = true;
-  while (working && findings < options.most_effects && (findings + instruments == 0 || s.now.noise.largest_scale() > adequate_scale)) {
+  while (working && findings < options.most_effects && (findings == 0 || s.now.noise.largest_scale() > adequate_scale)) {
     working = goes_on(s.accepted.empty() ? "trying every effect" : "trying a further effect");
     const auto before = s.hypothesis();
     const auto screen = screen_of(trial, before, s.now);
@@ -556,7 +552,7 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
       }
     s.accepted.push_back(accepted_as(*best, tried, needed));
     s.now = best->fit;
-    ++(best->trace ? traces : is_of_an_instrument(best->effect) ? instruments : findings);
+    ++(best->trace ? traces : findings);
   }
   s.named_scale = s.now.noise.largest_scale();
   return s;

@@ -27,13 +27,9 @@ struct Tried {
 };
 
 /// An effect that was accepted.
-struct Accepted {
-  const EffectForm* form;
-  double gain;
-  double probability;               ///< against the others that were tried with it, and against nothing
-  bool trace;
-  std::vector<double> widening;     ///< of the deviation of each coordinate, for terms that were dropped
-  std::vector<Tried> rivals;        ///< whose evidence is as good, one for each effect
+struct Accepted : Tried {
+  double probability;         ///< against the others that were tried with it, and against nothing
+  std::vector<Tried> rivals;  ///< whose evidence is as good, one for each effect
 };
 
 struct Search {

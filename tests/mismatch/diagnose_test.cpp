@@ -242,17 +242,6 @@ TEST_CASE("held-out runs tell twins apart that the runs used cannot", "[mismatch
   }
 }
 
-TEST_CASE("errors of instruments do not take the place of what acts on the ship", "[mismatch][round-trip]") {
-  const Ship ship = test_ship();
-  const auto real = with_effect(with_effect(with_effect(ship, RudderOffset<double>{radians(1.5)}), HeadingBias<double>{radians(3)}), LogScale<double>{0.93});
-  const auto d = diagnose(ship, trials(real), {}, held_out(real), {.most_effects = 1});
-  std::vector<std::string_view> found;
-  for (const auto& e : d.effects) found.push_back(id_of(e.effect));
-  CAPTURE(d.words);
-  for (const auto* id : {"rudder_offset", "heading_bias", "log_scale"}) CHECK(std::ranges::count(found, id) == 1);
-  CHECK(found.size() == 3);
-}
-
 TEST_CASE("a force without a name is said to be unknown, and its map predicts runs that were not used", "[mismatch][second-route]") {
   const Ship ship = test_ship();
   UnknownForce<double> strange;

@@ -20,7 +20,7 @@ namespace swayaw {
 struct DiagnosisOptions {
   double detection = 15.0;  ///< gain in log evidence that an effect must bring
   double further = 20.0;    ///< that a second and third effect must bring
-  std::size_t most_effects = 3;  ///< errors of instruments come besides
+  std::size_t most_effects = 3;
   std::size_t confirmed = 6;  ///< candidates of the screening that are fitted until they converge
   bool pictures = false;      ///< whether the runs are wanted as people look at them
   std::function<bool(std::string_view)> progress = {};  ///< told what is going on; false ends the work with what is known
