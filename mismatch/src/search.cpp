@@ -198,25 +198,6 @@ bool acts(const EffectForm& form, const MapFit& found) {
   return false;
 }
 
-/// Whether the numbers that decide are told from those of no effect, zᵀC⁻¹z > 4 with their covariance C: a gust that kicked her for an instant may gain much,
-/// and yet be of any size.
-bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
-  const auto size = std::ssize(form.coordinates);
-  const Point c = found.point.tail(size);
-  const auto numbers = numbers_of(ship, form.at({c.data(), static_cast<std::size_t>(size)}));
-  std::vector<Eigen::Index> deciding;
-  std::vector<double> departures;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (!numbers[i].decides) continue;
-    if (!std::isfinite(numbers[i].value - numbers[i].null)) return true;
-    deciding.push_back(static_cast<Eigen::Index>(i)), departures.push_back(numbers[i].value - numbers[i].null);
-  }
-  const Eigen::MatrixXd slopes = number_slopes(ship, form, c)(deciding, Eigen::all);
-  const Eigen::MatrixXd C = slopes * widened(form, found.covariance.bottomRightCorner(size, size)) * slopes.transpose();
-  const Eigen::Map<const Eigen::VectorXd> z(departures.data(), std::ssize(departures));
-  return !(z.dot(C.completeOrthogonalDecomposition().solve(z)) < 4.0);
-}
-
 /// Too small to matter, or no more than what explains a heel, or not told from nothing.
 bool is_trace(const Ship& ship, const EffectForm& form, const MapFit& found, const Effect& effect) {
   return !is_finding(ship, effect) || !acts(form, found) || !is_told(ship, form, found);
@@ -465,6 +446,23 @@ Eigen::MatrixXd number_slopes(const Ship& ship, const EffectForm& form, const Po
     }
   }
   return slopes;
+}
+
+bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
+  const auto size = std::ssize(form.coordinates);
+  const Point c = found.point.tail(size);
+  const auto numbers = numbers_of(ship, form.at({c.data(), static_cast<std::size_t>(size)}));
+  std::vector<Eigen::Index> deciding;
+  std::vector<double> departures;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!numbers[i].decides) continue;
+    if (!std::isfinite(numbers[i].value - numbers[i].null)) return true;
+    deciding.push_back(static_cast<Eigen::Index>(i)), departures.push_back(numbers[i].value - numbers[i].null);
+  }
+  const Eigen::MatrixXd slopes = number_slopes(ship, form, c)(deciding, Eigen::all);
+  const Eigen::MatrixXd C = slopes * widened(form, found.covariance.bottomRightCorner(size, size)) * slopes.transpose();
+  const Eigen::Map<const Eigen::VectorXd> z(departures.data(), std::ssize(departures));
+  return !(z.dot(C.completeOrthogonalDecomposition().solve(z)) < 4.0);
 }
 
 Spell spell_of(const Trial& trial, const Search& s, std::size_t accepted, double needed) {

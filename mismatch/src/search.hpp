@@ -65,6 +65,10 @@ Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covarianc
 /// d(numbers)/d(coordinates) of an effect, numbers as `numbers_of` gives them.
 Eigen::MatrixXd number_slopes(const Ship& ship, const EffectForm& form, const Point& coordinates);
 
+/// Whether the numbers that decide are told from those of no effect, zᵀC⁻¹z > 4 with their covariance C: a gust that kicked her for an instant may gain much,
+/// and yet be of any size. The effect is the last of the fit.
+bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found);
+
 /// When an effect that was accepted begins and ends to act, in the time of the runs.
 struct Spell {
   std::optional<double> onset, end;  ///< [s]; nothing where it acts from the first, to the last

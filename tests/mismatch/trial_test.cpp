@@ -8,10 +8,12 @@
 
 #include "files.hpp"
 #include "random_ships.hpp"
+#include "search.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
+#include "swayaw/nonlinear/windage_sources.hpp"
 #include "tank_instruments.hpp"
 
 /// Fits of a ship's numbers and of effects, from inside.
@@ -104,6 +106,48 @@ TEST_CASE("a rudder that has a gap of her own keeps it in the baseline", "[misma
   CHECK_FALSE(is_finding(own, RudderGap<double>{pick(own).delta_lim, pick(own).s}));
   CHECK(is_finding(own, RudderGap<double>{0.0, 0.0}));
   CHECK(is_finding(none, RudderGap<double>{0.1, -2.0}));
+}
+
+TEST_CASE("numbers of an effect change with its coordinates as their slopes say", "[mismatch][second-route]") {
+  const Ship ship = test_ship();
+  const std::vector<Channel> channels{Channel::psi};
+  for (const auto& form : effect_forms(ship, channels, 90.0)) {
+    CAPTURE(form.id);
+    Point c(std::ssize(form.coordinates));
+    for (Eigen::Index i = 0; i < c.size(); ++i) {
+      const auto& k = form.coordinates[static_cast<std::size_t>(i)];
+      c[i] = std::clamp(k.centre + 0.3 * k.deviation, k.low, k.high);
+    }
+    const auto at = [&](const Point& p) { return numbers_of(ship, form.at({p.data(), form.coordinates.size()})); };
+    const auto slopes = number_slopes(ship, form, c);
+    for (Eigen::Index i = 0; i < c.size(); ++i) {
+      Point moved = c;
+      moved[i] += 1e-6;
+      const auto before = at(c), after = at(moved);
+      for (std::size_t n = 0; n < before.size(); ++n) {
+        const double slope = (after[n].value - before[n].value) / 1e-6;
+        if (std::isfinite(slope)) CHECK(slopes(static_cast<Eigen::Index>(n), i) == Approx(slope).epsilon(1e-3).margin(1e-4 * std::abs(before[n].value) + 1e-6));
+      }
+    }
+  }
+}
+
+TEST_CASE("an effect is told from nothing where its size is, whatever is known of the rest", "[mismatch][limit]") {
+  Ship ship = test_ship();
+  ship.surroundings.windage = *windage_from({.frontal = 1.0, .lateral = 4.0, .length = length(ship)});
+  const std::vector<Channel> channels{Channel::psi};
+  const auto forms = effect_forms(ship, channels, 90.0);
+  const auto told = [&](std::string_view id, std::vector<double> point, std::vector<double> deviations) {
+    const auto& form = *std::ranges::find(forms, id, &EffectForm::id);
+    REQUIRE(form.coordinates.size() == point.size());
+    const Eigen::VectorXd variances = Eigen::Map<const Eigen::VectorXd>(deviations.data(), std::ssize(deviations)).array().square();
+    return is_told(ship, form, {.point = Eigen::Map<const Eigen::VectorXd>(point.data(), std::ssize(point)), .log_evidence = 0.0, .noise = {}, .covariance = variances.asDiagonal()});
+  };
+  CHECK(told("gust", {0.5, 0.0, 4.0, 6.0}, {0.05, 0.05, 1.0, 1.0}));
+  CHECK_FALSE(told("gust", {0.5, 0.0, 4.0, 6.0}, {0.5, 0.05, 0.001, 0.001}));
+  CHECK(told("gust", {0.0, 0.5, 4.0, 6.0}, {0.5, 0.05, 1.0, 1.0}));  // across the wind nothing needs to be known
+  CHECK(told("rudder_offset", {0.5}, {0.05}));
+  CHECK_FALSE(told("rudder_offset", {0.5}, {0.5}));
 }
 
 }  // namespace swayaw
