@@ -231,6 +231,23 @@ std::optional<EffectForm> ordinary_lift_loss(const Ship& ship) {
   return form;
 }
 
+Eigen::MatrixXd number_slopes(const Ship& ship, const EffectForm& form, const Eigen::VectorXd& c) {
+  constexpr double step = 1e-4;
+  const auto size = c.size();
+  const auto numbers_at = [&](const Eigen::VectorXd& p) { return numbers_of(ship, form.at({p.data(), static_cast<std::size_t>(size)})); };
+  Eigen::MatrixXd slopes(std::ssize(numbers_at(c)), size);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    Eigen::VectorXd up = c, down = c;
+    up[k] += step, down[k] -= step;
+    const auto a = numbers_at(up), b = numbers_at(down);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double change = a[i].value - b[i].value;
+      slopes(static_cast<Eigen::Index>(i), k) = (is_direction(a[i]) ? wrapped(change) : change) / (2.0 * step);
+    }
+  }
+  return slopes;
+}
+
 EffectForm unknown_map(const Ship& ship) {
   const Effect null = make_effect(UnknownForce<>::id);
   auto terms = numbers_of(ship, null);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <span>
 #include <string>
@@ -38,6 +39,9 @@ std::optional<EffectForm> ordinary_lift_loss(const Ship& ship);
 
 /// Whether a number is a direction on the earth, that wind and waves come from or a stream goes to.
 bool is_direction(const EffectNumber& number);
+
+/// d(numbers)/d(coordinates) of an effect, numbers as `numbers_of` gives them; directions turn the short way.
+Eigen::MatrixXd number_slopes(const Ship& ship, const EffectForm& form, const Eigen::VectorXd& coordinates);
 
 /// All candidates for a ship, the channels of her runs and their longest duration [s]; the last is a constant force without a name that begins and ends.
 std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> channels, double duration);

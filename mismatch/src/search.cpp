@@ -6,7 +6,6 @@
 #include <cmath>
 #include <map>
 
-#include "swayaw/core/angle.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 
@@ -358,6 +357,7 @@ std::optional<Tried> chosen(const Trial& trial, const Elsewhere& elsewhere, Sear
   if (tried.empty()) return std::nullopt;
   const double least = elsewhere.is_empty() ? needed : std::max(0.5 * needed, may_lead * tried.front().gain);
   std::optional<Tried> best, trace;
+  Tried* leader = nullptr;  // that the trace comes from
   for (auto& t : tried) {
     if (!(t.gain > least)) break;
     if (elsewhere.is_empty() && (best || (trace && t.gain < trace->gain - as_good))) break;
@@ -368,12 +368,14 @@ std::optional<Tried> chosen(const Trial& trial, const Elsewhere& elsewhere, Sear
       t.held_out = whole.held_out, t.refuted = whole.refuted;
       if (whole.refuted || !(whole_gain(whole) > needed) || (whole.trace && !trace_may)) continue;
       auto& place = whole.trace ? trace : best;
-      if (!place || whole_gain(whole) > whole_gain(*place)) place = std::move(whole);
+      if (place && !(whole_gain(whole) > whole_gain(*place))) continue;
+      if (whole.trace) leader = &t;
+      place = std::move(whole);
     } catch (const Refusal&) {  // a ship with some of its terms alone cannot sail these runs
     }
   }
   if (!trace || (best && whole_gain(*best) > whole_gain(*trace) - as_good)) return best;
-  std::ranges::find(tried, trace->gain, &Tried::gain)->leads = true;
+  leader->leads = true;
   return trace;
 }
 
@@ -429,23 +431,6 @@ Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covarianc
   for (Eigen::Index i = 0; i < precision.size(); ++i) precision[i] = std::pow(form.coordinates[static_cast<std::size_t>(i)].deviation, -2);
   const Eigen::MatrixXd prior = precision.asDiagonal();
   return (prior + (covariance.inverse() - prior) / evidence_excess).inverse();
-}
-
-Eigen::MatrixXd number_slopes(const Ship& ship, const EffectForm& form, const Point& c) {
-  constexpr double step = 1e-4;
-  const auto size = c.size();
-  const auto numbers_at = [&](const Point& p) { return numbers_of(ship, form.at({p.data(), static_cast<std::size_t>(size)})); };
-  Eigen::MatrixXd slopes(std::ssize(numbers_at(c)), size);
-  for (Eigen::Index k = 0; k < size; ++k) {
-    Point up = c, down = c;
-    up[k] += step, down[k] -= step;
-    const auto a = numbers_at(up), b = numbers_at(down);
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      const double change = a[i].value - b[i].value;
-      slopes(static_cast<Eigen::Index>(i), k) = (is_direction(a[i]) ? wrapped(change) : change) / (2.0 * step);
-    }
-  }
-  return slopes;
 }
 
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {

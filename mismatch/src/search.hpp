@@ -62,9 +62,6 @@ inline constexpr double evidence_excess = 3.0;
 /// Covariance of the coordinates of an effect where the data count evidence_excess times less: (Λ + (C⁻¹ − Λ)/excess)⁻¹ with the prior's precision Λ.
 Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covariance);
 
-/// d(numbers)/d(coordinates) of an effect, numbers as `numbers_of` gives them.
-Eigen::MatrixXd number_slopes(const Ship& ship, const EffectForm& form, const Point& coordinates);
-
 /// Whether the numbers that decide are told from those of no effect, zᵀC⁻¹z > 4 with their covariance C: a gust that kicked her for an instant may gain much,
 /// and yet be of any size. The effect is the last of the fit.
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found);

@@ -2,8 +2,10 @@
 
 #include <atomic>
 #include <catch.hpp>
+#include <mutex>
 #include <set>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace swayaw {
@@ -16,6 +18,23 @@ TEST_CASE("every part of a work is done once", "[core][limit]") {
   }
 }
 
+namespace {
+
+/// How many threads two parts take that wait for each other, so that one could not do both.
+std::size_t threads_of_two_parts() {
+  std::mutex guard;
+  std::set<std::thread::id> threads;
+  std::atomic<int> waiting = 2;
+  in_parallel(2, 2, [&](std::size_t) {
+    for (--waiting; waiting > 0;) std::this_thread::yield();
+    const std::scoped_lock lock(guard);
+    threads.insert(std::this_thread::get_id());
+  });
+  return threads.size();
+}
+
+}  // namespace
+
 TEST_CASE("parts of a part stay on its thread", "[core][limit]") {
   std::atomic<int> strayed = 0, done = 0;
   in_parallel(6, 3, [&](std::size_t) {
@@ -24,15 +43,7 @@ TEST_CASE("parts of a part stay on its thread", "[core][limit]") {
   });
   CHECK(strayed == 0);
   CHECK(done == 30);
-  std::mutex guard;
-  std::set<std::thread::id> threads;
-  std::atomic<int> waiting = 2;  // each part waits for the other, so one thread could not do both
-  in_parallel(2, 2, [&](std::size_t) {
-    for (--waiting; waiting > 0;) std::this_thread::yield();
-    const std::scoped_lock lock(guard);
-    threads.insert(std::this_thread::get_id());
-  });
-  CHECK(threads.size() == 2);  // the calling thread shares its work again once a part is done
+  CHECK(threads_of_two_parts() == 2);  // the calling thread shares its work again once a part is done
 }
 
 TEST_CASE("what fails in a part reaches the caller, and later work is shared as before", "[core][refusal]") {

@@ -132,6 +132,23 @@ TEST_CASE("numbers of an effect change with its coordinates as their slopes say"
   }
 }
 
+TEST_CASE("speed and direction of a wind change with its parts as a point does on the plane, across south too", "[mismatch][second-route]") {
+  Ship ship = test_ship();
+  ship.surroundings.windage = *windage_from({.frontal = 1.0, .lateral = 4.0, .length = length(ship)});
+  const std::vector<Channel> channels{Channel::psi};
+  const auto forms = effect_forms(ship, channels, 90.0);
+  const auto& wind = *std::ranges::find(forms, "steady_wind", &EffectForm::id);
+  const double unit = numbers_of(ship, make_effect("steady_wind")).front().prior;
+  for (const double from : {0.0, 0.5 * pi, 2.0, -pi, pi}) {
+    const double size = 0.7, n = std::cos(from), e = std::sin(from);
+    const auto slopes = number_slopes(ship, wind, Eigen::Vector2d(size * n, size * e));
+    CHECK(slopes(0, 0) == Approx(unit * n).margin(1e-6 * unit));
+    CHECK(slopes(0, 1) == Approx(unit * e).margin(1e-6 * unit));
+    CHECK(slopes(1, 0) == Approx(-e / size).margin(1e-6));
+    CHECK(slopes(1, 1) == Approx(n / size).margin(1e-6));
+  }
+}
+
 TEST_CASE("an effect is told from nothing where its size is, whatever is known of the rest", "[mismatch][limit]") {
   Ship ship = test_ship();
   ship.surroundings.windage = *windage_from({.frontal = 1.0, .lateral = 4.0, .length = length(ship)});
