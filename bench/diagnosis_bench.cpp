@@ -30,7 +30,8 @@ Recording noisy(Recording run, const Ship& ship, unsigned seed) {
 /// Two zigzags and a turn of 1,000 samples each, with a rudder that is 1.5 deg off.
 std::vector<Recording> three_runs(const Ship& ship) {
   const ManoeuvreOptions options{.duration = 119.88, .step = 0.12};
-  return {noisy(zigzag(ship, {radians(10.0), radians(10.0)}, options).run, ship, 1), noisy(zigzag(ship, {radians(20.0), radians(20.0)}, options).run, ship, 2),
+  return {noisy(zigzag(ship, {radians(10.0), radians(10.0)}, options).run, ship, 1),
+          noisy(zigzag(ship, {radians(20.0), radians(20.0)}, options).run, ship, 2),
           noisy(turning_circle(ship, {radians(35.0), Side::starboard}, options).run, ship, 3)};
 }
 

@@ -16,13 +16,16 @@ constexpr std::size_t sample_count = 20'000;
 /// 20,000 samples at 20 Hz of a 20/20 zigzag, seen as position and heading with noise.
 Recording noisy_zigzag(const Ship& ship) {
   constexpr double step = 0.05;
-  auto run = zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, {.duration = step * (sample_count + 1), .step = step}).run;
+  auto run = zigzag(ship, {.rudder = radians(20), .heading = radians(20)},
+                    {.duration = step * (sample_count + 1), .step = step})
+                 .run;
   run.time.resize(sample_count);
   for (auto& column : run.channels)
     if (!column.empty()) column.resize(sample_count);
   for (const Channel c : {Channel::u, Channel::v, Channel::r}) run.channels[index_of(c)].clear();
   std::mt19937_64 engine(1);
-  for (const auto& [channel, deviation] : {std::pair{Channel::x, 0.02}, {Channel::y, 0.02}, {Channel::psi, radians(0.1)}}) {
+  for (const auto& [channel, deviation] :
+       {std::pair{Channel::x, 0.02}, {Channel::y, 0.02}, {Channel::psi, radians(0.1)}}) {
     std::normal_distribution<double> noise(0.0, deviation);
     for (double& value : run.fill(channel)) value += noise(engine);
   }
@@ -30,13 +33,15 @@ Recording noisy_zigzag(const Ship& ship) {
 }
 
 EstimationOptions known_noise() {
-  EstimationOptions options{.channels = {Channel::x, Channel::y, Channel::psi}, .imperfection = Imperfection{{1e-3, 1e-3, 1e-4}}};
+  EstimationOptions options{.channels = {Channel::x, Channel::y, Channel::psi},
+                            .imperfection = Imperfection{{1e-3, 1e-3, 1e-4}}};
   for (const Channel c : {Channel::x, Channel::y}) options.noise[index_of(c)] = 0.02;
   options.noise[index_of(Channel::psi)] = radians(0.1);
   return options;
 }
 
-/// Filter, or filter and smoother, over 20,000 samples with noise known; 6 states, or 9 with the unmodelled accelerations.
+/// Filter, or filter and smoother, over 20,000 samples with noise known; 6 states, or 9 with the unmodelled
+/// accelerations.
 void states_20000(benchmark::State& state, const char* ship_name, bool coloured, bool smooth) {
   const Ship ship = read_ship(std::string(SWAYAW_BENCH_SHIPS "/") + ship_name);
   const auto run = noisy_zigzag(ship);
@@ -44,7 +49,8 @@ void states_20000(benchmark::State& state, const char* ship_name, bool coloured,
   options.coloured = coloured;
   options.smooth = smooth;
   for (auto _ : state) benchmark::DoNotOptimize(estimate_states(ship, run, options));
-  state.counters["per_sample"] = benchmark::Counter(sample_count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_sample"] =
+      benchmark::Counter(sample_count, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   tell_ratio(state);
 }
 BENCHMARK_CAPTURE(states_20000, kvlcc2_6_filtered, "kvlcc2_l7.toml", false, false)->Unit(benchmark::kMillisecond);
@@ -61,7 +67,8 @@ void noise_of_1000_samples(benchmark::State& state) {
   run.time.resize(1000);
   for (auto& column : run.channels)
     if (!column.empty()) column.resize(1000);
-  for (auto _ : state) benchmark::DoNotOptimize(estimate_noise(ship, {&run, 1}, {.channels = {Channel::x, Channel::y, Channel::psi}}));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(estimate_noise(ship, {&run, 1}, {.channels = {Channel::x, Channel::y, Channel::psi}}));
   tell_ratio(state);
 }
 BENCHMARK(noise_of_1000_samples)->Unit(benchmark::kMillisecond);

@@ -39,7 +39,9 @@ void trajectory_fit_10_numbers_888_samples(benchmark::State& state) {
   std::vector<double> off;
   for (const auto& n : numbers) off.push_back(n.value * (off.size() % 2 == 0 ? 1.1 : 0.9));
   const Ship start = with_values(ship, numbers, off);
-  const TrajectoryFitOptions options{.numbers = ten, .channels = {Channel::x, Channel::y, Channel::psi, Channel::r, Channel::u}, .threads = static_cast<unsigned>(state.range(0))};
+  const TrajectoryFitOptions options{.numbers = ten,
+                                     .channels = {Channel::x, Channel::y, Channel::psi, Channel::r, Channel::u},
+                                     .threads = static_cast<unsigned>(state.range(0))};
   TrajectoryFit fit{};
   for (auto _ : state) fit = fit_trajectories(start, run, options);
   state.counters["samples"] = static_cast<double>(run.samples());

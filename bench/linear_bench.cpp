@@ -18,7 +18,10 @@ constexpr SteeringIndices<double> tanker_indices{10.491 * 0.298, 10.491 + 0.298,
 
 /// 10/10 zigzag at 2.5 deg/s.
 LinearZigzagOrder ten_ten(std::int64_t reversals) {
-  return {.rudder = radians(10), .heading = radians(10), .rate = radians(2.5) * 13.39, .reversals = static_cast<std::size_t>(reversals)};
+  return {.rudder = radians(10),
+          .heading = radians(10),
+          .rate = radians(2.5) * 13.39,
+          .reversals = static_cast<std::size_t>(reversals)};
 }
 
 /// Exact switches, peaks and overshoots of N reversals.
@@ -48,7 +51,8 @@ void linear_zigzag_dual2(benchmark::State& state) {
   using D = Dual<2>;
   const auto order = ten_ten(3);
   const auto& i = tanker_indices;
-  const auto ship = coefficients_from(SteeringIndices<D>{D(i.T1T2), D(i.T1_plus_T2), D(i.T3b, 0), D(i.T3w, 1), D(i.Kb), D(i.Kw)});
+  const auto ship =
+      coefficients_from(SteeringIndices<D>{D(i.T1T2), D(i.T1_plus_T2), D(i.T3b, 0), D(i.T3w, 1), D(i.Kb), D(i.Kw)});
   const auto zigzag = linear_zigzag(coefficients_from(i), order);
   for (auto _ : state) benchmark::DoNotOptimize(carried_through(zigzag, ship, order));
   tell_ratio(state);
@@ -64,7 +68,8 @@ struct Fleet {
     std::uniform_real_distribution<double> about(0.95, 1.05);
     for (std::size_t i = 0; i < ships; ++i) {
       std::size_t c = 0;
-      for (const double x : {tanker.a1, tanker.b1, tanker.c1, tanker.a2, tanker.b2, tanker.c2}) columns[c++].push_back(x * about(engine));
+      for (const double x : {tanker.a1, tanker.b1, tanker.c1, tanker.a2, tanker.b2, tanker.c2})
+        columns[c++].push_back(x * about(engine));
     }
   }
   ShipColumns ships() const { return {columns[0], columns[1], columns[2], columns[3], columns[4], columns[5]}; }
@@ -76,7 +81,8 @@ void linear_zigzag_batch(benchmark::State& state, InstructionSet set) {
   const Fleet fleet(4096);
   ZigzagTable table;
   for (auto _ : state) zigzag_batch(fleet.ships(), order, table, {.threads = 1, .set = set});
-  state.counters["per_ship"] = benchmark::Counter(4096.0, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_ship"] =
+      benchmark::Counter(4096.0, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   tell_ratio(state, 4096.0);
 }
 BENCHMARK_CAPTURE(linear_zigzag_batch, numbers, InstructionSet::numbers)->Arg(3);

@@ -9,7 +9,8 @@ int main(int count, char** arguments) {
   benchmark::Initialize(&count, arguments);
   if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 2;
   const auto& reference = swayaw::bench::reference_times();
-  std::fprintf(stderr, "reference: atan2 %.2f ns, fused multiply-add %.3f ns\n", 1e9 * reference.atan2, 1e9 * reference.fused_multiply_add);
+  std::fprintf(stderr, "reference: atan2 %.2f ns, fused multiply-add %.3f ns\n", 1e9 * reference.atan2,
+               1e9 * reference.fused_multiply_add);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

@@ -73,15 +73,16 @@ std::vector<MmgShip<double>> perturbed(std::size_t count) {
   return ships;
 }
 
-/// 10/10 zigzags of 10,000 perturbed ships over 100 s at the tolerance 10^-N on one core; with the largest error of a switch
-/// among the first hundred.
+/// 10/10 zigzags of 10,000 perturbed ships over 100 s at the tolerance 10^-N on one core; with the largest error of a
+/// switch among the first hundred.
 void kvlcc2_zigzag_batch_10000(benchmark::State& state, InstructionSet set) {
   if (!available(set)) return state.SkipWithError("instruction set not available");
   const auto ships = perturbed(10'000);
   const ZigzagOrder order{.rudder = radians(10), .heading = radians(10), .first = Side::starboard};
   const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
   const auto sail = [&](std::size_t count, double to) {
-    return zigzag_batch(std::span(ships).first(count), order, {.reversals = 8, .duration = 100.0, .tolerance = to, .batch = {.threads = 1, .set = set}});
+    return zigzag_batch(std::span(ships).first(count), order,
+                        {.reversals = 8, .duration = 100.0, .tolerance = to, .batch = {.threads = 1, .set = set}});
   };
   for (auto _ : state) benchmark::DoNotOptimize(sail(ships.size(), tolerance));
   const auto batch = sail(100, tolerance), exact = sail(100, 1e-11);
@@ -89,12 +90,15 @@ void kvlcc2_zigzag_batch_10000(benchmark::State& state, InstructionSet set) {
   for (std::size_t i = 0; i < exact.time.size(); ++i)
     if (std::isfinite(exact.time[i])) error = std::max(error, std::abs(batch.time[i] - exact.time[i]));
   state.counters["switch_error_s"] = error;
-  state.counters["per_ship"] = benchmark::Counter(1e4, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_ship"] =
+      benchmark::Counter(1e4, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   tell_ratio(state, 1e4);
 }
 BENCHMARK_CAPTURE(kvlcc2_zigzag_batch_10000, baseline, InstructionSet::baseline)->Arg(6)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(kvlcc2_zigzag_batch_10000, avx2, InstructionSet::avx2)->Arg(6)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(kvlcc2_zigzag_batch_10000, avx512, InstructionSet::avx512)->DenseRange(6, 8)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(kvlcc2_zigzag_batch_10000, avx512, InstructionSet::avx512)
+    ->DenseRange(6, 8)
+    ->Unit(benchmark::kMillisecond);
 
 void kvlcc2_turn_35(benchmark::State& state) {
   const Ship ship = kvlcc2_ship();

@@ -17,7 +17,8 @@ void pi_right_hand_side(benchmark::State& state) {
   for (auto _ : state) {
     const std::size_t k = i++ & 1023;
     const auto& s = motions[k];
-    benchmark::DoNotOptimize(right_hand_side(ship, s.motion.r * 10.0, s.motion, forces(ship, s.motion, s.controls, branches[k])));
+    benchmark::DoNotOptimize(
+        right_hand_side(ship, s.motion.r * 10.0, s.motion, forces(ship, s.motion, s.controls, branches[k])));
   }
   tell_ratio(state);
 }

@@ -26,7 +26,9 @@ struct PiSample {
 
 inline std::vector<PiSample> pi_samples(std::size_t count) {
   std::mt19937_64 engine(7);
-  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
   std::vector<PiSample> result(count);
   for (auto& s : result)
     s = {{uniform(0.5, 1.0), uniform(-0.15, 0.15), uniform(-0.07, 0.07)},

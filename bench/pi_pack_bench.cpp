@@ -20,7 +20,8 @@ void pi_right_hand_side_pack(benchmark::State& state) {
       for (std::size_t k = 0; k < lanes; ++k) lane[k] = value(motions[i + k]);
       return Pack::load_aligned(lane.data());
     };
-    packs.push_back({gather([](const PiSample& s) { return s.motion.u; }), gather([](const PiSample& s) { return s.motion.v; }),
+    packs.push_back({gather([](const PiSample& s) { return s.motion.u; }),
+                     gather([](const PiSample& s) { return s.motion.v; }),
                      gather([](const PiSample& s) { return s.motion.r; })});
     controls.push_back({.delta = gather([](const PiSample& s) { return s.controls.delta; }),
                         .thrust = {gather([](const PiSample& s) { return s.controls.thrust.port; }),
@@ -29,10 +30,12 @@ void pi_right_hand_side_pack(benchmark::State& state) {
   }
   for (auto _ : state) {
     for (std::size_t i = 0; i < packs.size(); ++i)
-      benchmark::DoNotOptimize(right_hand_side(ship, Pack(packs[i].r * 10.0), packs[i], forces(ship, packs[i], controls[i])));
+      benchmark::DoNotOptimize(
+          right_hand_side(ship, Pack(packs[i].r * 10.0), packs[i], forces(ship, packs[i], controls[i])));
   }
   const auto ships = static_cast<double>(packs.size() * lanes);
-  state.counters["per_ship"] = benchmark::Counter(ships, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["per_ship"] =
+      benchmark::Counter(ships, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   tell_ratio(state, ships);
 }
 BENCHMARK(pi_right_hand_side_pack);

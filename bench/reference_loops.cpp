@@ -91,7 +91,8 @@ const ReferenceTimes& reference_times() {
 
 void tell_ratio(benchmark::State& state, double items) {
   using benchmark::Counter;
-  state.counters["x_atan2"] = Counter(items * reference_times().atan2, Counter::kIsIterationInvariantRate | Counter::kInvert);
+  state.counters["x_atan2"] =
+      Counter(items * reference_times().atan2, Counter::kIsIterationInvariantRate | Counter::kInvert);
 }
 
 }  // namespace swayaw::bench

@@ -13,7 +13,8 @@ Design large_design() {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal;
   const auto draw = [&] { return normal(engine); };
-  Design design{.names = std::vector<std::string>(30, "b"), .X = Eigen::MatrixXd::NullaryExpr(20'000, 30, draw),
+  Design design{.names = std::vector<std::string>(30, "b"),
+                .X = Eigen::MatrixXd::NullaryExpr(20'000, 30, draw),
                 .y = Eigen::VectorXd::NullaryExpr(20'000, draw)};
   return design;
 }

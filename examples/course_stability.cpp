@@ -29,6 +29,7 @@ int main(int, char** arguments) {
   const auto& numbers = std::get<MmgShip<double>>(ship.model);
   for (const auto& [side, drift] : {std::pair{"starboard", 1e-9}, std::pair{"port", -1e-9}}) {
     const double product = product_of_poles(numbers, drift);
-    fmt::print("{}, bow just to {}: product of the poles {:+.2e} 1/s2, {}\n", ship.name, side, product, product > 0.0 ? "stable" : "unstable");
+    fmt::print("{}, bow just to {}: product of the poles {:+.2e} 1/s2, {}\n", ship.name, side, product,
+               product > 0.0 ? "stable" : "unstable");
   }
 }

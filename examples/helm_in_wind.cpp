@@ -13,7 +13,8 @@ int main(int, char** arguments) {
   fmt::print("{}\n{:>10}{:>12}{:>12}{:>12}\n", ship.name, "wind deg", "speed m/s", "leeway deg", "helm deg");
   for (const auto& [relative, run] : steady_runs_in_wind(ship, ship.surroundings.windage, 15.0, from)) {
     if (!run) fmt::print("{:>10.0f}  cannot hold the course\n", degrees(relative));
-    else fmt::print("{:>10.0f}{:>12.3f}{:>12.3f}{:>12.3f}{}\n", degrees(relative), run->speed_over_ground, degrees(run->leeway()), degrees(run->delta),
-                    run->holds ? "" : "  beyond the largest rudder angle");
+    else
+      fmt::print("{:>10.0f}{:>12.3f}{:>12.3f}{:>12.3f}{}\n", degrees(relative), run->speed_over_ground,
+                 degrees(run->leeway()), degrees(run->delta), run->holds ? "" : "  beyond the largest rudder angle");
   }
 }

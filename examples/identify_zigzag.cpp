@@ -1,4 +1,5 @@
-// Which linear equations of sway and yaw explain these zigzags, and which of their constants does each recording determine?
+// Which linear equations of sway and yaw explain these zigzags, and which of their constants does each recording
+// determine?
 //
 //   identify_zigzag LENGTH_M RECORDING.csv…           one report for each recording
 //   identify_zigzag --table LENGTH_M RECORDING.csv…   one line of a Markdown table for each, with drift and without
@@ -48,8 +49,8 @@ void line(const char* name, const Estimate& e) {
 
 void print_report(const Recording& run, const LinearFit& fit) {
   const auto& a = fit.amplitude;
-  fmt::print("{}: {} samples, L/U {:.4g} s, rudder up to {:.1f} deg, drift {:.1f} deg, r' {:.2f}\n", run.name, fit.samples, fit.scale.L / fit.scale.U,
-             degrees(a.rudder), degrees(a.drift), a.omega);
+  fmt::print("{}: {} samples, L/U {:.4g} s, rudder up to {:.1f} deg, drift {:.1f} deg, r' {:.2f}\n", run.name,
+             fit.samples, fit.scale.L / fit.scale.U, degrees(a.rudder), degrees(a.drift), a.omega);
   for (const auto& [name, e] : named(fit.coefficients)) line(name, e);
   if (fit.time_constants) {
     line("T1'", fit.time_constants->T1);
@@ -57,9 +58,11 @@ void print_report(const Recording& run, const LinearFit& fit) {
   }
   const auto& i = fit.indices;
   for (const auto& [name, e] : {Named{"T3b'", i.T3b}, {"T3w'", i.T3w}, {"Kb", i.Kb}, {"Kw'", i.Kw}}) line(name, e);
-  fmt::print("  rudder offset {:.2f} ± {:.1g} deg\n", degrees(fit.rudder_offset.value), degrees(fit.rudder_offset.standard_error));
+  fmt::print("  rudder offset {:.2f} ± {:.1g} deg\n", degrees(fit.rudder_offset.value),
+             degrees(fit.rudder_offset.standard_error));
   fmt::print("  known best {}, worst {}\n", fit.best_combination, fit.worst_combination);
-  fmt::print("  {} for motions of this size, probability {:.3f}\n", fit.stable ? "stable" : "unstable", fit.stable ? fit.probability_stable : 1.0 - fit.probability_stable);
+  fmt::print("  {} for motions of this size, probability {:.3f}\n", fit.stable ? "stable" : "unstable",
+             fit.stable ? fit.probability_stable : 1.0 - fit.probability_stable);
 }
 
 /// K' and T' of Nomoto's analysis, if the run has enough peaks.
@@ -75,9 +78,10 @@ std::string nomoto(const Recording& run, const PrimeScale& scale) {
 void print_row(const Recording& run, const LinearFit& fit, const LinearFit& yaw) {
   const auto& i = fit.indices;
   const auto times = fit.time_constants.value_or(TimeConstants<Estimate>{});
-  fmt::print("| {} | {:.0f} | {:.1f} | {:.2f} | {} | {} | {} | {} | {} | {} | {} | {:.2f} | {} | {} | {} |\n", run.name, degrees(fit.amplitude.rudder), degrees(fit.amplitude.drift),
-             fit.amplitude.omega, text(times.T1), text(times.T2), text(i.T3b), text(i.T3w), text(i.Kb), text(i.Kw), text(fit.transfer.e0), fit.probability_stable,
-             determined(fit.coefficients), text(yaw.transfer.e0), nomoto(run, fit.scale));
+  fmt::print("| {} | {:.0f} | {:.1f} | {:.2f} | {} | {} | {} | {} | {} | {} | {} | {:.2f} | {} | {} | {} |\n", run.name,
+             degrees(fit.amplitude.rudder), degrees(fit.amplitude.drift), fit.amplitude.omega, text(times.T1),
+             text(times.T2), text(i.T3b), text(i.T3w), text(i.Kb), text(i.Kw), text(fit.transfer.e0),
+             fit.probability_stable, determined(fit.coefficients), text(yaw.transfer.e0), nomoto(run, fit.scale));
 }
 
 }  // namespace
@@ -88,8 +92,11 @@ int main(int count, char** arguments) {
   if (count < first + 2) return fmt::print(stderr, "identify_zigzag [--table] LENGTH_M RECORDING.csv…\n"), 1;
   const double L = std::stod(arguments[first]);
   if (table)
-    fmt::print("| run | rudder, deg | drift, deg | r' | T1' | T2' | T3b' | T3w' | Kb | Kw' | e0 | P(stable) | determined (weakly) | e0, yaw alone | Nomoto K' | Nomoto T' |\n"
-               "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- | ---: | ---: | ---: |\n");
+    fmt::print(
+        "| run | rudder, deg | drift, deg | r' | T1' | T2' | T3b' | T3w' | Kb | Kw' | e0 | P(stable) | determined "
+        "(weakly) | e0, yaw alone | Nomoto K' | Nomoto T' |\n"
+        "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- | ---: | ---: | ---: "
+        "|\n");
   for (int k = first + 1; k < count; ++k) {
     const auto run = read_recording(arguments[k]).recording;
     const auto fit = fit_linear(run, {.L = L});

@@ -1,5 +1,5 @@
-// The curves of figures 1 to 9 of Artyszuk 2016: a 10/10 zigzag of the linear model, exact and by the paper's Euler method,
-// beside first-order ships with a step and a ramp of the rudder. One CSV file for each figure.
+// The curves of figures 1 to 9 of Artyszuk 2016: a 10/10 zigzag of the linear model, exact and by the paper's Euler
+// method, beside first-order ships with a step and a ramp of the rudder. One CSV file for each figure.
 //   example_linear_figures FOLDER
 #include <fmt/format.h>
 #include <fmt/os.h>
@@ -16,8 +16,8 @@ namespace {
 
 using namespace swayaw;
 
-constexpr double length_s = 13.39;     // time to sail a length, table 1
-constexpr double until = 25.0;         // ship lengths drawn
+constexpr double length_s = 13.39;  // time to sail a length, table 1
+constexpr double until = 25.0;      // ship lengths drawn
 constexpr double first_order_until = 6.0;
 
 /// Table 3 as printed, with other T3b and T3w.
@@ -27,7 +27,11 @@ SteeringIndices<double> indices(double T3b = 0.154, double T3w = 0.983) {
 
 /// 10/10 zigzag, first to starboard: drift and yaw rate begin positive, the rudder angle negative.
 LinearZigzagOrder ten_ten(double rate_deg_s, double longest) {
-  return {.rudder = radians(10), .heading = radians(10), .rate = radians(rate_deg_s) * length_s, .reversals = 1000, .longest = longest};
+  return {.rudder = radians(10),
+          .heading = radians(10),
+          .rate = radians(rate_deg_s) * length_s,
+          .reversals = 1000,
+          .longest = longest};
 }
 
 struct Sample {
@@ -41,7 +45,8 @@ struct Curve {
   std::vector<Sample> samples;
 };
 
-Curve sampled(std::string name, const SwayYawCoefficients<double>& m, const std::vector<Leg<double>>& legs, double end) {
+Curve sampled(std::string name, const SwayYawCoefficients<double>& m, const std::vector<Leg<double>>& legs,
+              double end) {
   const LinearResponse<double> ship(m);
   Curve curve{std::move(name), m, {}};
   for (int i = 0; i <= 1250; ++i) {
@@ -58,7 +63,8 @@ Curve exact(const std::string& name, const SteeringIndices<double>& i, double ra
 
 Curve euler(const std::string& name, const SteeringIndices<double>& i, double rate_deg_s = 2.5) {
   Curve curve{name + ", Euler", coefficients_from(i), {}};
-  for (const auto& step : euler_zigzag(curve.ship, ten_ten(rate_deg_s, until)).steps) curve.samples.push_back({step.s, step.delta, step.state});
+  for (const auto& step : euler_zigzag(curve.ship, ten_ten(rate_deg_s, until)).steps)
+    curve.samples.push_back({step.s, step.delta, step.state});
   return curve;
 }
 
@@ -75,8 +81,8 @@ void write(const std::string& file, const std::vector<Curve>& curves) {
   for (const auto& curve : curves)
     for (const auto& [s, delta, x] : curve.samples) {
       const auto d = rates(curve.ship, x, delta);
-      out.print("\"{}\",{:.6g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", curve.name, s, degrees(x.psi), degrees(delta), degrees(x.beta), x.omega,
-                degrees(d.beta), d.omega);
+      out.print("\"{}\",{:.6g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g},{:.8g}\n", curve.name, s, degrees(x.psi),
+                degrees(delta), degrees(x.beta), x.omega, degrees(d.beta), d.omega);
     }
 }
 
@@ -93,8 +99,10 @@ int main(int, char** arguments) {
     return a;
   };
   const double delta = -radians(10), rate = radians(2.5) * length_s;
-  const std::vector step_and_ramp{first_order("1st ORD, delta = const", rudder_step(delta)), first_order("1st ORD, delta = var", rudder_ramp_and_hold(delta, rate))};
-  const std::vector slow_step_and_ramp{step_and_ramp[0], first_order("1st ORD, delta = var", rudder_ramp_and_hold(delta, rate / 5.0))};
+  const std::vector step_and_ramp{first_order("1st ORD, delta = const", rudder_step(delta)),
+                                  first_order("1st ORD, delta = var", rudder_ramp_and_hold(delta, rate))};
+  const std::vector slow_step_and_ramp{step_and_ramp[0],
+                                       first_order("1st ORD, delta = var", rudder_ramp_and_hold(delta, rate / 5.0))};
 
   write(folder + "/figure_1.csv", together(both("REF", ref), both("T3w = 0.492", T3w)));
   write(folder + "/figure_2.csv", both("REF", ref));
@@ -103,10 +111,15 @@ int main(int, char** arguments) {
   write(folder + "/figure_5.csv", together(both("REF", ref), step_and_ramp));
   write(folder + "/figure_6.csv", together(both("0.5 deg/s", ref, 0.5), slow_step_and_ramp));
   write(folder + "/figure_7.csv", together(both("2.5 deg/s", ref), both("0.5 deg/s", ref, 0.5)));
-  write(folder + "/figure_8.csv", together(together(both("REF", ref), together(both("T3b = 0.309", T3b), both("T3w = 0.492", T3w))), step_and_ramp));
-  write(folder + "/figure_9.csv", together(both("REF", ref), together(both("T3w = 0.492", T3w), both("T3w = 1.966", large_T3w))));
+  write(folder + "/figure_8.csv",
+        together(together(both("REF", ref), together(both("T3b = 0.309", T3b), both("T3w = 0.492", T3w))),
+                 step_and_ramp));
+  write(folder + "/figure_9.csv",
+        together(both("REF", ref), together(both("T3w = 0.492", T3w), both("T3w = 1.966", large_T3w))));
 
-  const auto by_root = linear_zigzag(coefficients_from(ref), ten_ten(2.5, until)).reversals, by_step = euler_zigzag(coefficients_from(ref), ten_ten(2.5, until)).reversals;
+  const auto by_root = linear_zigzag(coefficients_from(ref), ten_ten(2.5, until)).reversals,
+             by_step = euler_zigzag(coefficients_from(ref), ten_ten(2.5, until)).reversals;
   for (std::size_t i = 0; i < 3; ++i)
-    fmt::print("overshoot {}: exact {:.2f} deg, by Euler's method {:.2f} deg\n", i + 1, degrees(by_root[i].overshoot), degrees(by_step[i].overshoot));
+    fmt::print("overshoot {}: exact {:.2f} deg, by Euler's method {:.2f} deg\n", i + 1, degrees(by_root[i].overshoot),
+               degrees(by_step[i].overshoot));
 }

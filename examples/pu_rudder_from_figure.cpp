@@ -15,9 +15,10 @@
 
 /// The rudder derivatives of the physics-uninformed wPCC, which [Alexandersson2024] does not print, from what it draws.
 ///
-/// Figure 10 shows heading, yaw rate and drift angle of that very model in two zigzags. With the hull of table 7 held fast, least
-/// squares find the fifteen derivatives whose zigzags run along these curves; the speed of the model tests stands in for that of the
-/// simulations, which is not drawn. Prints the [rudder] numbers of ships/wpcc_pu.toml with their standard errors.
+/// Figure 10 shows heading, yaw rate and drift angle of that very model in two zigzags. With the hull of table 7 held
+/// fast, least squares find the fifteen derivatives whose zigzags run along these curves; the speed of the model tests
+/// stands in for that of the simulations, which is not drawn. Prints the [rudder] numbers of ships/wpcc_pu.toml with
+/// their standard errors.
 ///
 ///     pu_rudder_from_figure ships/wpcc_pu.toml tests/golden/alexandersson2024_figure_10.json
 namespace {
@@ -45,9 +46,9 @@ Curve curve(const json& drawn) { return {drawn[0].get<std::vector<double>>(), dr
 
 /// One zigzag of the figure.
 struct Zigzag {
-  double angle_deg;          ///< rudder and heading
-  Curve psi, r, beta, V;     ///< degrees, rad/s, degrees, m/s
-  Curve thrust;              ///< both propellers [N]
+  double angle_deg;              ///< rudder and heading
+  Curve psi, r, beta, V;         ///< degrees, rad/s, degrees, m/s
+  Curve thrust;                  ///< both propellers [N]
   std::vector<double> switches;  ///< [s]
 };
 
@@ -66,8 +67,13 @@ std::vector<double> switches_of(const Curve& psi, double angle_deg) {
 
 Zigzag zigzag_of(const json& figure, const char* name, double angle_deg, Curve thrust) {
   const auto& drawn = figure.at(name);
-  Zigzag z{angle_deg, curve(drawn.at("PU.psi_deg")), curve(drawn.at("PU.r")), curve(drawn.at("PU.beta_deg")), curve(drawn.at("test.V")),
-           std::move(thrust), {}};
+  Zigzag z{angle_deg,
+           curve(drawn.at("PU.psi_deg")),
+           curve(drawn.at("PU.r")),
+           curve(drawn.at("PU.beta_deg")),
+           curve(drawn.at("test.V")),
+           std::move(thrust),
+           {}};
   z.switches = switches_of(z.psi, angle_deg);
   return z;
 }
@@ -109,8 +115,8 @@ std::vector<State> sail(const PuShip<D>& ship, const Zigzag& z) {
   std::vector<State> states{{D(0.0), D(z.V.value.front()), D(0.0), D(0.0)}};
   for (double t = 0.0; t < z.psi.time.back() + step; t += step) {
     const State s = states.back();
-    const State k1 = rates(t, s), k2 = rates(t + step / 2, s + step / 2 * k1), k3 = rates(t + step / 2, s + step / 2 * k2),
-                k4 = rates(t + step, s + step * k3);
+    const State k1 = rates(t, s), k2 = rates(t + step / 2, s + step / 2 * k1),
+                k3 = rates(t + step / 2, s + step / 2 * k2), k4 = rates(t + step, s + step * k3);
     states.push_back(s + step / 6 * (k1 + 2 * k2 + 2 * k3 + k4));
   }
   return states;
@@ -133,7 +139,8 @@ struct Normal {
 
 /// Adds the vertices of one curve, each over its reading error; returns the rms deviation.
 template <class Quantity>
-double compare(Normal& normal, const std::vector<State>& states, const Curve& drawn, double error, Quantity&& quantity) {
+double compare(Normal& normal, const std::vector<State>& states, const Curve& drawn, double error,
+               Quantity&& quantity) {
   Normal own;
   for (std::size_t i = 0; i < drawn.time.size(); ++i) {
     const auto n = static_cast<std::size_t>(drawn.time[i] / step);
@@ -157,9 +164,12 @@ Normal normal_equations(const PuShip<double>& model, const std::vector<Zigzag>& 
     const auto states = sail(ship, z);
     const double psi = compare(normal, states, z.psi, 0.05, [](const State& s) { return s[0] * degrees(1.0); });
     const double r = compare(normal, states, z.r, 2e-4, [](const State& s) { return s[3]; });
-    const double beta = compare(normal, states, z.beta, 0.03, [](const State& s) { return atan2(-s[2], s[1]) * degrees(1.0); });
+    const double beta =
+        compare(normal, states, z.beta, 0.03, [](const State& s) { return atan2(-s[2], s[1]) * degrees(1.0); });
     const double V = compare(normal, states, z.V, 0.01, [](const State& s) { return sqrt(s[1] * s[1] + s[2] * s[2]); });
-    if (tell) fmt::print("# {0:.0f}/{0:.0f}: rms psi {1:.3f} deg, r {2:.5f} rad/s, beta {3:.3f} deg, V {4:.3f} m/s\n", z.angle_deg, psi, r, beta, V);
+    if (tell)
+      fmt::print("# {0:.0f}/{0:.0f}: rms psi {1:.3f} deg, r {2:.5f} rad/s, beta {3:.3f} deg, V {4:.3f} m/s\n",
+                 z.angle_deg, psi, r, beta, V);
   }
   return normal;
 }
@@ -173,8 +183,9 @@ int main(int argc, char** argv) {
   file.read(file_keys(ship));
   std::ifstream drawing(argv[2]);
   const auto figure = json::parse(drawing);
-  const std::vector<Zigzag> zigzags{zigzag_of(figure, "zigzag10/10", 10.0, {{0.0, 1.0}, {11.0, 11.0}}),
-                                    zigzag_of(figure, "zigzag20/20", 20.0, curve(figure.at("zigzag20/20").at("thrust")))};
+  const std::vector<Zigzag> zigzags{
+      zigzag_of(figure, "zigzag10/10", 10.0, {{0.0, 1.0}, {11.0, 11.0}}),
+      zigzag_of(figure, "zigzag20/20", 20.0, curve(figure.at("zigzag20/20").at("thrust")))};
   // far from the answer, near enough to run along the curves
   ship.rudder = {.X_deltadelta = -3e-3, .Y_delta = 4e-3};
   ship.rudder.N_delta = -2e-3;
@@ -188,5 +199,6 @@ int main(int argc, char** argv) {
   const double variance = normal.squares / (normal.count - unknowns);
   const Eigen::Vector<double, unknowns> error = (variance * normal.A.inverse().diagonal()).cwiseSqrt();
   for (std::size_t k = 0; k < unknowns; ++k)
-    fmt::print("{} = {:.5g}  # +- {:.2g}\n", terms[k].key, ship.rudder.*terms[k].member, error(static_cast<Eigen::Index>(k)));
+    fmt::print("{} = {:.5g}  # +- {:.2g}\n", terms[k].key, ship.rudder.*terms[k].member,
+               error(static_cast<Eigen::Index>(k)));
 }

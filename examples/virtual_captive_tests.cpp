@@ -20,7 +20,10 @@ using namespace swayaw;
 CaptivePoint steady(const char* test, const Ship& ship, double beta_deg, double r_prime, double delta_deg) {
   const double U = service_speed(ship), beta = radians(beta_deg);
   const auto controls = with_rudder(self_propulsion(ship, U), radians(delta_deg));
-  CaptivePoint point{.run = "", .tests = {test}, .moments = {{{U * std::cos(beta), -U * std::sin(beta), r_prime * U / length(ship)}, {}, controls}}, .measured = {}};
+  CaptivePoint point{.run = "",
+                     .tests = {test},
+                     .moments = {{{U * std::cos(beta), -U * std::sin(beta), r_prime * U / length(ship)}, {}, controls}},
+                     .measured = {}};
   point.measured = captive_force(ship, point);
   return point;
 }
@@ -28,7 +31,8 @@ CaptivePoint steady(const char* test, const Ship& ship, double beta_deg, double 
 /// Rudder, drift, circles, circles with drift, and drift with rudder for validation.
 std::vector<CaptivePoint> tests_of(const Ship& ship) {
   std::vector<CaptivePoint> points;
-  for (const double delta : {-20.0, -10.0, 0.0, 10.0, 20.0}) points.push_back(steady("static_rudder", ship, 0, 0, delta));
+  for (const double delta : {-20.0, -10.0, 0.0, 10.0, 20.0})
+    points.push_back(steady("static_rudder", ship, 0, 0, delta));
   for (const double beta : {-12.0, -9.0, -6.0, -3.0, 3.0, 6.0, 9.0, 12.0}) {
     points.push_back(steady("static_drift", ship, beta, 0, 0));
     points.push_back(steady("static_drift_rudder", ship, beta, 0, -beta));
@@ -44,7 +48,8 @@ std::vector<CaptivePoint> tests_of(const Ship& ship) {
 void measure(std::vector<CaptivePoint>& points) {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> error(1.0, 0.01);
-  for (auto& [run, tests, moments, f, with_inertia] : points) f = {f.X * error(engine), f.Y * error(engine), f.N * error(engine)};
+  for (auto& [run, tests, moments, f, with_inertia] : points)
+    f = {f.X * error(engine), f.Y * error(engine), f.N * error(engine)};
 }
 
 }  // namespace
@@ -60,14 +65,17 @@ int main(int count, char** arguments) {
     measure(points);
     const auto fit = fit_captive(ship, points, captive_plan(ship, points, HullTerms::cubic, radians(12)));
     for (const auto& step : fit.steps) {
-      fmt::print("{} of {} tests: {}, condition {:.1f}\n", in_words(step.step.component), step.points, in_words(step.fit.status), step.fit.condition_number);
+      fmt::print("{} of {} tests: {}, condition {:.1f}\n", in_words(step.step.component), step.points,
+                 in_words(step.fit.status), step.fit.condition_number);
       for (const auto& c : step.fit.coefficients) {
         const double truth = ship_numbers(ship, std::array{c.name})[0].value;
-        fmt::print("  {:<10} {:9.5f} ± {:.5f}   true {:9.5f}{}\n", c.name, c.estimate.value, c.estimate.standard_error, truth, c.undetermined ? "   not determined" : "");
+        fmt::print("  {:<10} {:9.5f} ± {:.5f}   true {:9.5f}{}\n", c.name, c.estimate.value, c.estimate.standard_error,
+                   truth, c.undetermined ? "   not determined" : "");
       }
     }
     const auto error = fit.validation.relative();
-    fmt::print("drift with rudder, not used: errors of X, Y, N {:.1f}, {:.1f}, {:.1f} %\n", 100 * error.X, 100 * error.Y, 100 * error.N);
+    fmt::print("drift with rudder, not used: errors of X, Y, N {:.1f}, {:.1f}, {:.1f} %\n", 100 * error.X,
+               100 * error.Y, 100 * error.N);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;

@@ -10,5 +10,6 @@ int main(int, char** arguments) {
   const Ship ship = read_ship(arguments[1]);
   const Zigzag result = zigzag(ship, {.rudder = radians(20), .heading = radians(20), .first = Side::starboard});
   const Reversal& first = result.reversals.front();
-  fmt::print("{}: rudder reversed at {:.1f} s, first overshoot {:.1f} deg\n", ship.name, first.time, degrees(first.overshoot.value()));
+  fmt::print("{}: rudder reversed at {:.1f} s, first overshoot {:.1f} deg\n", ship.name, first.time,
+             degrees(first.overshoot.value()));
 }

@@ -31,13 +31,9 @@ namespace {
 
 using nlohmann::json;
 
-std::string_view between(const char* begin, const char* end) {
-  return {begin, static_cast<std::size_t>(end - begin)};
-}
+std::string_view between(const char* begin, const char* end) { return {begin, static_cast<std::size_t>(end - begin)}; }
 
-std::string_view skeleton() {
-  return between(swayaw_report_page_html, swayaw_report_page_html_end);
-}
+std::string_view skeleton() { return between(swayaw_report_page_html, swayaw_report_page_html_end); }
 
 // The fewer the runs, the finer each may be drawn: the page stays a few megabytes.
 std::size_t sample_limit(std::size_t runs) {
@@ -46,8 +42,7 @@ std::size_t sample_limit(std::size_t runs) {
 
 double six_digits(double value) {
   char text[32];
-  const auto written =
-      std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6);
+  const auto written = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6);
   double rounded = value;
   std::from_chars(text, written.ptr, rounded);
   return rounded;

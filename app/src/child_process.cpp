@@ -15,7 +15,9 @@
 namespace swayaw::app {
 namespace {
 
-[[noreturn]] void refuse(std::string_view what, int reason) { throw Refusal(fmt::format("{} ({})", what, std::strerror(reason))); }
+[[noreturn]] void refuse(std::string_view what, int reason) {
+  throw Refusal(fmt::format("{} ({})", what, std::strerror(reason)));
+}
 
 /// A temporary file without a name, which its end removes.
 class Sheet {
@@ -27,7 +29,8 @@ class Sheet {
   int descriptor() const { return ::fileno(file_.get()); }
 
   void write(std::string_view text) {
-    const bool written = std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && std::fflush(file_.get()) == 0;
+    const bool written =
+        std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && std::fflush(file_.get()) == 0;
     if (!written) refuse("a temporary file cannot be written", errno);
     std::rewind(file_.get());
   }

@@ -11,11 +11,11 @@ namespace swayaw::app {
 
 struct SimulateArguments {
   std::filesystem::path ship;
-  std::string zigzag;               ///< "D/H" in degrees, or empty
-  std::optional<double> turn;       ///< [deg]
+  std::string zigzag;          ///< "D/H" in degrees, or empty
+  std::optional<double> turn;  ///< [deg]
   bool spiral = false;
   bool reverse_spiral = false;
-  std::optional<double> pullout;    ///< [deg]
+  std::optional<double> pullout;  ///< [deg]
   bool williamson = false;
   bool imo = false;
   std::optional<double> rudder;     ///< of spirals and the Williamson turn [deg]
@@ -28,9 +28,9 @@ struct SimulateArguments {
   std::optional<double> duration;   ///< [s]
   std::optional<double> step;       ///< [s]
   double tolerance = 1e-9;
-  std::filesystem::path out;        ///< empty: no time series
-  bool forces = false;              ///< forces by part in the time series
-  std::filesystem::path svg;        ///< empty: no plot
+  std::filesystem::path out;  ///< empty: no time series
+  bool forces = false;        ///< forces by part in the time series
+  std::filesystem::path svg;  ///< empty: no plot
   bool json = false;
 };
 void simulate(const SimulateArguments& arguments);
@@ -118,13 +118,13 @@ struct IdentifyArguments {
   std::vector<std::filesystem::path> runs;
   std::vector<std::filesystem::path> holdout;  ///< not used in the fit
   std::filesystem::path ship;
-  std::string model;                           ///< mmg, pi, pu, linear
-  std::vector<std::string> find;               ///< coefficients to find; empty: the usual ones
-  std::vector<std::string> also;               ///< and these
-  std::vector<std::string> keep;               ///< but not these
-  std::vector<std::string> channels;           ///< to be used; empty: all
-  std::string fit = "auto";                    ///< forces, trajectories, auto
-  bool prior = false;                          ///< the ship's own numbers, with her confidence, count as measurements
+  std::string model;                  ///< mmg, pi, pu, linear
+  std::vector<std::string> find;      ///< coefficients to find; empty: the usual ones
+  std::vector<std::string> also;      ///< and these
+  std::vector<std::string> keep;      ///< but not these
+  std::vector<std::string> channels;  ///< to be used; empty: all
+  std::string fit = "auto";           ///< forces, trajectories, auto
+  bool prior = false;                 ///< the ship's own numbers, with her confidence, count as measurements
   double ridge = 0.0;
   bool resample = false;
   std::filesystem::path out;

@@ -17,8 +17,13 @@ namespace {
 // ---------------------------------------------------------------- JSON
 
 Json region_json(const RegionError& r) {
-  return {{"variable", name_of(r.variable)}, {"from", number(r.from)}, {"to", number(r.to)}, {"samples", r.samples},
-          {"rms", number(r.rms)},            {"bias", number(r.bias)}, {"share", number(r.share)}};
+  return {{"variable", name_of(r.variable)},
+          {"from", number(r.from)},
+          {"to", number(r.to)},
+          {"samples", r.samples},
+          {"rms", number(r.rms)},
+          {"bias", number(r.bias)},
+          {"share", number(r.share)}};
 }
 
 Json worst_region_json(const std::optional<RegionError>& region) {
@@ -138,16 +143,18 @@ std::string percent(double share) { return fmt::format("{:.0f} %", 100.0 * share
 std::vector<std::vector<std::string>> rows_of(const std::vector<QuantityError>& errors) {
   std::vector<std::vector<std::string>> rows;
   for (const auto& e : errors)
-    rows.push_back({std::string(name_of(e.quantity)), shown(e.quantity, e.window_rms), percent(e.normalised()), shown(e.quantity, e.bias),
-                    shown(e.quantity, e.open_loop_rms), interval_words(e), region_text(e)});
+    rows.push_back({std::string(name_of(e.quantity)), shown(e.quantity, e.window_rms), percent(e.normalised()),
+                    shown(e.quantity, e.bias), shown(e.quantity, e.open_loop_rms), interval_words(e), region_text(e)});
   return rows;
 }
 
-const std::vector<std::string> headings{"quantity", "window error", "of variation", "bias", "whole run", "worst interval", "worst region"};
+const std::vector<std::string> headings{"quantity",  "window error",   "of variation", "bias",
+                                        "whole run", "worst interval", "worst region"};
 
 void print_table(const std::vector<QuantityError>& errors) {
   const auto print_row = [](const std::vector<std::string>& cell) {
-    fmt::print("  {:<10}{:>15}{:>14}{:>15}{:>15}  {:<24}{}\n", cell[0], cell[1], cell[2], cell[3], cell[4], cell[5], cell[6]);
+    fmt::print("  {:<10}{:>15}{:>14}{:>15}{:>15}  {:<24}{}\n", cell[0], cell[1], cell[2], cell[3], cell[4], cell[5],
+               cell[6]);
   };
   print_row(headings);
   for (const auto& row : rows_of(errors)) print_row(row);
@@ -194,9 +201,12 @@ void print_markdown_regions(const std::vector<Comparison>& comparisons) {
   for (const auto& region : all.front().regions) {
     std::vector<std::string> row{words_for(region), std::to_string(region.samples)};
     for (const auto& e : all) {
-      const auto same = std::ranges::find_if(
-          e.regions, [&](const auto& r) { return r.variable == region.variable && r.from == region.from && r.to == region.to; });
-      row.push_back(same == e.regions.end() ? "-" : fmt::format("{} ({})", shown(e.quantity, same->rms), shown(e.quantity, same->bias)));
+      const auto same = std::ranges::find_if(e.regions, [&](const auto& r) {
+        return r.variable == region.variable && r.from == region.from && r.to == region.to;
+      });
+      row.push_back(same == e.regions.end()
+                        ? "-"
+                        : fmt::format("{} ({})", shown(e.quantity, same->rms), shown(e.quantity, same->bias)));
     }
     print_markdown_row(row);
   }
@@ -211,7 +221,9 @@ void print_markdown(const std::vector<Comparison>& comparisons) {
 
 void print_text(const Ship& ship, const CompareArguments& a, const std::vector<Comparison>& comparisons) {
   fmt::print("{}\n", ship.name);
-  fmt::print("The simulation takes up the recorded state every {:g} ship lengths; errors are simulated minus recorded.\n", a.window_lengths);
+  fmt::print(
+      "The simulation takes up the recorded state every {:g} ship lengths; errors are simulated minus recorded.\n",
+      a.window_lengths);
   for (const auto& c : comparisons) print_run(c);
   if (comparisons.size() > 1) {
     fmt::print("\nall runs\n");

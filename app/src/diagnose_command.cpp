@@ -19,14 +19,18 @@ std::vector<Recording> load_runs(const std::vector<std::filesystem::path>& files
 // ---------------------------------------------------------------- JSON
 
 Json place_json(const MismatchPlace& p) {
-  return {{"run", p.run}, {"quantity", p.quantity}, {"from_s", p.from}, {"to_s", p.to}, {"share", number(p.share)}, {"where", p.where}};
+  return {{"run", p.run}, {"quantity", p.quantity},   {"from_s", p.from},
+          {"to_s", p.to}, {"share", number(p.share)}, {"where", p.where}};
 }
 
 Json effect_json(const FoundEffect& e) {
   Json parameters = Json::object();
-  for (const auto& p : e.parameters) parameters[p.key] = {{"value", number(p.value)}, {"standard_error", number(p.standard_error)}};
-  if (const auto* late = std::get_if<ChannelDelay<double>>(&e.effect)) parameters["channel"] = {{"value", short_name(late->channel)}, {"standard_error", nullptr}};
-  return {{"effect", id_of(e.effect)}, {"probability", number(e.probability)}, {"onset_s", number(e.onset)}, {"end_s", number(e.end)},
+  for (const auto& p : e.parameters)
+    parameters[p.key] = {{"value", number(p.value)}, {"standard_error", number(p.standard_error)}};
+  if (const auto* late = std::get_if<ChannelDelay<double>>(&e.effect))
+    parameters["channel"] = {{"value", short_name(late->channel)}, {"standard_error", nullptr}};
+  return {{"effect", id_of(e.effect)},           {"probability", number(e.probability)},
+          {"onset_s", number(e.onset)},          {"end_s", number(e.end)},
           {"parameters", std::move(parameters)}, {"indistinguishable_from", e.indistinguishable_from}};
 }
 
@@ -38,7 +42,11 @@ Json errors_json(const std::vector<QuantityError>& errors) {
 
 Json runs_json(const std::vector<RunErrors>& runs) {
   Json list = Json::array();
-  for (const auto& r : runs) list.push_back({{"run", r.run}, {"before", errors_json(r.before)}, {"refitted", errors_json(r.refitted)}, {"after", errors_json(r.after)}});
+  for (const auto& r : runs)
+    list.push_back({{"run", r.run},
+                    {"before", errors_json(r.before)},
+                    {"refitted", errors_json(r.refitted)},
+                    {"after", errors_json(r.after)}});
   return list;
 }
 
@@ -49,21 +57,31 @@ Json advice_json(const std::optional<Advice>& next) {
 
 Json detectable_json(const std::vector<DetectableSize>& sizes) {
   Json list = Json::array();
-  for (const auto& size : sizes) list.push_back({{"effect", size.effect}, {"parameter", size.key}, {"value", number(size.value)}});
+  for (const auto& size : sizes)
+    list.push_back({{"effect", size.effect}, {"parameter", size.key}, {"value", number(size.value)}});
   return list;
 }
 
 Json shifts_json(const std::vector<BaselineShift>& shifts) {
   Json list = Json::array();
-  for (const auto& s : shifts) list.push_back({{"key", s.key}, {"given", number(s.given)}, {"refitted", number(s.refitted)}, {"deviations", number(s.deviations)}});
+  for (const auto& s : shifts)
+    list.push_back({{"key", s.key},
+                    {"given", number(s.given)},
+                    {"refitted", number(s.refitted)},
+                    {"deviations", number(s.deviations)}});
   return list;
 }
 
 Json linear_json(const std::vector<LinearView>& views) {
   Json list = Json::array();
-  const auto pair = [](double recorded, double model) { return Json{{"recorded", number(recorded)}, {"model", number(model)}}; };
+  const auto pair = [](double recorded, double model) {
+    return Json{{"recorded", number(recorded)}, {"model", number(model)}};
+  };
   for (const auto& v : views)
-    list.push_back({{"run", v.run}, {"K", pair(v.recorded.K, v.model.K)}, {"T", pair(v.recorded.T, v.model.T)}, {"rudder_offset_rad", pair(v.recorded.delta_r, v.model.delta_r)},
+    list.push_back({{"run", v.run},
+                    {"K", pair(v.recorded.K, v.model.K)},
+                    {"T", pair(v.recorded.T, v.model.T)},
+                    {"rudder_offset_rad", pair(v.recorded.delta_r, v.model.delta_r)},
                     {"loop_area", pair(v.recorded.loop_area, v.model.loop_area)}});
   return list;
 }
@@ -73,24 +91,44 @@ Json document_of(const Diagnosis& d) {
   for (const auto& p : d.location) location.push_back(place_json(p));
   for (const auto& e : d.effects) effects.push_back(effect_json(e));
   for (const auto& c : d.candidates)
-    candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"log_evidence_gain", number(c.log_evidence_gain)}, {"holdout_log_likelihood_gain", number(c.holdout_log_likelihood_gain)},
-                          {"holdout_gain", number(c.holdout_gain)}, {"trace", c.trace}, {"refuted", c.refuted}});
-  return {{"schema", "swayaw.diagnosis/1"}, {"version", version()}, {"verdict", name_of(d.verdict)}, {"words", d.words}, {"location", std::move(location)},
-          {"effects", std::move(effects)}, {"candidates", std::move(candidates)}, {"doubt", number(d.doubt)}, {"imperfection", {{"refitted", number(d.refitted_imperfection)}, {"after", number(d.imperfection)}}},
-          {"symmetry", d.symmetry}, {"traces", d.traces}, {"baseline_shift", shifts_json(d.shifts)}, {"linear", linear_json(d.linear)}, {"linear_words", words_of(d.linear)},
-          {"fit", {{"train", runs_json(d.train)}, {"holdout", runs_json(d.holdout)}}}, {"next_manoeuvre", advice_json(d.next)}, {"detectable", detectable_json(d.detectable)}};
+    candidates.push_back({{"effect", c.effect},
+                          {"probability", number(c.probability)},
+                          {"log_evidence_gain", number(c.log_evidence_gain)},
+                          {"holdout_log_likelihood_gain", number(c.holdout_log_likelihood_gain)},
+                          {"holdout_gain", number(c.holdout_gain)},
+                          {"trace", c.trace},
+                          {"refuted", c.refuted}});
+  return {{"schema", "swayaw.diagnosis/1"},
+          {"version", version()},
+          {"verdict", name_of(d.verdict)},
+          {"words", d.words},
+          {"location", std::move(location)},
+          {"effects", std::move(effects)},
+          {"candidates", std::move(candidates)},
+          {"doubt", number(d.doubt)},
+          {"imperfection", {{"refitted", number(d.refitted_imperfection)}, {"after", number(d.imperfection)}}},
+          {"symmetry", d.symmetry},
+          {"traces", d.traces},
+          {"baseline_shift", shifts_json(d.shifts)},
+          {"linear", linear_json(d.linear)},
+          {"linear_words", words_of(d.linear)},
+          {"fit", {{"train", runs_json(d.train)}, {"holdout", runs_json(d.holdout)}}},
+          {"next_manoeuvre", advice_json(d.next)},
+          {"detectable", detectable_json(d.detectable)}};
 }
 
 // ---------------------------------------------------------------- text
 
 void print_runs(std::string_view title, const std::vector<RunErrors>& runs) {
   if (runs.empty()) return;
-  fmt::print("\n{}: error of replays over two ship lengths, share of the variation: given model, refitted, with the effects\n", title);
+  fmt::print(
+      "\n{}: error of replays over two ship lengths, share of the variation: given model, refitted, with the effects\n",
+      title);
   for (const auto& run : runs) {
     fmt::print("  {:<24}", run.run);
     for (std::size_t i = 0; i < run.before.size() && i < run.refitted.size() && i < run.after.size(); ++i)
-      fmt::print("  {} {:.1f}, {:.1f}, {:.1f} %", name_of(run.before[i].quantity), 100.0 * run.before[i].normalised(), 100.0 * run.refitted[i].normalised(),
-                 100.0 * run.after[i].normalised());
+      fmt::print("  {} {:.1f}, {:.1f}, {:.1f} %", name_of(run.before[i].quantity), 100.0 * run.before[i].normalised(),
+                 100.0 * run.refitted[i].normalised(), 100.0 * run.after[i].normalised());
     fmt::print("\n");
   }
 }
@@ -100,19 +138,26 @@ void print_diagnosis(const Ship& ship, const Diagnosis& d) {
   for (const auto& e : d.effects) {
     fmt::print("\n{}, probability {:.3f}\n", id_of(e.effect), e.probability);
     for (const auto& p : e.parameters) fmt::print("  {:<24}{:>12.5g} +- {:.2g}\n", p.key, p.value, p.standard_error);
-    if (!e.indistinguishable_from.empty()) fmt::print("  as well explained by {}\n", fmt::join(e.indistinguishable_from, ", "));
+    if (!e.indistinguishable_from.empty())
+      fmt::print("  as well explained by {}\n", fmt::join(e.indistinguishable_from, ", "));
   }
   if (!d.location.empty()) fmt::print("\nwhere force is missing\n");
-  for (const auto& p : d.location) fmt::print("  {:<24}{:<14}{:.5g} to {:.5g} s, {:.0f} % of it; {}\n", p.run, p.quantity, p.from, p.to, 100.0 * p.share, p.where);
+  for (const auto& p : d.location)
+    fmt::print("  {:<24}{:<14}{:.5g} to {:.5g} s, {:.0f} % of it; {}\n", p.run, p.quantity, p.from, p.to,
+               100.0 * p.share, p.where);
   if (!d.symmetry.empty()) fmt::print("  {}\n", d.symmetry);
   if (const auto words = words_of(d.linear); !words.empty()) fmt::print("\n{}\n", words);
   if (!d.shifts.empty()) fmt::print("\nnumbers of the model beyond two of their deviations\n");
-  for (const auto& s : d.shifts) fmt::print("  {:<24}{:>12.5g} -> {:<12.5g} {:+.1f} deviations\n", s.key, s.given, s.refitted, s.deviations);
-  if (d.next) fmt::print("\nwhat to sail next\n  {}\n  it separates {}\n", d.next->advice, fmt::join(d.next->separates, ", "));
+  for (const auto& s : d.shifts)
+    fmt::print("  {:<24}{:>12.5g} -> {:<12.5g} {:+.1f} deviations\n", s.key, s.given, s.refitted, s.deviations);
+  if (d.next)
+    fmt::print("\nwhat to sail next\n  {}\n  it separates {}\n", d.next->advice, fmt::join(d.next->separates, ", "));
   if (!d.detectable.empty()) fmt::print("\nsmallest effects that these runs would have shown\n");
   for (const auto& x : d.detectable) fmt::print("  {:<26}{:<20}{:.3g}\n", x.effect, x.key, x.value);
   fmt::print("\ncandidates\n");
-  for (const auto& c : d.candidates) fmt::print("  {:<26}{:>12.1f}  {:.3f}{}\n", c.effect, c.log_evidence_gain, c.probability, c.trace ? "  too small to matter" : "");
+  for (const auto& c : d.candidates)
+    fmt::print("  {:<26}{:>12.1f}  {:.3f}{}\n", c.effect, c.log_evidence_gain, c.probability,
+               c.trace ? "  too small to matter" : "");
   print_runs("runs used", d.train);
   print_runs("runs held out", d.holdout);
 }
@@ -132,7 +177,9 @@ void diagnose(const DiagnoseArguments& a) {
   };
   const auto runs = load_runs(a.runs), reference = load_runs(a.reference), holdout = load_runs(a.holdout);
   const auto diagnosis = swayaw::diagnose(ship, runs, reference, holdout, options);
-  if (!a.save_model.empty()) write_ship(a.save_model, diagnosis.improved, fmt::format("Made by swayaw {} from {}.\n{}", version(), ship.name, diagnosis.words));
+  if (!a.save_model.empty())
+    write_ship(a.save_model, diagnosis.improved,
+               fmt::format("Made by swayaw {} from {}.\n{}", version(), ship.name, diagnosis.words));
   if (!a.report.empty()) {
     Json document = document_of(diagnosis);
     document["ship_file"] = a.ship.string();

@@ -19,7 +19,8 @@ Json channels_json(const std::optional<Recording>& run) {
   if (!run) return series;
   for (const auto channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r, Channel::delta})
     if (run->has(channel)) series[std::string(column_name(channel))] = numbers((*run)[channel]);
-  if (!run->has(Channel::u) && run->has(Channel::speed_through_water)) series["u_m_s"] = numbers((*run)[Channel::speed_through_water]);
+  if (!run->has(Channel::u) && run->has(Channel::speed_through_water))
+    series["u_m_s"] = numbers((*run)[Channel::speed_through_water]);
   return series;
 }
 
@@ -51,9 +52,12 @@ Json motion_json(const std::vector<MissingForce>& samples, double L) {
 Json picture_json(const RunPicture& p, double L, bool held_out, bool with_effects) {
   const auto& run = p.recorded;
   const auto& manoeuvre = run.facts.manoeuvre;
-  Json series{{"time_s", numbers(run.time)},       {"recorded", channels_json(run)},
-              {"given", channels_json(p.given)},   {"refitted", channels_json(p.refitted)},
-              {"motion", motion_json(p.missing_before, L)}, {"missing_before", force_json(p.missing_before)}};
+  Json series{{"time_s", numbers(run.time)},
+              {"recorded", channels_json(run)},
+              {"given", channels_json(p.given)},
+              {"refitted", channels_json(p.refitted)},
+              {"motion", motion_json(p.missing_before, L)},
+              {"missing_before", force_json(p.missing_before)}};
   if (with_effects) {
     series["after"] = channels_json(p.after);
     series["missing_after"] = force_json(p.missing_after);
@@ -90,10 +94,12 @@ void keep_order(Json& effects, const std::vector<FoundEffect>& found) {
 void require_folder(const std::filesystem::path& page) {
   std::error_code ignored;
   const auto folder = page.parent_path();
-  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) throw FileError({.file = page}, "cannot be written (there is no such folder)");
+  if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+    throw FileError({.file = page}, "cannot be written (there is no such folder)");
 }
 
-void write_diagnosis_report(Json document, const Ship& ship, const Diagnosis& diagnosis, const std::filesystem::path& page) {
+void write_diagnosis_report(Json document, const Ship& ship, const Diagnosis& diagnosis,
+                            const std::filesystem::path& page) {
   document["ship"] = ship.name;
   document["length_m"] = length(ship);
   document["ordinary_force"] = ordinary_json(diagnosis.refitted);

@@ -12,6 +12,7 @@ void require_folder(const std::filesystem::path& page);
 
 /// Writes the page of a diagnosis whose pictures were asked for.
 /// @param document  the diagnosis as JSON
-void write_diagnosis_report(Json document, const Ship& ship, const Diagnosis& diagnosis, const std::filesystem::path& page);
+void write_diagnosis_report(Json document, const Ship& ship, const Diagnosis& diagnosis,
+                            const std::filesystem::path& page);
 
 }  // namespace swayaw::app

@@ -48,14 +48,19 @@ std::vector<Channel> channels_named(const std::vector<std::string>& names) {
   std::vector<Channel> channels;
   for (const auto& name : names) {
     const auto found = std::ranges::find(measured_channels, name, [](Channel c) { return column_name(c); });
-    if (found == measured_channels.end()) throw Refusal(fmt::format("--channels: {} is not among the channels that are used, which are x_m, y_m, psi_rad, u_m_s …", name));
+    if (found == measured_channels.end())
+      throw Refusal(fmt::format(
+          "--channels: {} is not among the channels that are used, which are x_m, y_m, psi_rad, u_m_s …", name));
     channels.push_back(*found);
   }
   return channels;
 }
 
 Question question_of(const IdentifyArguments& a) {
-  Question q{.ship = in_model(load_nonlinear_ship(a.ship), a.model), .runs = load_runs(a.runs), .holdout = load_runs(a.holdout), .options = {.numbers = {}}};
+  Question q{.ship = in_model(load_nonlinear_ship(a.ship), a.model),
+             .runs = load_runs(a.runs),
+             .holdout = load_runs(a.holdout),
+             .options = {.numbers = {}}};
   q.options.numbers = numbers_to_find(q.ship, a);
   q.options.priors = a.prior;
   q.options.ridge = a.ridge;
@@ -81,11 +86,11 @@ struct ZigzagCheck {
 };
 
 struct Answer {
-  Ship ship;                            ///< as written
+  Ship ship;  ///< as written
   ForceFit forces;
   std::optional<TrajectoryFit> trajectories;
   bool from_trajectories = false;
-  std::string reason;                   ///< why these
+  std::string reason;  ///< why these
   std::vector<Found> found;
   StabilityVerdict stability;
   std::vector<Resample> resamples;
@@ -97,8 +102,10 @@ struct Answer {
 bool is_negligible(const ChannelResiduals& c, const Ship& ship) {
   const double L = length(ship), U = service_speed(ship);
   switch (c.channel) {
-    case Channel::x: case Channel::y: return c.after < 1e-4 * L;
-    case Channel::psi: case Channel::course_over_ground: return c.after < 1e-4;
+    case Channel::x:
+    case Channel::y: return c.after < 1e-4 * L;
+    case Channel::psi:
+    case Channel::course_over_ground: return c.after < 1e-4;
     case Channel::r: return c.after < 1e-4 * U / L;
     default: return c.after < 1e-4 * U;
   }
@@ -116,8 +123,10 @@ bool explains(const TrajectoryFit& fit) {
   return fit.status == TrajectoryFitStatus::converged && sum < 0.2 * static_cast<double>(count);
 }
 
-TrajectoryFit fit_on_trajectories(const Question& q, const ForceFit& start, Progress& progress, const Interrupt& interrupt) {
-  TrajectoryFitOptions options{.numbers = q.options.numbers, .channels = q.options.states.channels, .priors = q.options.priors};
+TrajectoryFit fit_on_trajectories(const Question& q, const ForceFit& start, Progress& progress,
+                                  const Interrupt& interrupt) {
+  TrajectoryFitOptions options{
+      .numbers = q.options.numbers, .channels = q.options.states.channels, .priors = q.options.priors};
   options.progress = [&](const TrajectoryProgress& p) {
     progress.tell(fmt::format("trajectories, iteration {}, numbers move by {:.2g}", p.iteration, p.change));
     return !interrupt.asked();
@@ -155,20 +164,30 @@ std::vector<std::string> advice_for(const Question& q, const Answer& answer) {
     return most;
   });
   if (condition < 100.0 && inflation < 1000.0) return advice;
-  advice.push_back(fmt::format("ill-conditioned: condition number {:.0f}, variance inflation up to {:.2g}; single coefficients mean little", condition, inflation));
+  advice.push_back(fmt::format(
+      "ill-conditioned: condition number {:.0f}, variance inflation up to {:.2g}; single coefficients mean little",
+      condition, inflation));
   if (!std::holds_alternative<PuShip<double>>(q.ship.model)) {
-    advice.push_back("drift and yaw rate went together in these runs; turning circles beside zigzags, or zigzags of other sizes, would separate their terms");
+    advice.push_back(
+        "drift and yaw rate went together in these runs; turning circles beside zigzags, or zigzags of other sizes, "
+        "would separate their terms");
     return advice;
   }
   std::vector<int> amplitudes;
   for (const auto& run : q.runs) amplitudes.push_back(rudder_amplitude(q.ship, run));
   const auto [low, high] = std::ranges::minmax(amplitudes);
   if (high - low <= 2)
-    advice.push_back(fmt::format("all runs have one rudder amplitude, {} deg: its square hardly varies, so terms with delta² are copies of those without; "
-                                 "record runs with a second rudder amplitude", high));
+    advice.push_back(
+        fmt::format("all runs have one rudder amplitude, {} deg: its square hardly varies, so terms with delta² are "
+                    "copies of those without; "
+                    "record runs with a second rudder amplitude",
+                    high));
   else
-    advice.push_back(fmt::format("rudder amplitudes from {} to {} deg do not separate the rudder terms enough: record more amplitudes, or take model pi, whose "
-                                 "rudder is known beforehand", low, high));
+    advice.push_back(
+        fmt::format("rudder amplitudes from {} to {} deg do not separate the rudder terms enough: record more "
+                    "amplitudes, or take model pi, whose "
+                    "rudder is known beforehand",
+                    low, high));
   return advice;
 }
 
@@ -179,7 +198,8 @@ std::vector<ZigzagCheck> zigzag_checks(const Question& q, const Ship& after) {
     if (!order) return;
     const auto recorded = recorded_overshoots(run, *order);
     if (recorded.empty()) return;
-    checks.push_back({run.name, recorded, simulated_overshoots(q.ship, run, *order, recorded.size()), simulated_overshoots(after, run, *order, recorded.size())});
+    checks.push_back({run.name, recorded, simulated_overshoots(q.ship, run, *order, recorded.size()),
+                      simulated_overshoots(after, run, *order, recorded.size())});
   };
   for (const auto& run : q.runs) add(run);
   for (const auto& run : q.holdout) add(run);
@@ -217,14 +237,27 @@ void choose(Answer& answer, const IdentifyArguments& a) {
   if (a.fit == "trajectories") answer.reason = "fitted to the recorded trajectories, as asked";
   else if (right) answer.reason = "fitted to the recorded trajectories, whose residuals are no more than noise";
   else if (answer.trajectories->status == TrajectoryFitStatus::converged)
-    answer.reason = "least squares on the forces of inverse dynamics; on trajectories the residuals are not noise: the model lacks something, and such a fit would bend the coefficients to it";
-  else answer.reason = fmt::format("least squares on the forces of inverse dynamics; the fit to trajectories did not end well ({})", words_for(answer.trajectories->status));
+    answer.reason =
+        "least squares on the forces of inverse dynamics; on trajectories the residuals are not noise: the model lacks "
+        "something, and such a fit would bend the coefficients to it";
+  else
+    answer.reason =
+        fmt::format("least squares on the forces of inverse dynamics; the fit to trajectories did not end well ({})",
+                    words_for(answer.trajectories->status));
 }
 
 Answer answer_to(const Question& q, const IdentifyArguments& a) {
   Progress progress("identify");
   const Interrupt interrupt;
-  Answer answer{.ship = q.ship, .forces = {}, .trajectories = {}, .reason = {}, .found = {}, .stability = {}, .resamples = {}, .zigzags = {}, .advice = {}};
+  Answer answer{.ship = q.ship,
+                .forces = {},
+                .trajectories = {},
+                .reason = {},
+                .found = {},
+                .stability = {},
+                .resamples = {},
+                .zigzags = {},
+                .advice = {}};
   std::vector<StateEstimate> states;
   for (const auto& run : q.runs) {
     progress.tell(fmt::format("motion of {}", run.name));
@@ -242,7 +275,8 @@ Answer answer_to(const Question& q, const IdentifyArguments& a) {
   choose(answer, a);
   answer.ship = answer.from_trajectories ? answer.trajectories->ship : answer.forces.ship;
   for (const auto& number : ship_numbers(q.ship, q.options.numbers))
-    answer.found.push_back(answer.from_trajectories ? found_on_trajectories(number, *answer.trajectories) : found_by_forces(number, answer.forces));
+    answer.found.push_back(answer.from_trajectories ? found_on_trajectories(number, *answer.trajectories)
+                                                    : found_by_forces(number, answer.forces));
   answer.stability = stability_verdict(answer.forces);
   if (a.resample && !interrupt.asked()) {
     progress.tell("other choices of runs");
@@ -268,15 +302,20 @@ Json errors_json(const Ship& before, const Ship& after, const std::vector<Record
       return nullptr;
     }
   };
-  for (const auto& run : runs) list.push_back({{"run", run.name}, {"before", errors(before, run)}, {"after", errors(after, run)}});
+  for (const auto& run : runs)
+    list.push_back({{"run", run.name}, {"before", errors(before, run)}, {"after", errors(after, run)}});
   return list;
 }
 
 // ---------------------------------------------------------------- JSON
 
 Json coefficient_json(const Found& f) {
-  return {{"name", f.before.name},           {"before", number(f.before.value)}, {"value", number(f.estimate.value)},
-          {"standard_error", number(f.estimate.standard_error)}, {"low", number(f.low)}, {"high", number(f.high)},
+  return {{"name", f.before.name},
+          {"before", number(f.before.value)},
+          {"value", number(f.estimate.value)},
+          {"standard_error", number(f.estimate.standard_error)},
+          {"low", number(f.low)},
+          {"high", number(f.high)},
           {"variance_inflation", f.variance_inflation ? number(*f.variance_inflation) : Json(nullptr)},
           {"undetermined", f.undetermined}};
 }
@@ -288,34 +327,60 @@ Json equation_json(const ForceEquation& e) {
     bias[e.fit.coefficients[i].name] = number(e.bias[i]);
   }
   for (const auto& combination : e.fit.undetermined) combinations.push_back(in_words(combination));
-  return {{"force", in_words(e.component)}, {"coefficients", std::move(names)}, {"R2", number(e.fit.R2)}, {"condition_number", number(e.fit.condition_number)},
-          {"effective_samples", number(e.fit.samples)}, {"solver", in_words(e.fit.solver)}, {"bias_of_motion_errors", std::move(bias)},
+  return {{"force", in_words(e.component)},
+          {"coefficients", std::move(names)},
+          {"R2", number(e.fit.R2)},
+          {"condition_number", number(e.fit.condition_number)},
+          {"effective_samples", number(e.fit.samples)},
+          {"solver", in_words(e.fit.solver)},
+          {"bias_of_motion_errors", std::move(bias)},
           {"undetermined", std::move(combinations)}};
 }
 
 Json stability_json(const StabilityVerdict& s) {
   constexpr std::array names{"stable", "unstable", "not_told"};
-  return {{"straight_course", names[static_cast<std::size_t>(s.straight_course)]}, {"e0", number(s.e0)}, {"standard_error", number(s.standard_error)},
-          {"linear_hull", s.linear_hull}, {"largest_drift_rad", s.range.drift}, {"largest_r_prime", s.range.omega}, {"words", s.words}};
+  return {{"straight_course", names[static_cast<std::size_t>(s.straight_course)]},
+          {"e0", number(s.e0)},
+          {"standard_error", number(s.standard_error)},
+          {"linear_hull", s.linear_hull},
+          {"largest_drift_rad", s.range.drift},
+          {"largest_r_prime", s.range.omega},
+          {"words", s.words}};
 }
 
 Json trajectory_json(const TrajectoryFit& fit) {
   Json runs = Json::array(), numbers = Json::array();
   for (const auto& n : fit.numbers)
-    numbers.push_back({{"name", n.name}, {"value", number(n.estimate.value)}, {"standard_error", number(n.estimate.standard_error)}, {"at_bound", n.at_bound}});
+    numbers.push_back({{"name", n.name},
+                       {"value", number(n.estimate.value)},
+                       {"standard_error", number(n.estimate.standard_error)},
+                       {"at_bound", n.at_bound}});
   for (const auto& run : fit.runs) {
     Json channels = Json::array();
     for (const auto& c : run.channels)
-      channels.push_back({{"channel", column_name(c.channel)}, {"rms_before", number(c.before)}, {"rms_after", number(c.after)}, {"autocorrelation", number(c.autocorrelation)}});
+      channels.push_back({{"channel", column_name(c.channel)},
+                          {"rms_before", number(c.before)},
+                          {"rms_after", number(c.after)},
+                          {"autocorrelation", number(c.autocorrelation)}});
     runs.push_back({{"run", run.name}, {"channels", std::move(channels)}});
   }
-  return {{"status", words_for(fit.status)}, {"iterations", fit.iterations}, {"condition_number", number(fit.condition_number)},
-          {"best_combination", fit.best_combination}, {"undetermined", fit.undetermined}, {"numbers", std::move(numbers)}, {"runs", std::move(runs)}};
+  return {{"status", words_for(fit.status)},
+          {"iterations", fit.iterations},
+          {"condition_number", number(fit.condition_number)},
+          {"best_combination", fit.best_combination},
+          {"undetermined", fit.undetermined},
+          {"numbers", std::move(numbers)},
+          {"runs", std::move(runs)}};
 }
 
 Json zigzag_json(const ZigzagCheck& z) {
-  const auto angles = [](const std::optional<std::vector<double>>& o) { return o ? numbers(in_degrees(*o)) : Json(nullptr); };
-  return {{"run", z.run}, {"recorded_deg", numbers(in_degrees(z.recorded))}, {"before_deg", angles(z.before)}, {"after_deg", angles(z.after)}};
+  const auto angles = [](const std::optional<std::vector<double>>& o) {
+    return o ? numbers(in_degrees(*o)) : Json(nullptr);
+  };
+  return {{"run", z.run},
+          {"recorded_deg", numbers(in_degrees(z.recorded))},
+          {"before_deg", angles(z.before)},
+          {"after_deg", angles(z.after)}};
 }
 
 Json resamples_json(const std::vector<Resample>& resamples, const std::vector<std::string>& names) {
@@ -339,30 +404,34 @@ Json document_of(const Question& q, const Answer& answer, const IdentifyArgument
   for (const auto& f : answer.found) coefficients.push_back(coefficient_json(f));
   for (const auto& e : answer.forces.equations) equations.push_back(equation_json(e));
   for (const auto& z : answer.zigzags) zigzags.push_back(zigzag_json(z));
-  return {{"schema", "swayaw.identification/1"},
-          {"version", version()},
-          {"ship", q.ship.name},
-          {"model", a.model},
-          {"runs", names_of(q.runs)},
-          {"method", answer.from_trajectories ? "trajectories" : "forces"},
-          {"reason", answer.reason},
-          {"coefficients", std::move(coefficients)},
-          {"equations", std::move(equations)},
-          {"trajectories", answer.trajectories ? trajectory_json(*answer.trajectories) : Json(nullptr)},
-          {"stability", stability_json(answer.stability)},
-          {"errors", {{"train", errors_json(q.ship, answer.ship, q.runs)}, {"holdout", errors_json(q.ship, answer.ship, q.holdout)}}},
-          {"zigzags", std::move(zigzags)},
-          {"resamples", resamples_json(answer.resamples, q.options.numbers)},
-          {"advice", answer.advice}};
+  return {
+      {"schema", "swayaw.identification/1"},
+      {"version", version()},
+      {"ship", q.ship.name},
+      {"model", a.model},
+      {"runs", names_of(q.runs)},
+      {"method", answer.from_trajectories ? "trajectories" : "forces"},
+      {"reason", answer.reason},
+      {"coefficients", std::move(coefficients)},
+      {"equations", std::move(equations)},
+      {"trajectories", answer.trajectories ? trajectory_json(*answer.trajectories) : Json(nullptr)},
+      {"stability", stability_json(answer.stability)},
+      {"errors",
+       {{"train", errors_json(q.ship, answer.ship, q.runs)}, {"holdout", errors_json(q.ship, answer.ship, q.holdout)}}},
+      {"zigzags", std::move(zigzags)},
+      {"resamples", resamples_json(answer.resamples, q.options.numbers)},
+      {"advice", answer.advice}};
 }
 
 // ---------------------------------------------------------------- text
 
 void print_coefficients(const Answer& answer) {
-  fmt::print("  {:<20}{:>13}{:>13}{:>13}   {:<26}{:>10}\n", "coefficient", "before", "found", "std error", "95 % interval", "inflation");
+  fmt::print("  {:<20}{:>13}{:>13}{:>13}   {:<26}{:>10}\n", "coefficient", "before", "found", "std error",
+             "95 % interval", "inflation");
   for (const auto& f : answer.found) {
     const auto interval = fmt::format("{:.5g} ... {:.5g}", f.low, f.high);
-    fmt::print("  {:<20}{:>13.5g}{:>13.5g}{:>13.2g}   {:<26}", f.before.name, f.before.value, f.estimate.value, f.estimate.standard_error, interval);
+    fmt::print("  {:<20}{:>13.5g}{:>13.5g}{:>13.2g}   {:<26}", f.before.name, f.before.value, f.estimate.value,
+               f.estimate.standard_error, interval);
     if (f.variance_inflation) fmt::print("{:>10.3g}", *f.variance_inflation);
     fmt::print("{}\n", f.undetermined ? "  not determined" : "");
   }
@@ -370,8 +439,8 @@ void print_coefficients(const Answer& answer) {
 
 void print_equations(const Answer& answer) {
   for (const auto& e : answer.forces.equations) {
-    fmt::print("  {}: R2 {:.3f}, condition number {:.3g}, {:.0f} independent samples, {}\n", in_words(e.component), e.fit.R2, e.fit.condition_number,
-               e.fit.samples, in_words(e.fit.solver));
+    fmt::print("  {}: R2 {:.3f}, condition number {:.3g}, {:.0f} independent samples, {}\n", in_words(e.component),
+               e.fit.R2, e.fit.condition_number, e.fit.samples, in_words(e.fit.solver));
     for (const auto& combination : e.fit.undetermined) fmt::print("     not determined: {}\n", in_words(combination));
   }
 }
@@ -390,7 +459,9 @@ void print_errors(std::string_view title, const Json& list) {
     fmt::print("  {:<28}", run["run"].get<std::string>());
     for (const auto* quantity : {"heading", "yaw_rate", "speed", "drift"}) {
       const auto share = [&](const char* when) {
-        return run[when].is_object() && run[when].contains(quantity) && run[when][quantity].is_number() ? fmt::format("{:.1f}", 100.0 * run[when][quantity].get<double>()) : std::string("-");
+        return run[when].is_object() && run[when].contains(quantity) && run[when][quantity].is_number()
+                   ? fmt::format("{:.1f}", 100.0 * run[when][quantity].get<double>())
+                   : std::string("-");
       };
       fmt::print("  {} {} -> {} %", quantity, share("before"), share("after"));
     }
@@ -420,7 +491,8 @@ void print_answer(const Question& q, const Answer& answer, const Json& document)
   print_errors("runs held out", document["errors"]["holdout"]);
   if (!answer.zigzags.empty()) fmt::print("\nzigzags, overshoots in deg\n");
   for (const auto& z : answer.zigzags)
-    fmt::print("  {:<28}  recorded {}; before {}; after {}\n", z.run, angles_text(z.recorded), angles_text(z.before), angles_text(z.after));
+    fmt::print("  {:<28}  recorded {}; before {}; after {}\n", z.run, angles_text(z.recorded), angles_text(z.before),
+               angles_text(z.after));
   print_resamples(answer.resamples, q.options.numbers);
   fmt::print("\nstraight course: {}\n", answer.stability.words);
   for (const auto& line : answer.advice) fmt::print("{}\n", line);
@@ -430,7 +502,8 @@ void print_answer(const Question& q, const Answer& answer, const Json& document)
 std::string remark_of(const Question& q, const Answer& answer) {
   auto remark = fmt::format("Coefficients identified by swayaw {} from", version());
   for (const auto& run : q.runs) remark += fmt::format(" {}", run.name);
-  remark += fmt::format(",\nbeginning with {}: {}.\nStraight course: {}.", q.ship.name, answer.reason, answer.stability.words);
+  remark += fmt::format(",\nbeginning with {}: {}.\nStraight course: {}.", q.ship.name, answer.reason,
+                        answer.stability.words);
   std::string undetermined;
   for (const auto& f : answer.found)
     if (f.undetermined) undetermined += (undetermined.empty() ? "" : ", ") + f.before.name;

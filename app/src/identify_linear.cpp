@@ -18,7 +18,8 @@ struct Particulars {
 };
 
 Particulars particulars_of(const AnyShip& any) {
-  if (const auto* linear = std::get_if<LinearShip>(&any)) return {linear->name, linear->particulars, linear->steering_gear};
+  if (const auto* linear = std::get_if<LinearShip>(&any))
+    return {linear->name, linear->particulars, linear->steering_gear};
   const auto& ship = std::get<Ship>(any);
   return {ship.name, {length(ship), service_speed(ship)}, steering_gear(ship)};
 }
@@ -31,8 +32,9 @@ struct Row {
 std::vector<Row> rows_of(const LinearFit& fit) {
   const auto& m = fit.coefficients;
   const auto& i = fit.indices;
-  return {{"a1", m.a1}, {"b1", m.b1}, {"c1", m.c1}, {"a2", m.a2}, {"b2", m.b2}, {"c2", m.c2}, {"T1T2", i.T1T2}, {"T1_plus_T2", i.T1_plus_T2},
-          {"T3b", i.T3b}, {"T3w", i.T3w}, {"Kb", i.Kb}, {"Kw", i.Kw}};
+  return {{"a1", m.a1},   {"b1", m.b1},   {"c1", m.c1},     {"a2", m.a2},
+          {"b2", m.b2},   {"c2", m.c2},   {"T1T2", i.T1T2}, {"T1_plus_T2", i.T1_plus_T2},
+          {"T3b", i.T3b}, {"T3w", i.T3w}, {"Kb", i.Kb},     {"Kw", i.Kw}};
 }
 
 /// Verdict for motions of that size only.
@@ -45,11 +47,16 @@ std::string verdict_of(const LinearFit& fit) {
 
 LinearShip ship_of(const LinearFit& fit, const Particulars& p) {
   const auto& m = fit.coefficients;
-  LinearShip ship{.name = p.name, .particulars = p.particulars, .steering_gear = p.gear,
-                  .form = SwayYawCoefficients<double>{m.a1.value, m.b1.value, m.c1.value, m.a2.value, m.b2.value, m.c2.value}, .confidence = {}};
+  LinearShip ship{
+      .name = p.name,
+      .particulars = p.particulars,
+      .steering_gear = p.gear,
+      .form = SwayYawCoefficients<double>{m.a1.value, m.b1.value, m.c1.value, m.a2.value, m.b2.value, m.c2.value},
+      .confidence = {}};
   for (const auto& row : rows_of(fit)) {
     if (ship.confidence.named.size() == 6) break;
-    ship.confidence.named.emplace_back(row.name, std::min(10.0, row.estimate.standard_error / std::abs(row.estimate.value)));
+    ship.confidence.named.emplace_back(row.name,
+                                       std::min(10.0, row.estimate.standard_error / std::abs(row.estimate.value)));
   }
   return ship;
 }
@@ -57,12 +64,22 @@ LinearShip ship_of(const LinearFit& fit, const Particulars& p) {
 Json document_of(const LinearFit& fit, const Particulars& p, const std::vector<Recording>& runs) {
   Json coefficients = Json::array(), names = Json::array();
   for (const auto& row : rows_of(fit))
-    coefficients.push_back({{"name", row.name}, {"value", number(row.estimate.value)}, {"standard_error", number(row.estimate.standard_error)},
+    coefficients.push_back({{"name", row.name},
+                            {"value", number(row.estimate.value)},
+                            {"standard_error", number(row.estimate.standard_error)},
                             {"verdict", in_words(row.estimate.verdict())}});
   for (const auto& run : runs) names.push_back(run.name);
-  return {{"schema", "swayaw.identification/1"}, {"version", version()}, {"ship", p.name}, {"model", "linear"}, {"runs", std::move(names)},
-          {"method", "prediction errors"}, {"coefficients", std::move(coefficients)}, {"condition_number", number(fit.condition_number)},
-          {"stability", {{"stable", fit.stable}, {"probability_stable", number(fit.probability_stable)}, {"words", verdict_of(fit)}}}};
+  return {
+      {"schema", "swayaw.identification/1"},
+      {"version", version()},
+      {"ship", p.name},
+      {"model", "linear"},
+      {"runs", std::move(names)},
+      {"method", "prediction errors"},
+      {"coefficients", std::move(coefficients)},
+      {"condition_number", number(fit.condition_number)},
+      {"stability",
+       {{"stable", fit.stable}, {"probability_stable", number(fit.probability_stable)}, {"words", verdict_of(fit)}}}};
 }
 
 }  // namespace
@@ -73,12 +90,17 @@ void identify_linear(const IdentifyArguments& a) {
   for (const auto& file : a.runs) runs.push_back(load_run(file));
   const auto fit = fit_linear(runs, {.L = p.particulars.L});
   if (!std::isfinite(fit.coefficients.a1.value))
-    throw Refusal("the runs do not tell drift (u and v), without which only the yaw equation shows; a linear ship file needs both");
-  write_linear_ship(a.out, ship_of(fit, p), fmt::format("Identified by swayaw {}: {}.\n[confidence] holds the relative standard errors.", version(), verdict_of(fit)));
+    throw Refusal(
+        "the runs do not tell drift (u and v), without which only the yaw equation shows; a linear ship file needs "
+        "both");
+  write_linear_ship(a.out, ship_of(fit, p),
+                    fmt::format("Identified by swayaw {}: {}.\n[confidence] holds the relative standard errors.",
+                                version(), verdict_of(fit)));
   if (a.json) fmt::print("{}\n", document_of(fit, p, runs).dump(2));
   else {
     fmt::print("{}\n  {:<12}{:>12}{:>12}\n", p.name, "", "found", "std error");
-    for (const auto& [name, e] : rows_of(fit)) fmt::print("  {:<12}{:>12.5g}{:>12.2g}  {}\n", name, e.value, e.standard_error, in_words(e.verdict()));
+    for (const auto& [name, e] : rows_of(fit))
+      fmt::print("  {:<12}{:>12.5g}{:>12.2g}  {}\n", name, e.value, e.standard_error, in_words(e.verdict()));
     fmt::print("{}\n", verdict_of(fit));
   }
   fmt::print(stderr, "swayaw: ship file written to {}\n", a.out.string());

@@ -28,8 +28,14 @@ struct Findings {
 Findings findings_of(const LinearShip& ship) {
   const auto h = transfer_functions(ship);
   const auto i = indices(ship);
-  const auto m = has_coefficients(ship) ? coefficients(ship) : SwayYawCoefficients<double>{none, none, none, none, none, none};
-  return {h, i, m, time_constants(h).value_or(TimeConstants<double>{none, none}), first_order_drift(i).T, first_order_yaw(i).T};
+  const auto m =
+      has_coefficients(ship) ? coefficients(ship) : SwayYawCoefficients<double>{none, none, none, none, none, none};
+  return {h,
+          i,
+          m,
+          time_constants(h).value_or(TimeConstants<double>{none, none}),
+          first_order_drift(i).T,
+          first_order_yaw(i).T};
 }
 
 // ---------------------------------------------------------------- JSON
@@ -57,7 +63,8 @@ Json dimensional_json(const Findings& f, const PrimeScale& scale) {
           {"r_delta_per_s2", number(c.r_delta)}};
 }
 
-/// With the masses of the hull, or those of a ship whose virtual mass and moment of inertia are 1 and who has no mass of her own.
+/// With the masses of the hull, or those of a ship whose virtual mass and moment of inertia are 1 and who has no mass
+/// of her own.
 Json sname_json(const LinearShip& ship, const SwayYawCoefficients<double>& m) {
   SnameDerivatives<double> masses{};
   masses.Y_vdot = masses.N_rdot = -1.0;
@@ -73,7 +80,9 @@ Json sname_json(const LinearShip& ship, const SwayYawCoefficients<double>& m) {
 
 Json split_json(const LinearParts<double>& ship) {
   const auto split = coefficients(ship);
-  return {{"hull", coefficients_json(split.hull)}, {"rudder", coefficients_json(split.rudder)}, {"centrifugal", coefficients_json(split.centrifugal)}};
+  return {{"hull", coefficients_json(split.hull)},
+          {"rudder", coefficients_json(split.rudder)},
+          {"centrifugal", coefficients_json(split.centrifugal)}};
 }
 
 }  // namespace
@@ -127,7 +136,8 @@ void print_indices(const Findings& f, const PrimeScale& scale) {
 /// The rudder's part of each coefficient in percent of the whole.
 void print_rudder_share(const SwayYawCoefficients<double>& rudder, const SwayYawCoefficients<double>& whole) {
   fmt::print("  {:<24}", "rudder share");
-  for (const auto& p : whole.parameters()) fmt::print("{:>11}", fmt::format("{:.0f} %", 100.0 * rudder.*p.member / whole.*p.member));
+  for (const auto& p : whole.parameters())
+    fmt::print("{:>11}", fmt::format("{:.0f} %", 100.0 * rudder.*p.member / whole.*p.member));
   fmt::print("\n");
 }
 
@@ -147,7 +157,9 @@ void print_equations(const LinearShip& ship, const SwayYawCoefficients<double>& 
 
 }  // namespace
 
-void print_index_table(const LinearShip& ship, double speed) { print_indices(findings_of(ship), prime_scale(ship, speed)); }
+void print_index_table(const LinearShip& ship, double speed) {
+  print_indices(findings_of(ship), prime_scale(ship, speed));
+}
 
 void print_coefficients(std::string_view name, const SwayYawCoefficients<double>& m) {
   fmt::print("  {:<24}", name);
@@ -163,21 +175,25 @@ void print_text(const LinearShip& ship, double speed) {
   fmt::print("The ship is {}.\n\n", stability_words(f.h));
   print_indices(f, prime_scale(ship, speed));
   print_equations(ship, f.m);
-  if (!has_coefficients(ship)) fmt::print("\nNo coupled equations follow from these indices: T3b = T3w, or Kb or Kw = 0.\n");
+  if (!has_coefficients(ship))
+    fmt::print("\nNo coupled equations follow from these indices: T3b = T3w, or Kb or Kw = 0.\n");
 }
 
 // ---------------------------------------------------------------- plot
 
 /// Whole decades around the corner frequencies of poles and zeros, which are at least a factor of 3 inside.
 std::vector<double> frequencies_of(const SwayYawTransfer<double>& h) {
-  std::vector<double> corners{std::abs(h.e0 / h.e1), std::sqrt(std::abs(h.e0)), std::abs(h.e1), std::abs(h.nb0 / h.nb1), std::abs(h.nw0 / h.nw1)};
+  std::vector<double> corners{std::abs(h.e0 / h.e1), std::sqrt(std::abs(h.e0)), std::abs(h.e1), std::abs(h.nb0 / h.nb1),
+                              std::abs(h.nw0 / h.nw1)};
   std::erase_if(corners, [](double x) { return !std::isnormal(x); });
   const auto [low, high] = std::ranges::minmax(corners);
-  return logarithmic_frequencies(std::pow(10.0, std::floor(std::log10(low / 3.0))), std::pow(10.0, std::ceil(std::log10(3.0 * high))), 400);
+  return logarithmic_frequencies(std::pow(10.0, std::floor(std::log10(low / 3.0))),
+                                 std::pow(10.0, std::ceil(std::log10(3.0 * high))), 400);
 }
 
 /// Adds the gain and the phase of one motion, where the rudder moves it at all.
-void add_motion(Plot& plot, const std::string& name, const RudderTransfer<double>& t, const std::vector<double>& frequencies, const Stroke& stroke) {
+void add_motion(Plot& plot, const std::string& name, const RudderTransfer<double>& t,
+                const std::vector<double>& frequencies, const Stroke& stroke) {
   if (t.n0 == 0.0 && t.n1 == 0.0) return;
   std::vector<double> gains, phases_deg;
   for (const double nu : frequencies) {
@@ -191,12 +207,15 @@ void add_motion(Plot& plot, const std::string& name, const RudderTransfer<double
 /// @throws Refusal  if the rudder moves the ship in no way
 Plot bode_plot(const LinearShip& ship, const SwayYawTransfer<double>& h, double speed) {
   const Axis frequency{"Frequency", "rad per ship length", true};
-  Plot plot{fmt::format("{}: drift and yaw by rudder, one ship length in {:.4g} s", ship.name, ship.particulars.L / speed),
-            {{.x = frequency, .y = {"Gain", "", true}, .curves = {}}, {.x = frequency, .y = {"Phase", "deg", false, 45.0}, .curves = {}}}};
+  Plot plot{
+      fmt::format("{}: drift and yaw by rudder, one ship length in {:.4g} s", ship.name, ship.particulars.L / speed),
+      {{.x = frequency, .y = {"Gain", "", true}, .curves = {}},
+       {.x = frequency, .y = {"Phase", "deg", false, 45.0}, .curves = {}}}};
   const auto frequencies = frequencies_of(h);
   add_motion(plot, "drift angle β / δ", rudder_to_drift(h), frequencies, {ink::drift});
   add_motion(plot, "yaw rate ω′ / δ", rudder_to_yaw(h), frequencies, {ink::yaw});
-  if (plot.panels[0].curves.empty()) throw Refusal("the rudder moves this ship neither in drift nor in yaw: there is nothing to plot");
+  if (plot.panels[0].curves.empty())
+    throw Refusal("the rudder moves this ship neither in drift nor in yaw: there is nothing to plot");
   return plot;
 }
 

@@ -39,8 +39,10 @@ using AnyShip = std::variant<LinearShip, Ship>;
   std::vector<std::string_view> names;
   for (const auto& ship : published_ships()) names.push_back(ship.name);
   const auto nearest = nearest_word(name, names);
-  throw Refusal(nearest.empty() ? fmt::format("there is no file and no published ship \"{}\"; published are {}", name, fmt::join(names, ", "))
-                                : fmt::format("there is no file and no published ship \"{}\"; did you mean \"{}\"?", name, nearest));
+  throw Refusal(
+      nearest.empty()
+          ? fmt::format("there is no file and no published ship \"{}\"; published are {}", name, fmt::join(names, ", "))
+          : fmt::format("there is no file and no published ship \"{}\"; did you mean \"{}\"?", name, nearest));
 }
 
 /// The text of a ship file. Where no such file is there, a bare name means the published ship, which is told on stderr.
@@ -58,8 +60,10 @@ inline AnyShip load_ship(const std::filesystem::path& file) {
   return parse_ship(text, file);
 }
 
-/// A linear ship, or the small motions of another about the straight course at that speed, the service speed unless given.
-inline LinearShip load_linear_ship(const std::filesystem::path& file, const std::optional<double>& speed = std::nullopt) {
+/// A linear ship, or the small motions of another about the straight course at that speed, the service speed unless
+/// given.
+inline LinearShip load_linear_ship(const std::filesystem::path& file,
+                                   const std::optional<double>& speed = std::nullopt) {
   auto any = load_ship(file);
   if (auto* linear = std::get_if<LinearShip>(&any)) return std::move(*linear);
   const auto& ship = std::get<Ship>(any);
@@ -97,7 +101,9 @@ inline std::string name_of(const ZigzagAngles& angles) {
 
 inline Side side_named(std::string_view name) { return name == "port" ? Side::port : Side::starboard; }
 
-inline Shaft shaft_named(std::string_view name) { return name == "recorded" ? Shaft::recorded : Shaft::self_propulsion; }
+inline Shaft shaft_named(std::string_view name) {
+  return name == "recorded" ? Shaft::recorded : Shaft::self_propulsion;
+}
 
 /// Says once on stderr where the shaft speed comes from when the run does not tell it.
 inline void tell_shaft(const Recording& run, Shaft shaft) {

@@ -34,18 +34,20 @@ struct Question {
 std::optional<LinearParts<double>> formal_parts(const LinearShip& ship, const InvertArguments& a) {
   if (a.parts.empty()) {
     const auto* own = parts(ship);
-    if (!own && !a.known.empty()) throw Refusal("--known needs a ship with [hull] and [rudder] for the other numbers; name one with --parts");
+    if (!own && !a.known.empty())
+      throw Refusal("--known needs a ship with [hull] and [rudder] for the other numbers; name one with --parts");
     return own ? std::optional(*own) : std::nullopt;
   }
   const auto other = load_linear_ship(a.parts);
   const auto* given = parts(other);
-  if (!given) throw Refusal(fmt::format("{}: has no [hull]; --parts needs a ship given by hull and rudder", a.parts.string()));
+  if (!given)
+    throw Refusal(fmt::format("{}: has no [hull]; --parts needs a ship given by hull and rudder", a.parts.string()));
   return *given;
 }
 
 /// How sure the results are when the indices are as sure as [confidence] says.
 struct Certainty {
-  double separation;                        ///< T3b − T3w in standard errors
+  double separation;  ///< T3b − T3w in standard errors
   CoefficientCovariance coefficients;
   SampledCoefficients sampled;
   std::optional<PartCovariance> parts;
@@ -58,7 +60,11 @@ std::optional<Certainty> certainty_of(const Question& q) {
   const auto* i = std::get_if<SteeringIndices<double>>(&q.ship.form);
   if (!i) return std::nullopt;
   const auto covariance = covariance_of(*i, q.ship.confidence);
-  Certainty certainty{separation(*i, covariance), coefficient_covariance(*i, covariance), sample_coefficients(*i, covariance), {}, {},
+  Certainty certainty{separation(*i, covariance),
+                      coefficient_covariance(*i, covariance),
+                      sample_coefficients(*i, covariance),
+                      {},
+                      {},
                       separation_warning(*i, covariance)};
   if (!q.formal) return certainty;
   certainty.parts = part_covariance(*i, covariance, *q.formal, q.known);
@@ -91,8 +97,10 @@ std::vector<std::string> warnings_of(const Answer& answer) {
   if (answer.certainty && answer.certainty->warning) warnings.push_back(*answer.certainty->warning);
   const double distance = inverse_distance(answer.indices);
   if (!(distance < near_equal)) return warnings;
-  warnings.push_back(fmt::format("T3b and T3w are near each other ({:.2g} of their sum apart): a1, b1, a2 and b2 change by {:.0f} times any relative error in them",
-                      distance, 0.5 / distance));
+  warnings.push_back(
+      fmt::format("T3b and T3w are near each other ({:.2g} of their sum apart): a1, b1, a2 and b2 change by {:.0f} "
+                  "times any relative error in them",
+                  distance, 0.5 / distance));
   return warnings;
 }
 
@@ -106,13 +114,16 @@ Json values_json(std::span<const InvertedNumber> numbers) {
 
 void add_elasticities(Json& json, std::span<const InvertedNumber> numbers, std::size_t inputs) {
   for (const auto& n : numbers)
-    for (std::size_t k = 0; k < inputs; ++k) json[std::string(n.name)][std::string(inversion_inputs[k])] = number(n.elasticity[k]);
+    for (std::size_t k = 0; k < inputs; ++k)
+      json[std::string(n.name)][std::string(inversion_inputs[k])] = number(n.elasticity[k]);
 }
 
 Json condition_json(const Answer& answer) {
-  Json json{{"inverse_distance", number(inverse_distance(answer.indices))}, {"condition_number", number(answer.condition_number)}};
+  Json json{{"inverse_distance", number(inverse_distance(answer.indices))},
+            {"condition_number", number(answer.condition_number)}};
   if (!answer.parts) return json;
-  for (const auto& c : answer.conditions) json["known"][std::string(name_of(c.known))] = {{"by_known", number(c.by_known)}, {"worst", number(c.worst)}};
+  for (const auto& c : answer.conditions)
+    json["known"][std::string(name_of(c.known))] = {{"by_known", number(c.by_known)}, {"worst", number(c.worst)}};
   json["best_known"] = name_of(best_known(answer.conditions));
   return json;
 }
@@ -158,27 +169,34 @@ void print_numbers(std::span<const InvertedNumber> numbers, std::size_t inputs) 
   fmt::print("\n");
   for (const auto& n : numbers) {
     fmt::print("  {:<14}{:>12}", n.name, cell(n.value));
-    for (std::size_t k = 0; k < inputs; ++k) fmt::print("{:>11}", std::isfinite(n.elasticity[k]) ? fmt::format("{:.3f}", n.elasticity[k]) : "-");
+    for (std::size_t k = 0; k < inputs; ++k)
+      fmt::print("{:>11}", std::isfinite(n.elasticity[k]) ? fmt::format("{:.3f}", n.elasticity[k]) : "-");
     fmt::print("\n");
   }
 }
 
 void print_certainty(const Answer& answer, const Confidence& confidence) {
   const auto& c = *answer.certainty;
-  fmt::print("\nWith the indices known to {:g} % ([confidence]; T3b and T3w are {:.1f} standard errors apart)\n", 100.0 * confidence.coefficients, c.separation);
+  fmt::print("\nWith the indices known to {:g} % ([confidence]; T3b and T3w are {:.1f} standard errors apart)\n",
+             100.0 * confidence.coefficients, c.separation);
   fmt::print("  {:<14}{:>12}{:>16}{:>28}\n", "", "value", "standard error", "95 % of samples within");
   const auto print_row = [](const InvertedNumber& n, double variance, double low, double high) {
-    fmt::print("  {:<14}{:>12}{:>16}{:>28}\n", n.name, cell(n.value), cell(std::sqrt(variance)), fmt::format("{} to {}", cell(low), cell(high)));
+    fmt::print("  {:<14}{:>12}{:>16}{:>28}\n", n.name, cell(n.value), cell(std::sqrt(variance)),
+               fmt::format("{} to {}", cell(low), cell(high)));
   };
-  for (int k = 0; k < 6; ++k) print_row(answer.coefficients[static_cast<std::size_t>(k)], c.coefficients(k, k), c.sampled.low[k], c.sampled.high[k]);
+  for (int k = 0; k < 6; ++k)
+    print_row(answer.coefficients[static_cast<std::size_t>(k)], c.coefficients(k, k), c.sampled.low[k],
+              c.sampled.high[k]);
   if (!c.parts) return;
   for (int k = 0; k < 7; ++k)
-    print_row(answer.parts->parts[static_cast<std::size_t>(k)], (*c.parts)(k, k), c.sampled_parts->low[k], c.sampled_parts->high[k]);
+    print_row(answer.parts->parts[static_cast<std::size_t>(k)], (*c.parts)(k, k), c.sampled_parts->low[k],
+              c.sampled_parts->high[k]);
 }
 
 void print_conditions(const Answer& answer) {
   fmt::print("\n  which number to know     % per % of it   worst for 1 % in a1 ... c2 and it\n");
-  for (const auto& c : answer.conditions) fmt::print("  {:<14}{:>24}{:>20}\n", name_of(c.known), cell(c.by_known), cell(c.worst));
+  for (const auto& c : answer.conditions)
+    fmt::print("  {:<14}{:>24}{:>20}\n", name_of(c.known), cell(c.by_known), cell(c.worst));
   fmt::print("Best conditioned: {}.\n", name_of(best_known(answer.conditions)));
 }
 

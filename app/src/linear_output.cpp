@@ -18,7 +18,8 @@ std::string cell(double value) { return std::isfinite(value) ? fmt::format("{:.5
 
 std::string stability_words(const SwayYawTransfer<double>& h) {
   const bool swings = h.e1 * h.e1 < 4.0 * h.e0;
-  if (h.e0 > 0.0 && h.e1 > 0.0) return swings ? "course stable: a disturbance dies out in swings" : "course stable: a disturbance dies out";
+  if (h.e0 > 0.0 && h.e1 > 0.0)
+    return swings ? "course stable: a disturbance dies out in swings" : "course stable: a disturbance dies out";
   if (h.e0 == 0.0 && h.e1 > 0.0) return "neutral: a disturbance neither dies out nor grows";
   return swings ? "course unstable: a disturbance grows in swings" : "course unstable: a disturbance grows";
 }
@@ -28,22 +29,29 @@ std::string_view form_words(const LinearShip& ship) {
   return words[ship.form.index()];
 }
 
-double speed_of(const LinearShip& ship, const std::optional<double>& asked) { return asked.value_or(ship.particulars.U_0); }
+double speed_of(const LinearShip& ship, const std::optional<double>& asked) {
+  return asked.value_or(ship.particulars.U_0);
+}
 
-LinearZigzagOrder linear_order(const LinearShip& ship, const std::string& zigzag, const std::string& first, double speed) {
+LinearZigzagOrder linear_order(const LinearShip& ship, const std::string& zigzag, const std::string& first,
+                               double speed) {
   const auto [rudder, heading] = zigzag_angles(zigzag);
   require_rudder(rudder, ship.steering_gear);
   require_positive(heading, "heading angle [rad]");
-  return {.rudder = rudder, .heading = heading, .rate = ship.steering_gear.rate * ship.particulars.L / speed, .first = side_named(first)};
+  return {.rudder = rudder,
+          .heading = heading,
+          .rate = ship.steering_gear.rate * ship.particulars.L / speed,
+          .first = side_named(first)};
 }
 
-Recording zigzag_recording(const LinearShip& ship, const LinearZigzag<double>& zigzag, const LinearZigzagOrder& order, double speed,
-                           const std::optional<double>& step) {
+Recording zigzag_recording(const LinearShip& ship, const LinearZigzag<double>& zigzag, const LinearZigzagOrder& order,
+                           double speed, const std::optional<double>& step) {
   const auto scale = prime_scale(ship, speed);
   auto run = recording_of(coefficients(ship), zigzag.legs, scale, step.value_or(round_down(0.02 * scale.L / scale.U)));
   run.name = ship.name;
   run.facts.execute = 0.0;
-  run.facts.manoeuvre = fmt::format("{} first {}", name_of(ZigzagAngles{order.rudder, order.heading}), name_of(order.first));
+  run.facts.manoeuvre =
+      fmt::format("{} first {}", name_of(ZigzagAngles{order.rudder, order.heading}), name_of(order.first));
   return run;
 }
 

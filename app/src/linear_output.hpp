@@ -39,11 +39,12 @@ double speed_of(const LinearShip& ship, const std::optional<double>& asked);
 
 /// A zigzag D/H with the steering gear of the ship, rudder rate in rad per ship length.
 /// @throws std::domain_error  if an angle is not positive, or the rudder order beyond the largest angle
-LinearZigzagOrder linear_order(const LinearShip& ship, const std::string& zigzag, const std::string& first, double speed);
+LinearZigzagOrder linear_order(const LinearShip& ship, const std::string& zigzag, const std::string& first,
+                               double speed);
 
 /// The zigzag as a recording, its facts filled in.
-Recording zigzag_recording(const LinearShip& ship, const LinearZigzag<double>& zigzag, const LinearZigzagOrder& order, double speed,
-                           const std::optional<double>& step);
+Recording zigzag_recording(const LinearShip& ship, const LinearZigzag<double>& zigzag, const LinearZigzagOrder& order,
+                           double speed, const std::optional<double>& step);
 
 /// `swayaw simulate` for a linear ship.
 void simulate_linear(const LinearShip& ship, const SimulateArguments& arguments);

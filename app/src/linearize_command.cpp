@@ -15,7 +15,8 @@ OperatingPoint steady_turn(const Ship& ship, const Controls<double>& controls) {
   const auto better = [](const SteadyMotion& x, const SteadyMotion& y) {
     return x.stable != y.stable ? y.stable : speed(x.motion) < speed(y.motion);
   };
-  if (turns.empty()) throw Refusal(fmt::format("the ship has no steady turn at a rudder angle of {:.6g} deg", degrees(controls.delta)));
+  if (turns.empty())
+    throw Refusal(fmt::format("the ship has no steady turn at a rudder angle of {:.6g} deg", degrees(controls.delta)));
   return {std::ranges::max_element(turns, better)->motion, controls};
 }
 
@@ -23,7 +24,8 @@ OperatingPoint steady_turn(const Ship& ship, const Controls<double>& controls) {
 OperatingPoint point_of(const Ship& ship, const LinearizeArguments& a) {
   const auto driven = propulsion(ship, a.speed.value_or(service_speed(ship)), a.rev, a.thrust);
   if (a.rudder) return steady_turn(ship, with_rudder(driven, radians(*a.rudder)));
-  return a.rev || a.thrust ? straight_course(ship, driven) : straight_course(ship, a.speed.value_or(service_speed(ship)));
+  return a.rev || a.thrust ? straight_course(ship, driven)
+                           : straight_course(ship, a.speed.value_or(service_speed(ship)));
 }
 
 // ---------------------------------------------------------------- JSON
@@ -39,8 +41,19 @@ Json point_json(const OperatingPoint& point) {
 Json sname_json(const Linearization& linear) {
   const auto d = sname(linear);
   return {{"system", "force 0.5 rho L^2 U^2, moment 0.5 rho L^3 U^2"},
-          {"Y_v", d.Y_v}, {"Y_r", d.Y_r}, {"Y_delta", d.Y_delta}, {"N_v", d.N_v}, {"N_r", d.N_r}, {"N_delta", d.N_delta},
-          {"m", d.m}, {"x_G", d.x_G}, {"I_z", d.I_z}, {"Y_vdot", d.Y_vdot}, {"Y_rdot", d.Y_rdot}, {"N_vdot", d.N_vdot}, {"N_rdot", d.N_rdot}};
+          {"Y_v", d.Y_v},
+          {"Y_r", d.Y_r},
+          {"Y_delta", d.Y_delta},
+          {"N_v", d.N_v},
+          {"N_r", d.N_r},
+          {"N_delta", d.N_delta},
+          {"m", d.m},
+          {"x_G", d.x_G},
+          {"I_z", d.I_z},
+          {"Y_vdot", d.Y_vdot},
+          {"Y_rdot", d.Y_rdot},
+          {"N_vdot", d.N_vdot},
+          {"N_rdot", d.N_rdot}};
 }
 
 Json parts_json(const Linearization& linear) {
@@ -51,7 +64,8 @@ Json parts_json(const Linearization& linear) {
 
 Json poles_json(const Linearization& linear) {
   Json poles = Json::array();
-  for (const auto& pole : linear.poles) poles.push_back({{"real_per_s", pole.real()}, {"imaginary_per_s", pole.imag()}});
+  for (const auto& pole : linear.poles)
+    poles.push_back({{"real_per_s", pole.real()}, {"imaginary_per_s", pole.imag()}});
   return poles;
 }
 
@@ -66,7 +80,8 @@ Json document_of(const Ship& ship, const Linearization& linear) {
 
 /// Both sides, where they differ.
 void add_sides(Json& json, const Ship& ship, const OperatingPoint& point) {
-  for (const Side side : {Side::port, Side::starboard}) json[std::string(name_of(side))] = document_of(ship, linearize(ship, point, side));
+  for (const Side side : {Side::port, Side::starboard})
+    json[std::string(name_of(side))] = document_of(ship, linearize(ship, point, side));
 }
 
 // ---------------------------------------------------------------- text
@@ -79,8 +94,8 @@ void print_parts(const Linearization& linear) {
 
 void print_text(const Ship& ship, const Linearization& linear, std::string_view of_what) {
   const auto& [m, c] = linear.point;
-  fmt::print("{}: small motions about u = {:.5g} m/s, v = {:.4g} m/s, r = {:.4g} deg/s, delta = {:.4g} deg{}\n", ship.name, m.u, m.v,
-             degrees(m.r), degrees(c.delta), of_what);
+  fmt::print("{}: small motions about u = {:.5g} m/s, v = {:.4g} m/s, r = {:.4g} deg/s, delta = {:.4g} deg{}\n",
+             ship.name, m.u, m.v, degrees(m.r), degrees(c.delta), of_what);
   const auto slim = linear_ship(ship, linear);
   fmt::print("The ship is {}.\n\n", stability_words(transfer_functions(slim)));
   print_index_table(slim, linear.scale.U);

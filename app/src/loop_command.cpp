@@ -34,7 +34,8 @@ struct Finding {
 bool has_inverse(const SwayYawCoefficients<double>& m, const SteeringIndices<double>& i) {
   const auto again = coefficients_from(i);
   const auto list = m.parameters();
-  return std::ranges::all_of(list, [&](const auto& p) { return std::abs(again.*p.member - m.*p.member) <= 1e-6 * std::abs(m.*p.member); });
+  return std::ranges::all_of(
+      list, [&](const auto& p) { return std::abs(again.*p.member - m.*p.member) <= 1e-6 * std::abs(m.*p.member); });
 }
 
 /// The first few of a list of angles.
@@ -63,11 +64,14 @@ LoopMeasures<double> line_of(const SteeringIndices<double>& i, const LoopMeasure
 std::vector<std::string> warnings_of(const LinearShip& ship, const Finding& f) {
   std::vector<std::string> warnings;
   if (!has_coefficients(ship))
-    warnings.push_back("drift is proportional to yaw in this ship (T3b = T3w, or Kb = 0): the loop is a line, without sensitivities");
+    warnings.push_back(
+        "drift is proportional to yaw in this ship (T3b = T3w, or Kb = 0): the loop is a line, without sensitivities");
   else if (!f.sensitivity)
-    warnings.push_back("no sensitivities: T3b and T3w cannot be varied in this ship (T3b = T3w, Kb = 0, Kw = 0, or a neutral ship)");
+    warnings.push_back(
+        "no sensitivities: T3b and T3w cannot be varied in this ship (T3b = T3w, Kb = 0, Kw = 0, or a neutral ship)");
   if (!f.cycle.settled)
-    warnings.push_back(fmt::format("the zigzag still changes after {} reversals: the loop is that of its last cycle", f.cycle.zigzag.reversals.size()));
+    warnings.push_back(fmt::format("the zigzag still changes after {} reversals: the loop is that of its last cycle",
+                                   f.cycle.zigzag.reversals.size()));
   return warnings;
 }
 
@@ -79,8 +83,9 @@ Finding finding_of(const LinearShip& ship, const LoopArguments& a) {
   const auto i = indices(ship);
   auto cycle = limit_cycle(m, order);
   const auto loop = drift_yaw_loop(m, cycle.zigzag);
-  if (!loop) throw Refusal(fmt::format("the zigzag comes to {} reversals only: a loop needs 3 (the ship is {})", cycle.zigzag.reversals.size(),
-                                       stability_words(transfer_functions(m))));
+  if (!loop)
+    throw Refusal(fmt::format("the zigzag comes to {} reversals only: a loop needs 3 (the ship is {})",
+                              cycle.zigzag.reversals.size(), stability_words(transfer_functions(m))));
   Finding finding{order, speed, std::move(cycle), *loop, {}, {}};
   if (!has_coefficients(ship)) finding.loop = line_of(i, *loop);
   else if (has_inverse(m, i)) finding.sensitivity = loop_sensitivity(i, order);
@@ -185,7 +190,11 @@ std::string manoeuvre_words(const Finding& f) {
 // ---------------------------------------------------------------- page
 
 Json curves_json(const Curves& c) {
-  return {{"s", numbers(c.s)}, {"psi_rad", numbers(c.psi)}, {"beta_rad", numbers(c.beta)}, {"omega", numbers(c.omega)}, {"delta_rad", numbers(c.delta)}};
+  return {{"s", numbers(c.s)},
+          {"psi_rad", numbers(c.psi)},
+          {"beta_rad", numbers(c.beta)},
+          {"omega", numbers(c.omega)},
+          {"delta_rad", numbers(c.delta)}};
 }
 
 std::vector<double> around(double value) {
@@ -221,8 +230,12 @@ Json map_json(const SteeringIndices<double>& i, const LinearZigzagOrder& order) 
 
 Json indices_json(const LinearShip& ship) {
   const auto i = indices(ship);
-  Json json{{"T3b", number(i.T3b)}, {"T3w", number(i.T3w)}, {"Kb", number(i.Kb)}, {"Kw", number(i.Kw)},
-            {"T_b", number(first_order_drift(i).T)}, {"T_w", number(first_order_yaw(i).T)}};
+  Json json{{"T3b", number(i.T3b)},
+            {"T3w", number(i.T3w)},
+            {"Kb", number(i.Kb)},
+            {"Kw", number(i.Kw)},
+            {"T_b", number(first_order_drift(i).T)},
+            {"T_w", number(first_order_yaw(i).T)}};
   if (const auto T = time_constants(transfer_functions(i))) {
     json["T1"] = number(T->T1);
     json["T2"] = number(T->T2);
@@ -232,11 +245,15 @@ Json indices_json(const LinearShip& ship) {
 
 std::string verdict_of(const Finding& f) {
   const auto& m = f.loop;
-  auto text = fmt::format("The {} takes {:.2f} ship lengths; its loop has an area of {:.4f} rad and passes zero drift at omega' = {:.3f}.",
-                          cycle_words(f), f.cycle.zigzag.period().value(), m.area, m.omega_at_beta_zero);
+  auto text = fmt::format(
+      "The {} takes {:.2f} ship lengths; its loop has an area of {:.4f} rad and passes zero drift at omega' = {:.3f}.",
+      cycle_words(f), f.cycle.zigzag.period().value(), m.area, m.omega_at_beta_zero);
   if (f.sensitivity)
-    text += fmt::format(" One hundredth more of T3w changes the area by {:+.2g} rad and the first overshoot by {:+.2g} deg; of T3b by {:+.2g} rad and not the overshoot.",
-                        0.01 * f.sensitivity->by_T3w.area, 0.01 * degrees(f.sensitivity->overshoot_by_T3w.front()), 0.01 * f.sensitivity->by_T3b.area);
+    text += fmt::format(
+        " One hundredth more of T3w changes the area by {:+.2g} rad and the first overshoot by {:+.2g} deg; of T3b by "
+        "{:+.2g} rad and not the overshoot.",
+        0.01 * f.sensitivity->by_T3w.area, 0.01 * degrees(f.sensitivity->overshoot_by_T3w.front()),
+        0.01 * f.sensitivity->by_T3b.area);
   return text;
 }
 
@@ -316,7 +333,9 @@ constexpr Row rows[] = {
 };
 
 /// A derivative, 0 where only rounding is left of it.
-std::string derivative_cell(double derivative, double value) { return std::abs(derivative) < 1e-10 * std::abs(value) ? "0" : cell(derivative); }
+std::string derivative_cell(double derivative, double value) {
+  return std::abs(derivative) < 1e-10 * std::abs(value) ? "0" : cell(derivative);
+}
 
 void print_row(std::string_view name, std::string_view unit, double value, double by_T3b, double by_T3w, bool varied) {
   fmt::print("  {:<22}{:>11} {:<4}", name, cell(value), unit);
@@ -330,13 +349,16 @@ void print_text(const LinearShip& ship, const Finding& f) {
   fmt::print("{}: {} at {:.4g} m/s, the loop of the {}\n", ship.name, manoeuvre_words(f), f.speed, cycle_words(f));
   fmt::print("  {:<22}{:>11} {:<4}{}\n", "", "value", "", s ? "      by T3b       by T3w" : "");
   for (const auto& [name, unit, member, scale] : rows)
-    print_row(name, unit, f.loop.*member * scale, s ? s->by_T3b.*member * scale : 0.0, s ? s->by_T3w.*member * scale : 0.0, s.has_value());
-  print_row("period", "L", f.cycle.zigzag.period().value(), s ? s->period_by_T3b : 0.0, s ? s->period_by_T3w : 0.0, s.has_value());
+    print_row(name, unit, f.loop.*member * scale, s ? s->by_T3b.*member * scale : 0.0,
+              s ? s->by_T3w.*member * scale : 0.0, s.has_value());
+  print_row("period", "L", f.cycle.zigzag.period().value(), s ? s->period_by_T3b : 0.0, s ? s->period_by_T3w : 0.0,
+            s.has_value());
   for (std::size_t k = 0; k < std::min(reversals.size(), shown_overshoots); ++k)
-    print_row(fmt::format("overshoot {}", k + 1), "deg", degrees(reversals[k].overshoot), s ? degrees(s->overshoot_by_T3b[k]) : 0.0,
-              s ? degrees(s->overshoot_by_T3w[k]) : 0.0, s.has_value());
-  print_row(fmt::format("overshoot {}", reversals.size()), "deg", degrees(reversals.back().overshoot), s ? degrees(s->overshoot_by_T3b.back()) : 0.0,
-            s ? degrees(s->overshoot_by_T3w.back()) : 0.0, s.has_value());
+    print_row(fmt::format("overshoot {}", k + 1), "deg", degrees(reversals[k].overshoot),
+              s ? degrees(s->overshoot_by_T3b[k]) : 0.0, s ? degrees(s->overshoot_by_T3w[k]) : 0.0, s.has_value());
+  print_row(fmt::format("overshoot {}", reversals.size()), "deg", degrees(reversals.back().overshoot),
+            s ? degrees(s->overshoot_by_T3b.back()) : 0.0, s ? degrees(s->overshoot_by_T3w.back()) : 0.0,
+            s.has_value());
 }
 
 }  // namespace
@@ -346,7 +368,8 @@ void loop(const LoopArguments& a) {
   const auto finding = finding_of(ship, a);
   const auto svg = a.svg.empty() ? std::string() : svg_of(loop_plot(ship, finding));  // before anything is written
   for (const auto& warning : finding.warnings) fmt::print(stderr, "swayaw: {}\n", warning);
-  if (!a.out.empty()) write_recording(zigzag_recording(ship, finding.cycle.zigzag, finding.order, finding.speed, {}), a.out);
+  if (!a.out.empty())
+    write_recording(zigzag_recording(ship, finding.cycle.zigzag, finding.order, finding.speed, {}), a.out);
   if (!a.report.empty()) write_page(ship, finding, a);
   if (!a.svg.empty()) write_text(a.svg, svg);
   if (a.json) fmt::print("{}\n", document_of(ship, finding).dump(2));

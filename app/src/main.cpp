@@ -16,7 +16,8 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 11> commands{"compare", "diagnose", "forces", "identify", "indices", "invert", "linearize", "loop", "replay", "simulate", "tune"};
+constexpr std::array<std::string_view, 11> commands{"compare",   "diagnose", "forces", "identify", "indices", "invert",
+                                                    "linearize", "loop",     "replay", "simulate", "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -39,7 +40,9 @@ CLI::Option& add_svg(CLI::App& command, std::filesystem::path& svg, const std::s
 }
 
 void add_shaft(CLI::App& command, std::string& shaft) {
-  command.add_option("--shaft", shaft, "shaft speed: recorded, or the model's self-propulsion point at the recorded starting speed")
+  command
+      .add_option("--shaft", shaft,
+                  "shaft speed: recorded, or the model's self-propulsion point at the recorded starting speed")
       ->check(CLI::IsMember({"recorded", "self-propulsion"}))
       ->capture_default_str();
 }
@@ -58,29 +61,57 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
   manoeuvre.add_option("--zigzag", a.zigzag, "zigzag, rudder D and heading H in degrees")->check(zigzag_form);
   manoeuvre.add_option("--turn", a.turn, "turning circle, rudder in degrees")->check(CLI::PositiveNumber);
   auto* spiral = manoeuvre.add_flag("--spiral", a.spiral, "Dieudonne spiral, and all steady turns");
-  auto* reverse_spiral = manoeuvre.add_flag("--reverse-spiral", a.reverse_spiral, "Bech spiral: the rudder that holds each yaw rate");
-  auto* pullout = manoeuvre.add_option("--pullout", a.pullout, "pull-out from turns to both sides, rudder in degrees")->check(CLI::PositiveNumber);
+  auto* reverse_spiral =
+      manoeuvre.add_flag("--reverse-spiral", a.reverse_spiral, "Bech spiral: the rudder that holds each yaw rate");
+  auto* pullout = manoeuvre.add_option("--pullout", a.pullout, "pull-out from turns to both sides, rudder in degrees")
+                      ->check(CLI::PositiveNumber);
   manoeuvre.add_flag("--williamson", a.williamson, "Williamson turn");
   auto* imo = manoeuvre.add_flag("--imo", a.imo, "steering criteria of IMO resolution MSC.137(76), both sides");
-  auto* straight = manoeuvre.add_option("--straight", a.straight, "steady run on this course in degrees, in wind and current of the ship file: drift and helm");
+  auto* straight = manoeuvre.add_option(
+      "--straight", a.straight,
+      "steady run on this course in degrees, in wind and current of the ship file: drift and helm");
   manoeuvre.require_option(1);
-  command.add_option("--rudder", a.rudder, "largest rudder angle in degrees of a spiral (default: 25) or Williamson turn (default: 35), or the ship's largest")
+  command
+      .add_option("--rudder", a.rudder,
+                  "largest rudder angle in degrees of a spiral (default: 25) or Williamson turn (default: 35), or the "
+                  "ship's largest")
       ->check(CLI::PositiveNumber);
-  auto* step = command.add_option("--rudder-step", a.rudder_step, "degrees between the rudder angles of the spiral")->check(CLI::PositiveNumber)->capture_default_str();
+  auto* step = command.add_option("--rudder-step", a.rudder_step, "degrees between the rudder angles of the spiral")
+                   ->check(CLI::PositiveNumber)
+                   ->capture_default_str();
   command.add_option("--first", a.first, "side turned to first; of the pull-outs the one that --out writes")
-      ->check(side_name)->capture_default_str()->excludes(reverse_spiral)->excludes(imo)->excludes(straight);
+      ->check(side_name)
+      ->capture_default_str()
+      ->excludes(reverse_spiral)
+      ->excludes(imo)
+      ->excludes(straight);
   command.add_option("--speed", a.speed, "approach speed in m/s (default: service speed)")->check(CLI::PositiveNumber);
-  auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s (default: self-propulsion at the approach speed)")->check(CLI::PositiveNumber);
-  command.add_option("--thrust", a.thrust, "thrust of all propellers in N, in place of a shaft speed")->check(CLI::PositiveNumber)->excludes(rev);
+  auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s (default: self-propulsion at the approach speed)")
+                  ->check(CLI::PositiveNumber);
+  command.add_option("--thrust", a.thrust, "thrust of all propellers in N, in place of a shaft speed")
+      ->check(CLI::PositiveNumber)
+      ->excludes(rev);
   command.add_option("--duration", a.duration, "seconds (default: until the indices are known)")
-      ->check(CLI::PositiveNumber)->excludes(spiral)->excludes(reverse_spiral)->excludes(pullout)->excludes(imo)->excludes(straight);
+      ->check(CLI::PositiveNumber)
+      ->excludes(spiral)
+      ->excludes(reverse_spiral)
+      ->excludes(pullout)
+      ->excludes(imo)
+      ->excludes(straight);
   command.add_option("--step", a.step, "seconds between samples of the time series")->check(CLI::PositiveNumber);
   command.add_option("--tolerance", a.tolerance, "error of an integration step, relative to ship length and speed")
       ->check(CLI::Range(1e-13, 1e-2))
       ->capture_default_str();
-  auto* out = command.add_option("--out", a.out, "time series to this file (CSV)")->excludes(reverse_spiral)->excludes(imo)->excludes(straight);
+  auto* out = command.add_option("--out", a.out, "time series to this file (CSV)")
+                  ->excludes(reverse_spiral)
+                  ->excludes(imo)
+                  ->excludes(straight);
   command.add_flag("--forces", a.forces, "forces by part in the time series")->needs(out);
-  add_svg(command, a.svg, "heading and rudder, or the track of a turn").excludes(spiral)->excludes(reverse_spiral)->excludes(imo)->excludes(straight);
+  add_svg(command, a.svg, "heading and rudder, or the track of a turn")
+      .excludes(spiral)
+      ->excludes(reverse_spiral)
+      ->excludes(imo)
+      ->excludes(straight);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a, step] {
     require_sense(a, step->count() > 0);
@@ -116,7 +147,11 @@ void add_compare(CLI::App& app, CompareArguments& a) {
 void add_forces(CLI::App& app, ForcesArguments& a) {
   auto& command = *app.add_subcommand("forces", "forces by part at a motion of the ship");
   add_ship(command, a.ship);
-  command.add_option("--state", a.state, "u=,v= [m/s],r= [rad/s],delta= [rad, positive to port],psi= [rad] and rev= [1/s] or thrust= [N]; u is needed")->required();
+  command
+      .add_option(
+          "--state", a.state,
+          "u=,v= [m/s],r= [rad/s],delta= [rad, positive to port],psi= [rad] and rev= [1/s] or thrust= [N]; u is needed")
+      ->required();
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { forces(a); });
 }
@@ -124,11 +159,19 @@ void add_forces(CLI::App& app, ForcesArguments& a) {
 void add_linearize(CLI::App& app, LinearizeArguments& a) {
   auto& command = *app.add_subcommand("linearize", "linear coefficients of a nonlinear ship by part, and her indices");
   add_ship(command, a.ship);
-  auto* speed = command.add_option("--speed", a.speed, "speed in m/s, self-propelled straight ahead (default: service speed)")->check(CLI::PositiveNumber);
-  auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s, in place of a speed")->check(CLI::PositiveNumber)->excludes(speed);
-  command.add_option("--thrust", a.thrust, "thrust of all propellers in N, in place of a speed")->check(CLI::PositiveNumber)->excludes(speed)->excludes(rev);
+  auto* speed =
+      command.add_option("--speed", a.speed, "speed in m/s, self-propelled straight ahead (default: service speed)")
+          ->check(CLI::PositiveNumber);
+  auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s, in place of a speed")
+                  ->check(CLI::PositiveNumber)
+                  ->excludes(speed);
+  command.add_option("--thrust", a.thrust, "thrust of all propellers in N, in place of a speed")
+      ->check(CLI::PositiveNumber)
+      ->excludes(speed)
+      ->excludes(rev);
   command.add_option("--rudder", a.rudder, "about the steady turn at this rudder angle in degrees, positive to port");
-  command.add_option("--side", a.side, "side turned to, where the forces have a kink (default: mean, and both)")->check(side_name);
+  command.add_option("--side", a.side, "side turned to, where the forces have a kink (default: mean, and both)")
+      ->check(side_name);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { linearize(a); });
 }
@@ -136,7 +179,8 @@ void add_linearize(CLI::App& app, LinearizeArguments& a) {
 void add_indices(CLI::App& app, IndicesArguments& a) {
   auto& command = *app.add_subcommand("indices", "coefficients, time constants, gains and stability of a linear ship");
   add_ship(command, a.ship);
-  command.add_option("--speed", a.speed, "speed in m/s of the numbers with dimension (default: service speed)")->check(CLI::PositiveNumber);
+  command.add_option("--speed", a.speed, "speed in m/s of the numbers with dimension (default: service speed)")
+      ->check(CLI::PositiveNumber);
   add_svg(command, a.svg, "Bode diagram of drift and yaw");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { indices(a); });
@@ -145,8 +189,10 @@ void add_indices(CLI::App& app, IndicesArguments& a) {
 void add_invert(CLI::App& app, InvertArguments& a) {
   auto& command = *app.add_subcommand("invert", "from time constants and gains to coefficients, hull and rudder");
   add_ship(command, a.ship);
-  command.add_option("--known", a.known, "the number that is known beforehand (default: c_Ry)")->check(CLI::IsMember({"Y_b", "Y_w", "N_b", "N_w", "c_Ry"}));
-  command.add_option("--parts", a.parts, "ship file with [hull] and [rudder] for all numbers that do not follow (default: SHIP)");
+  command.add_option("--known", a.known, "the number that is known beforehand (default: c_Ry)")
+      ->check(CLI::IsMember({"Y_b", "Y_w", "N_b", "N_w", "c_Ry"}));
+  command.add_option("--parts", a.parts,
+                     "ship file with [hull] and [rudder] for all numbers that do not follow (default: SHIP)");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { invert(a); });
 }
@@ -156,7 +202,10 @@ void add_loop(CLI::App& app, LoopArguments& a) {
   add_ship(command, a.ship);
   command.add_option("--zigzag", a.zigzag, "rudder D and heading H in degrees")->check(zigzag_form)->required();
   command.add_option("--first", a.first, "side turned to first")->check(side_name)->capture_default_str();
-  command.add_option("--speed", a.speed, "speed in m/s, which turns the rate of the steering gear into one per ship length (default: service speed)")
+  command
+      .add_option(
+          "--speed", a.speed,
+          "speed in m/s, which turns the rate of the steering gear into one per ship length (default: service speed)")
       ->check(CLI::PositiveNumber);
   command.add_option("--out", a.out, "time series to this file (CSV)");
   command.add_option("--report", a.report, "write an HTML page that needs no network");
@@ -169,10 +218,18 @@ void add_tune(CLI::App& app, TuneArguments& a) {
   auto& command = *app.add_subcommand("tune", "coefficients of a ship from measured indices of her manoeuvres");
   add_ship(command, a.ship);
   command.add_option("--indices", a.indices, "measured indices (TOML)")->required();
-  command.add_option("--numbers", a.numbers, "keys of the ship file that may change, N_v,N_r (default: hull derivatives)")->delimiter(',');
-  command.add_option("--prior", a.prior, "relative standard deviation of each number beforehand (default: [confidence] of the ship file)")->check(CLI::PositiveNumber);
-  command.add_option("--bound", a.most_change, "largest relative change of each number (default: none)")->check(CLI::PositiveNumber);
-  command.add_option("--turns", a.most_turns, "turning circles to be sailed at most")->check(CLI::PositiveNumber)->capture_default_str();
+  command
+      .add_option("--numbers", a.numbers, "keys of the ship file that may change, N_v,N_r (default: hull derivatives)")
+      ->delimiter(',');
+  command
+      .add_option("--prior", a.prior,
+                  "relative standard deviation of each number beforehand (default: [confidence] of the ship file)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--bound", a.most_change, "largest relative change of each number (default: none)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--turns", a.most_turns, "turning circles to be sailed at most")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command.add_option("--out", a.out, "ship file of the tuned ship (TOML)")->required();
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { tune(a); });
@@ -182,18 +239,29 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   auto& command = *app.add_subcommand("identify", "coefficients of a ship from recordings");
   command.add_option("runs", a.runs, "recordings (CSV)")->required();
   command.add_option("--ship", a.ship, "ship file to begin with (TOML), or the name of a published ship")->required();
-  command.add_option("--model", a.model, "model of the ship to be found")->required()->check(CLI::IsMember({"mmg", "pi", "pu", "linear"}));
+  command.add_option("--model", a.model, "model of the ship to be found")
+      ->required()
+      ->check(CLI::IsMember({"mmg", "pi", "pu", "linear"}));
   command.add_option("--holdout", a.holdout, "recordings that are not used but predicted");
-  command.add_option("--find", a.find, "keys of the ship file to find, Y_v,N_v (default: those of the hull that are not 0)")->delimiter(',');
+  command
+      .add_option("--find", a.find,
+                  "keys of the ship file to find, Y_v,N_v (default: those of the hull that are not 0)")
+      ->delimiter(',');
   command.add_option("--also", a.also, "further keys to find, Y_vvr,N_vvr")->delimiter(',');
   command.add_option("--keep", a.keep, "keys that keep their value, X_0,X_u")->delimiter(',');
-  command.add_option("--channels", a.channels, "columns to use, x_m,y_m,psi_rad (default: all that tell the motion)")->delimiter(',');
-  command.add_option("--fit", a.fit, "what is fitted: forces of inverse dynamics, trajectories, or trajectories where the model explains them")
+  command.add_option("--channels", a.channels, "columns to use, x_m,y_m,psi_rad (default: all that tell the motion)")
+      ->delimiter(',');
+  command
+      .add_option(
+          "--fit", a.fit,
+          "what is fitted: forces of inverse dynamics, trajectories, or trajectories where the model explains them")
       ->check(CLI::IsMember({"auto", "forces", "trajectories"}))
       ->capture_default_str();
   command.add_flag("--prior", a.prior, "numbers of the ship file count as measurements, with its [confidence]");
-  command.add_option("--ridge", a.ridge, "shrink coefficients as if so many samples had said 0")->check(CLI::NonNegativeNumber);
-  command.add_flag("--resample", a.resample, "the same from other choices of runs: one left out, one alone, one rudder amplitude alone");
+  command.add_option("--ridge", a.ridge, "shrink coefficients as if so many samples had said 0")
+      ->check(CLI::NonNegativeNumber);
+  command.add_flag("--resample", a.resample,
+                   "the same from other choices of runs: one left out, one alone, one rudder amplitude alone");
   command.add_option("--out", a.out, "ship file of the identified ship (TOML)")->required();
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { identify(a); });
@@ -203,7 +271,8 @@ void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
   auto& command = *app.add_subcommand("diagnose", "say what a model leaves out, and whether held-out runs gain by it");
   add_ship(command, a.ship);
   command.add_option("runs", a.runs, "recordings (CSV)")->required();
-  command.add_option("--reference", a.reference, "recordings in which nothing is hidden: they calibrate the model first");
+  command.add_option("--reference", a.reference,
+                     "recordings in which nothing is hidden: they calibrate the model first");
   command.add_option("--holdout", a.holdout, "recordings that are not used but predicted");
   command.add_option("--save-model", a.save_model, "ship file with the effects found (TOML)");
   command.add_option("--report", a.report, "write an HTML page that needs no network");
@@ -217,13 +286,17 @@ bool refuse_unknown_command(int count, char** words) {
   const std::string_view typed = words[1];
   if (std::ranges::count(commands, typed) > 0) return false;
   const auto nearest = nearest_word(typed, commands);
-  fmt::print(stderr, "swayaw: there is no command \"{}\"{}\n", typed, nearest.empty() ? "; try swayaw --help" : fmt::format("; did you mean \"{}\"?", nearest));
+  fmt::print(stderr, "swayaw: there is no command \"{}\"{}\n", typed,
+             nearest.empty() ? "; try swayaw --help" : fmt::format("; did you mean \"{}\"?", nearest));
   return true;
 }
 
 int run(int count, char** words) {
   if (refuse_unknown_command(count, words)) return wrong_usage;
-  CLI::App app("Ship steering dynamics: simulate manoeuvres, explain linear steering, and say where a model and a recording differ.", "swayaw");
+  CLI::App app(
+      "Ship steering dynamics: simulate manoeuvres, explain linear steering, and say where a model and a recording "
+      "differ.",
+      "swayaw");
   app.set_version_flag("--version", "swayaw " + std::string(version()));
   app.require_subcommand(1);
   SimulateArguments simulate_arguments;
@@ -254,7 +327,8 @@ int run(int count, char** words) {
   } catch (const CLI::Success& request) {
     return app.exit(request);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "swayaw: {}; try swayaw {}--help\n", error.what(), count > 1 && words[1][0] != '-' ? std::string(words[1]) + " " : "");
+    fmt::print(stderr, "swayaw: {}; try swayaw {}--help\n", error.what(),
+               count > 1 && words[1][0] != '-' ? std::string(words[1]) + " " : "");
     return wrong_usage;
   }
 }

@@ -14,11 +14,13 @@ namespace {
 
 using Script = std::back_insert_iterator<std::string>;
 
-bool is_plain(unsigned char code) { return (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z') || code == ' ' || code >= 0x80; }
+bool is_plain(unsigned char code) {
+  return (code >= 'a' && code <= 'z') || (code >= 'A' && code <= 'Z') || code == ' ' || code >= 0x80;
+}
 
-/// A text in gnuplot's double quotes, every byte but letters, blanks and UTF-8 by its octal number: nothing is left that could end the
-/// text or be taken for a command. (In single quotes gnuplot 5.4 takes the second of two doubled quotes in a row for the end.)
-/// Digits are numbers too, since gnuplot reads more than three of them as one.
+/// A text in gnuplot's double quotes, every byte but letters, blanks and UTF-8 by its octal number: nothing is left
+/// that could end the text or be taken for a command. (In single quotes gnuplot 5.4 takes the second of two doubled
+/// quotes in a row for the end.) Digits are numbers too, since gnuplot reads more than three of them as one.
 std::string literal(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -29,7 +31,9 @@ std::string literal(std::string_view text) {
   return result + "\"";
 }
 
-std::string label_of(const Axis& axis) { return literal(axis.unit.empty() ? axis.quantity : axis.quantity + ", " + axis.unit); }
+std::string label_of(const Axis& axis) {
+  return literal(axis.unit.empty() ? axis.quantity : axis.quantity + ", " + axis.unit);
+}
 
 /// Shortest digits that give the number back, with a point in every locale.
 std::string number_of(double x) { return std::isfinite(x) ? fmt::format("{}", x) : "NaN"; }
@@ -38,27 +42,32 @@ std::string block_name(std::size_t panel, std::size_t curve) { return fmt::forma
 
 void put_points(Script to, const std::string& block, const Curve& curve) {
   fmt::format_to(to, "{} << END\n", block);
-  for (std::size_t i = 0; i < curve.x.size(); ++i) fmt::format_to(to, "{} {}\n", number_of(curve.x[i]), number_of(curve.y[i]));
+  for (std::size_t i = 0; i < curve.x.size(); ++i)
+    fmt::format_to(to, "{} {}\n", number_of(curve.x[i]), number_of(curve.y[i]));
   fmt::format_to(to, "END\n");
 }
 
 void put_axis(Script to, char name, const Axis& axis) {
-  fmt::format_to(to, "set {}label {}\n{} logscale {}\n", name, label_of(axis), axis.logarithmic ? "set" : "unset", name);
+  fmt::format_to(to, "set {}label {}\n{} logscale {}\n", name, label_of(axis), axis.logarithmic ? "set" : "unset",
+                 name);
   if (axis.tick > 0.0) fmt::format_to(to, "set {}tics {}\n", name, number_of(axis.tick));
   else fmt::format_to(to, "set {}tics autofreq\n", name);
 }
 
 std::string drawn(const std::string& block, const Curve& curve) {
-  return fmt::format("{} using 1:2 with lines linecolor rgb '{}' linewidth {} dashtype {} title {}", block, curve.stroke.colour, number_of(curve.stroke.width),
-                     curve.stroke.dashed ? "(12,6)" : "solid", literal(curve.name));
+  return fmt::format("{} using 1:2 with lines linecolor rgb '{}' linewidth {} dashtype {} title {}", block,
+                     curve.stroke.colour, number_of(curve.stroke.width), curve.stroke.dashed ? "(12,6)" : "solid",
+                     literal(curve.name));
 }
 
 void put_panel(Script to, std::size_t index, const Panel& panel) {
   for (std::size_t k = 0; k < panel.curves.size(); ++k) put_points(to, block_name(index, k), panel.curves[k]);
   put_axis(to, 'x', panel.x);
   put_axis(to, 'y', panel.y);
-  fmt::format_to(to, "set autoscale {}\nset size {}\nplot ", panel.x.logarithmic ? "xfix" : "x", panel.same_scale ? "ratio -1" : "noratio");
-  for (std::size_t k = 0; k < panel.curves.size(); ++k) fmt::format_to(to, "{}{}", k > 0 ? ", " : "", drawn(block_name(index, k), panel.curves[k]));
+  fmt::format_to(to, "set autoscale {}\nset size {}\nplot ", panel.x.logarithmic ? "xfix" : "x",
+                 panel.same_scale ? "ratio -1" : "noratio");
+  for (std::size_t k = 0; k < panel.curves.size(); ++k)
+    fmt::format_to(to, "{}{}", k > 0 ? ", " : "", drawn(block_name(index, k), panel.curves[k]));
   fmt::format_to(to, "\n");
 }
 
@@ -67,10 +76,15 @@ std::string script_of(const Plot& plot) {
   const auto panels = plot.panels.size();
   std::string script;
   const Script to(script);
-  fmt::format_to(to, "set encoding utf8\nset terminal svg size {},{} fixed noenhanced font 'sans-serif,14' background '#ffffff'\n", width,
-                 height_of_rest + height_of_panel * panels);
-  fmt::format_to(to, "set lmargin 10\nset rmargin 3\nset grid linecolor rgb '#e8ebee' linewidth 1\nset border linecolor rgb '#5a6470'\n");
-  fmt::format_to(to, "set key tmargin horizontal center Left reverse samplen 2.5 width -3\nset multiplot layout {},1 title {}\n", panels, literal(plot.title));
+  fmt::format_to(
+      to, "set encoding utf8\nset terminal svg size {},{} fixed noenhanced font 'sans-serif,14' background '#ffffff'\n",
+      width, height_of_rest + height_of_panel * panels);
+  fmt::format_to(to,
+                 "set lmargin 10\nset rmargin 3\nset grid linecolor rgb '#e8ebee' linewidth 1\nset border linecolor "
+                 "rgb '#5a6470'\n");
+  fmt::format_to(
+      to, "set key tmargin horizontal center Left reverse samplen 2.5 width -3\nset multiplot layout {},1 title {}\n",
+      panels, literal(plot.title));
   for (std::size_t i = 0; i < panels; ++i) put_panel(to, i, plot.panels[i]);
   fmt::format_to(to, "unset multiplot\n");
   return script;

@@ -8,7 +8,8 @@ namespace swayaw::app {
 
 /// Colours of the quantities, the same as on the HTML pages.
 namespace ink {
-inline constexpr const char *drift = "#0072b2", *yaw = "#e07b00", *rudder = "#5a6470", *heading = "#2b2b2b", *line = "#009e73", *faint = "#b9c0c8";
+inline constexpr const char *drift = "#0072b2", *yaw = "#e07b00", *rudder = "#5a6470", *heading = "#2b2b2b",
+                            *line = "#009e73", *faint = "#b9c0c8";
 }
 
 struct Stroke {
@@ -46,8 +47,8 @@ struct Plot {
 
 /// The plot as an SVG document.
 ///
-/// gnuplot is started without a shell and without the user's settings. Texts may hold anything: they are drawn as they are, and
-/// control characters as blanks. Numbers reach gnuplot with all their digits.
+/// gnuplot is started without a shell and without the user's settings. Texts may hold anything: they are drawn as they
+/// are, and control characters as blanks. Numbers reach gnuplot with all their digits.
 ///
 /// @throws Refusal  if gnuplot is not installed, which says what to install, or if it fails
 std::string svg_of(const Plot& plot);

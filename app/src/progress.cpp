@@ -21,7 +21,8 @@ constexpr std::string_view wipe = "\r\x1b[K";
 
 }  // namespace
 
-Progress::Progress(std::string work) : work_(std::move(work)), terminal_(::isatty(STDERR_FILENO) == 1), next_(Clock::now() + 1s) {}
+Progress::Progress(std::string work)
+    : work_(std::move(work)), terminal_(::isatty(STDERR_FILENO) == 1), next_(Clock::now() + 1s) {}
 
 Progress::~Progress() {
   if (written_ && terminal_) fmt::print(stderr, "{}", wipe);

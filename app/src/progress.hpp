@@ -8,8 +8,8 @@
 /// What a command that takes its time tells on stderr, and how Ctrl-C ends it early.
 namespace swayaw::app {
 
-/// One line on stderr about how far the work is. Nothing in the first second; then on a terminal a line that is written over
-/// and wiped at the end, elsewhere a new line every five seconds.
+/// One line on stderr about how far the work is. Nothing in the first second; then on a terminal a line that is written
+/// over and wiped at the end, elsewhere a new line every five seconds.
 class Progress {
  public:
   explicit Progress(std::string work);

@@ -24,20 +24,21 @@ Json zigzag_json(const Ship& ship, const Zigzag& z, const ZigzagOrder& order) {
     overshoots.push_back(degrees(*reversal.overshoot));
   }
   Json json{{"manoeuvre", name_of(ZigzagAngles{order.rudder, order.heading})},
-          {"first", name_of(order.first)},
-          {"approach_speed_m_s", z.approach_speed},
-          {"execute_s", std::move(execute)},
-          {"peak_s", std::move(peaks)},
-          {"overshoot_deg", std::move(overshoots)},
-          {"period_s", number(z.period)},
-          {"initial_turning_m", number(z.initial_turning)}};
+            {"first", name_of(order.first)},
+            {"approach_speed_m_s", z.approach_speed},
+            {"execute_s", std::move(execute)},
+            {"peak_s", std::move(peaks)},
+            {"overshoot_deg", std::move(overshoots)},
+            {"period_s", number(z.period)},
+            {"initial_turning_m", number(z.initial_turning)}};
   add_propulsion(json, ship, z.propulsion);
   json["criteria"] = criteria_json(criteria_of(z, order, length(ship)));
   return json;
 }
 
 void print_zigzag(const Ship& ship, const Zigzag& z) {
-  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, z.run.facts.manoeuvre, z.approach_speed, propulsion_text(ship, z.propulsion));
+  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, z.run.facts.manoeuvre, z.approach_speed,
+             propulsion_text(ship, z.propulsion));
   fmt::print("  {:<10}{:>12}{:>12}{:>16}\n", "reversal", "at s", "peak s", "overshoot deg");
   for (std::size_t i = 0; i < z.reversals.size(); ++i) {
     const auto& r = z.reversals[i];
@@ -65,18 +66,18 @@ void run_zigzag(const Ship& ship, const SimulateArguments& a) {
 Json circle_json(const Ship& ship, const TurningCircle& c, const TurnOrder& order) {
   const bool steady = c.steady.has_value();
   Json json{{"manoeuvre", fmt::format("turn {:.6g}", degrees(order.rudder))},
-          {"first", name_of(order.side)},
-          {"approach_speed_m_s", c.approach_speed},
-          {"advance_m", number(c.advance)},
-          {"transfer_m", number(c.transfer)},
-          {"tactical_diameter_m", number(c.tactical_diameter)},
-          {"final_diameter_m", number(c.final_diameter)},
-          {"time_90_s", number(c.time_90)},
-          {"time_180_s", number(c.time_180)},
-          {"initial_turning_m", number(c.initial_turning)},
-          {"final_speed_m_s", steady ? number(speed(*c.steady)) : Json(nullptr)},
-          {"final_drift_rad", steady ? number(drift_angle(*c.steady)) : Json(nullptr)},
-          {"final_yaw_rate_rad_s", steady ? number(c.steady->r) : Json(nullptr)}};
+            {"first", name_of(order.side)},
+            {"approach_speed_m_s", c.approach_speed},
+            {"advance_m", number(c.advance)},
+            {"transfer_m", number(c.transfer)},
+            {"tactical_diameter_m", number(c.tactical_diameter)},
+            {"final_diameter_m", number(c.final_diameter)},
+            {"time_90_s", number(c.time_90)},
+            {"time_180_s", number(c.time_180)},
+            {"initial_turning_m", number(c.initial_turning)},
+            {"final_speed_m_s", steady ? number(speed(*c.steady)) : Json(nullptr)},
+            {"final_drift_rad", steady ? number(drift_angle(*c.steady)) : Json(nullptr)},
+            {"final_yaw_rate_rad_s", steady ? number(c.steady->r) : Json(nullptr)}};
   add_propulsion(json, ship, c.propulsion);
   json["criteria"] = criteria_json(criteria_of(c, order, length(ship), turning_rudder(ship)));
   return json;
@@ -84,7 +85,8 @@ Json circle_json(const Ship& ship, const TurningCircle& c, const TurnOrder& orde
 
 void print_circle(const Ship& ship, const TurningCircle& c) {
   const double L = length(ship);
-  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, c.run.facts.manoeuvre, c.approach_speed, propulsion_text(ship, c.propulsion));
+  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, c.run.facts.manoeuvre, c.approach_speed,
+             propulsion_text(ship, c.propulsion));
   print_length("advance", c.advance, L);
   print_length("transfer", c.transfer, L);
   print_length("tactical diameter", c.tactical_diameter, L);
@@ -94,7 +96,8 @@ void print_circle(const Ship& ship, const TurningCircle& c) {
   if (c.way_lost) return fmt::print("  no steady turn: the ship no longer moves ahead at {:.1f} s\n", *c.way_lost);
   if (!c.steady) return fmt::print("  no steady turn was found\n");
   print_length("final diameter", c.final_diameter, L);
-  fmt::print("  {:<20}{:>12.4f} m/s, {:.0f} % of the approach\n", "final speed", speed(*c.steady), 100.0 * speed(*c.steady) / c.approach_speed);
+  fmt::print("  {:<20}{:>12.4f} m/s, {:.0f} % of the approach\n", "final speed", speed(*c.steady),
+             100.0 * speed(*c.steady) / c.approach_speed);
   fmt::print("  {:<20}{:>12.2f} deg\n", "final drift angle", degrees(drift_angle(*c.steady)));
   fmt::print("  {:<20}{:>12.4f} deg/s\n", "final yaw rate", degrees(c.steady->r));
 }

@@ -9,7 +9,9 @@
 namespace swayaw::app {
 namespace {
 
-std::vector<double> values_of(const Recording& run, Channel channel) { return {run[channel].begin(), run[channel].end()}; }
+std::vector<double> values_of(const Recording& run, Channel channel) {
+  return {run[channel].begin(), run[channel].end()};
+}
 
 Panel heading_and_rudder(const Recording& run) {
   return {.x = {"Time", "s"},
@@ -29,7 +31,9 @@ Panel track(const Recording& run) {
 
 void write_files(const Recording& run, const SimulateArguments& a) {
   std::string svg;
-  if (!a.svg.empty()) svg = svg_of({fmt::format("{}: {}", run.name, run.facts.manoeuvre), {a.turn || a.williamson ? track(run) : heading_and_rudder(run)}});
+  if (!a.svg.empty())
+    svg = svg_of({fmt::format("{}: {}", run.name, run.facts.manoeuvre),
+                  {a.turn || a.williamson ? track(run) : heading_and_rudder(run)}});
   if (!a.out.empty()) write_recording(run, a.out);
   if (!a.svg.empty()) write_text(a.svg, svg);
 }

@@ -40,9 +40,11 @@ Run run_of(const LinearShip& ship, const SimulateArguments& a) {
 
 /// What the zigzag tells of the IMO criteria.
 std::vector<Criterion> criteria_of(const Run& run) {
-  Zigzag zigzag{.reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = run.scale.U, .propulsion = {}, .run = {}};
+  Zigzag zigzag{
+      .reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = run.scale.U, .propulsion = {}, .run = {}};
   if (!run.execute.empty()) zigzag.initial_turning = run.execute.front() * run.scale.U;
-  for (const auto& reversal : run.zigzag.reversals) zigzag.reversals.push_back({.time = 0.0, .peak_time = {}, .overshoot = reversal.overshoot});
+  for (const auto& reversal : run.zigzag.reversals)
+    zigzag.reversals.push_back({.time = 0.0, .peak_time = {}, .overshoot = reversal.overshoot});
   return criteria_of(zigzag, {run.order.rudder, run.order.heading, run.order.first}, run.scale.L);
 }
 
@@ -67,12 +69,14 @@ Json zigzag_json(const Run& run) {
 }
 
 void print_zigzag(const LinearShip& ship, const Run& run) {
-  fmt::print("{}: {} first {}, {:.4g} m/s\n", ship.name, name_of(ZigzagAngles{run.order.rudder, run.order.heading}), name_of(run.order.first), run.scale.U);
+  fmt::print("{}: {} first {}, {:.4g} m/s\n", ship.name, name_of(ZigzagAngles{run.order.rudder, run.order.heading}),
+             name_of(run.order.first), run.scale.U);
   fmt::print("  {:<10}{:>12}{:>12}{:>16}\n", "reversal", "at s", "peak s", "overshoot deg");
   for (std::size_t k = 0; k < run.execute.size(); ++k) {
     fmt::print("  {:<10}{:>12.3f}", k + 1, run.execute[k]);
     if (k < run.zigzag.reversals.size())
-      fmt::print("{:>12.3f}{:>16.3f}\n", run.seconds(run.zigzag.reversals[k].peak), degrees(run.zigzag.reversals[k].overshoot));
+      fmt::print("{:>12.3f}{:>16.3f}\n", run.seconds(run.zigzag.reversals[k].peak),
+                 degrees(run.zigzag.reversals[k].overshoot));
     else fmt::print("{:>12}{:>16}\n", "-", "-");
   }
   if (run.period()) fmt::print("  period of the last cycle {:.2f} s\n", *run.period());
@@ -99,7 +103,8 @@ struct SteadyTurn {
 /// @throws Refusal  if the ship does not settle
 SteadyTurn steady_turn(const LinearShip& ship, double delta, double speed) {
   const auto h = transfer_functions(ship);
-  if (!(h.e0 > 0.0 && h.e1 > 0.0)) throw Refusal(fmt::format("the ship is {}; she settles in no steady turn", stability_words(h)));
+  if (!(h.e0 > 0.0 && h.e1 > 0.0))
+    throw Refusal(fmt::format("the ship is {}; she settles in no steady turn", stability_words(h)));
   const double omega = h.nw0 / h.e0 * delta, L = ship.particulars.L;
   return {h.nb0 / h.e0 * delta, omega * speed / L, 2.0 * L / std::abs(omega)};
 }
@@ -123,7 +128,9 @@ Json turn_json(const SteadyTurn& t, const SimulateArguments& a, double speed) {
 }
 
 void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
-  if (wants_files(a)) throw Refusal(fmt::format("the turn of a linear ship is known by its steady values only: no {}", a.out.empty() ? "track for --svg" : "time series for --out"));
+  if (wants_files(a))
+    throw Refusal(fmt::format("the turn of a linear ship is known by its steady values only: no {}",
+                              a.out.empty() ? "track for --svg" : "time series for --out"));
   const double angle = radians(*a.turn), speed = speed_of(ship, a.speed);
   require_rudder(angle, ship.steering_gear);
   const auto turn = steady_turn(ship, rudder_sign(side_named(a.first)) * angle, speed);
@@ -131,7 +138,8 @@ void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
     fmt::print("{}\n", turn_json(turn, a, speed).dump(2));
     return;
   }
-  fmt::print("{}: turn {:.6g} to {}, {:.4g} m/s held, steady values of the linear equations\n", ship.name, *a.turn, a.first, speed);
+  fmt::print("{}: turn {:.6g} to {}, {:.4g} m/s held, steady values of the linear equations\n", ship.name, *a.turn,
+             a.first, speed);
   fmt::print("  {:<20}{:>12.2f} m{:>10.3f} L\n", "final diameter", turn.diameter, turn.diameter / ship.particulars.L);
   fmt::print("  {:<20}{:>12.2f} deg\n", "final drift angle", degrees(turn.drift));
   fmt::print("  {:<20}{:>12.4f} deg/s\n", "final yaw rate", degrees(turn.yaw_rate));
@@ -142,7 +150,9 @@ void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
 void simulate_linear(const LinearShip& ship, const SimulateArguments& a) {
   if (a.rev || a.thrust || a.forces) throw Refusal("a linear ship has no propulsion and no parts with forces");
   if (!a.turn && a.zigzag.empty())
-    throw Refusal("the yaw rate of a linear ship is proportional to the rudder angle at any angle: of her --zigzag and --turn tell all, other manoeuvres need a nonlinear ship");
+    throw Refusal(
+        "the yaw rate of a linear ship is proportional to the rudder angle at any angle: of her --zigzag and --turn "
+        "tell all, other manoeuvres need a nonlinear ship");
   if (a.turn) simulate_turn(ship, a);
   else simulate_zigzag(ship, a);
 }

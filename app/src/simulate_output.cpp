@@ -15,7 +15,12 @@ std::string_view verdict(const Criterion& c) {
 }  // namespace
 
 ManoeuvreOptions options_of(const SimulateArguments& a) {
-  return {.speed = a.speed, .rev = a.rev, .thrust = a.thrust, .duration = a.duration, .step = a.step, .tolerance = a.tolerance};
+  return {.speed = a.speed,
+          .rev = a.rev,
+          .thrust = a.thrust,
+          .duration = a.duration,
+          .step = a.step,
+          .tolerance = a.tolerance};
 }
 
 std::string propulsion_text(const Ship& ship, const Controls<double>& c) {
@@ -32,7 +37,11 @@ void add_propulsion(Json& json, const Ship& ship, const Controls<double>& c) {
 Json criteria_json(const std::vector<Criterion>& criteria) {
   Json list = Json::array();
   for (const auto& c : criteria)
-    list.push_back({{"name", c.name}, {"side", name_of(c.side)}, {"value", number(c.value)}, {"limit", c.limit}, {"unit", c.unit},
+    list.push_back({{"name", c.name},
+                    {"side", name_of(c.side)},
+                    {"value", number(c.value)},
+                    {"limit", c.limit},
+                    {"unit", c.unit},
                     {"pass", c.pass ? Json(*c.pass) : Json(nullptr)}});
   return list;
 }

@@ -78,7 +78,9 @@ Json spiral_json(const Ship& ship, const Spiral& s, const SpiralOrder& order) {
   return json;
 }
 
-std::string yaw_rate_cell(const SpiralPoint& p) { return fmt::format("{:.5f}{}", degrees(p.motion.r), p.settled ? " " : "*"); }
+std::string yaw_rate_cell(const SpiralPoint& p) {
+  return fmt::format("{:.5f}{}", degrees(p.motion.r), p.settled ? " " : "*");
+}
 
 void print_loop(std::string_view name, const std::optional<InstabilityLoop>& loop) {
   if (loop) fmt::print("  {}: {:.3f} deg wide, {:.5f} deg/s high\n", name, degrees(loop->width), degrees(loop->height));
@@ -87,7 +89,8 @@ void print_loop(std::string_view name, const std::optional<InstabilityLoop>& loo
 
 void print_loop(std::string_view name, const std::optional<SpiralLoop>& loop, double step) {
   if (loop)
-    fmt::print("  {}: {:.3f} to {:.3f} deg wide, {:.5f} deg/s high\n", name, degrees(loop->width), degrees(loop->width + 2.0 * step), degrees(loop->height));
+    fmt::print("  {}: {:.3f} to {:.3f} deg wide, {:.5f} deg/s high\n", name, degrees(loop->width),
+               degrees(loop->width + 2.0 * step), degrees(loop->height));
   else fmt::print("  {}: none\n", name);
 }
 
@@ -95,7 +98,8 @@ void print_spiral(const Ship& ship, const Spiral& s, double step) {
   print_head(ship, s.run.facts.manoeuvre, s.approach_speed, s.propulsion);
   fmt::print("  {:>12}{:>18}{:>18}\n", "rudder deg", "way out deg/s", "way back deg/s");
   for (std::size_t i = 0; i < s.down.size(); ++i)
-    fmt::print("  {:>12.3f}{:>18}{:>18}\n", degrees(s.down[i].delta), yaw_rate_cell(s.down[i]), yaw_rate_cell(s.up[s.up.size() - 1 - i]));
+    fmt::print("  {:>12.3f}{:>18}{:>18}\n", degrees(s.down[i].delta), yaw_rate_cell(s.down[i]),
+               yaw_rate_cell(s.up[s.up.size() - 1 - i]));
   const auto all_settled = [](const auto& way) { return std::ranges::all_of(way, &SpiralPoint::settled); };
   if (!all_settled(s.down) || !all_settled(s.up)) fmt::print("  * not steady when the wait ended\n");
   print_loop("loop of the spiral", s.loop, step);
@@ -103,7 +107,10 @@ void print_spiral(const Ship& ship, const Spiral& s, double step) {
 }
 
 void run_spiral(const Ship& ship, const SimulateArguments& a) {
-  const SpiralOrder order{.largest = rudder_of(ship, a, 25.0), .step = radians(a.rudder_step), .first = side_named(a.first), .settling = {}};
+  const SpiralOrder order{.largest = rudder_of(ship, a, 25.0),
+                          .step = radians(a.rudder_step),
+                          .first = side_named(a.first),
+                          .settling = {}};
   auto options = options_of(a);
   options.sampled = wants_files(a);
   auto result = spiral(ship, order, options);
@@ -137,7 +144,9 @@ void run_reverse_spiral(const Ship& ship, const SimulateArguments& a) {
   print_head(ship, "reverse spiral", result.approach_speed, result.propulsion);
   fmt::print("  {:>16}{:>14}\n", "yaw rate deg/s", "rudder deg");
   for (const auto& [r, turn] : result.points) {
-    if (turn) fmt::print("  {:>16.5f}{:>14.4f}{}\n", degrees(r), degrees(turn->delta), turn->stable ? "" : "  unstable with the rudder fixed");
+    if (turn)
+      fmt::print("  {:>16.5f}{:>14.4f}{}\n", degrees(r), degrees(turn->delta),
+                 turn->stable ? "" : "  unstable with the rudder fixed");
     else fmt::print("  {:>16.5f}{:>14}\n", degrees(r), "beyond");
   }
 }
@@ -157,8 +166,9 @@ Json side_json(const PullOutSide& s) {
 
 void print_side(std::string_view name, const PullOutSide& s) {
   const auto seconds = [](const std::optional<double>& t) { return t ? fmt::format("{:.2f}", *t) : std::string("-"); };
-  fmt::print("  {:<12}{:>16.5f}{:>18.5f}{:>12}{:>12}{:>12}{}\n", name, degrees(s.turning), degrees(s.residual), seconds(s.fall_time),
-             seconds(s.decay_time), seconds(s.T1), s.settled && s.turning_settled ? "" : "  not steady when the wait ended");
+  fmt::print("  {:<12}{:>16.5f}{:>18.5f}{:>12}{:>12}{:>12}{}\n", name, degrees(s.turning), degrees(s.residual),
+             seconds(s.fall_time), seconds(s.decay_time), seconds(s.T1),
+             s.settled && s.turning_settled ? "" : "  not steady when the wait ended");
 }
 
 void run_pull_out(const Ship& ship, const SimulateArguments& a) {
@@ -174,7 +184,8 @@ void run_pull_out(const Ship& ship, const SimulateArguments& a) {
     fmt::print("{}\n", json.dump(2));
   } else {
     print_head(ship, fmt::format("pullout {:.6g}", *a.pullout), result.approach_speed, result.propulsion);
-    fmt::print("  {:<12}{:>16}{:>18}{:>12}{:>12}{:>12}\n", "from", "turning deg/s", "residual deg/s", "fall s", "decay s", "T1 s");
+    fmt::print("  {:<12}{:>16}{:>18}{:>12}{:>12}{:>12}\n", "from", "turning deg/s", "residual deg/s", "fall s",
+               "decay s", "T1 s");
     print_side("starboard", starboard);
     print_side("port", port);
   }
@@ -246,8 +257,11 @@ void run_straight(const Ship& ship, const SimulateArguments& a) {
   const double approach = a.speed.value_or(service_speed(ship));
   const auto driven = propulsion(ship, approach, a.rev, a.thrust);
   const auto windage = around.windy ? around.windage : Windage<double>{};
-  const auto run = steady_run_in_wind(ship, windage, around.wind, {.direction = radians(*a.straight), .propulsion = driven});
-  if (!run) throw Refusal(fmt::format("no drift and helm keep the ship on course {:.6g} deg in this wind and current", *a.straight));
+  const auto run =
+      steady_run_in_wind(ship, windage, around.wind, {.direction = radians(*a.straight), .propulsion = driven});
+  if (!run)
+    throw Refusal(
+        fmt::format("no drift and helm keep the ship on course {:.6g} deg in this wind and current", *a.straight));
   if (a.json) {
     fmt::print("{}\n", straight_json(ship, *run, driven).dump(2));
     return;
@@ -255,10 +269,13 @@ void run_straight(const Ship& ship, const SimulateArguments& a) {
   print_head(ship, fmt::format("straight run, course {:.6g} deg", *a.straight), approach, driven);
   fmt::print("  {:<20}{:>12.3f} deg\n", "heading", degrees(run->psi));
   fmt::print("  {:<20}{:>12.3f} deg\n", "drift angle", degrees(drift_angle(run->motion)));
-  fmt::print("  {:<20}{:>12.3f} deg to {}{}\n", "helm", std::abs(degrees(run->delta)), run->delta > 0.0 ? "port" : "starboard",
+  fmt::print("  {:<20}{:>12.3f} deg to {}{}\n", "helm", std::abs(degrees(run->delta)),
+             run->delta > 0.0 ? "port" : "starboard",
              run->holds ? "" : ", beyond the ship's largest: she cannot hold this course");
-  fmt::print("  {:<20}{:>12.4f} m/s through the water, {:.4f} m/s over ground\n", "speed", speed(run->motion), run->speed_over_ground);
-  fmt::print("  {:<20}X {:.5g} N, Y {:.5g} N, N {:.5g} N m\n", "wind", run->wind_force.X, run->wind_force.Y, run->wind_force.N);
+  fmt::print("  {:<20}{:>12.4f} m/s through the water, {:.4f} m/s over ground\n", "speed", speed(run->motion),
+             run->speed_over_ground);
+  fmt::print("  {:<20}X {:.5g} N, Y {:.5g} N, N {:.5g} N m\n", "wind", run->wind_force.X, run->wind_force.Y,
+             run->wind_force.N);
 }
 
 // ---------------------------------------------------------------- IMO criteria
@@ -278,11 +295,16 @@ void run_imo(const Ship& ship, const SimulateArguments& a) {
     fmt::print("{}\n", json.dump(2));
     return;
   }
-  print_head(ship, fmt::format("steering criteria, L/V {:.3g} s", result.L / result.speed), result.speed, result.propulsion);
+  print_head(ship, fmt::format("steering criteria, L/V {:.3g} s", result.L / result.speed), result.speed,
+             result.propulsion);
   print_criteria(result.criteria);
   fmt::print("  stopping is not simulated\n");
-  if (surroundings_at(ship, 0.0).windy) fmt::print("  sailed in the wind of the ship file; the criteria are for calm\n");
-  if (result.L < smallest_ship) fmt::print("  the criteria are for ships of 100 m and more; the limits of a scale model's L/V are not those of her ship\n");
+  if (surroundings_at(ship, 0.0).windy)
+    fmt::print("  sailed in the wind of the ship file; the criteria are for calm\n");
+  if (result.L < smallest_ship)
+    fmt::print(
+        "  the criteria are for ships of 100 m and more; the limits of a scale model's L/V are not those of her "
+        "ship\n");
 }
 
 }  // namespace

@@ -31,7 +31,9 @@ std::vector<double> singular_values(const IndexSensitivity& s, const MeasuredInd
   return values;
 }
 
-std::size_t determined(const Tuning& t) { return static_cast<std::size_t>(std::ranges::count(t.combinations, true, &IndexCombination::determined)); }
+std::size_t determined(const Tuning& t) {
+  return static_cast<std::size_t>(std::ranges::count(t.combinations, true, &IndexCombination::determined));
+}
 
 // ---------------------------------------------------------------- JSON
 
@@ -40,9 +42,15 @@ Json change_json(double before, double after) { return {{"before", number(before
 Json numbers_json(const Tuning& t) {
   Json list = Json::array();
   for (const auto& n : t.numbers)
-    list.push_back({{"name", n.number.name}, {"before", number(n.number.value / n.number.si)}, {"after", number(n.value / n.number.si)},
-                    {"relative_change", number(n.value / n.number.value - 1.0)}, {"prior", number(n.prior)}, {"standard_error", number(n.deviation)},
-                    {"told", number(n.told)}, {"determined", n.determined()}, {"at_bound", n.at_bound}});
+    list.push_back({{"name", n.number.name},
+                    {"before", number(n.number.value / n.number.si)},
+                    {"after", number(n.value / n.number.si)},
+                    {"relative_change", number(n.value / n.number.value - 1.0)},
+                    {"prior", number(n.prior)},
+                    {"standard_error", number(n.deviation)},
+                    {"told", number(n.told)},
+                    {"determined", n.determined()},
+                    {"at_bound", n.at_bound}});
   return list;
 }
 
@@ -50,8 +58,12 @@ Json indices_json(const Findings& f) {
   Json list = Json::array();
   for (const auto& i : f.tuning.indices) {
     const double si = i.measured.si;
-    list.push_back({{"manoeuvre", name_of(f.measured.trials[i.trial].manoeuvre)}, {"index", i.measured.name},
-                    {"measured", number(i.measured.value / si)}, {"sd", number(i.measured.deviation / si)}, {"before", number(i.before / si)}, {"after", number(i.after / si)}});
+    list.push_back({{"manoeuvre", name_of(f.measured.trials[i.trial].manoeuvre)},
+                    {"index", i.measured.name},
+                    {"measured", number(i.measured.value / si)},
+                    {"sd", number(i.measured.deviation / si)},
+                    {"before", number(i.before / si)},
+                    {"after", number(i.after / si)}});
   }
   return list;
 }
@@ -61,7 +73,9 @@ Json combinations_json(const Findings& f) {
   for (const auto& c : f.tuning.combinations) {
     Json weights = Json::object();
     for (std::size_t j = 0; j < c.weights.size(); ++j) weights[f.numbers[j].name] = number(c.weights[j]);
-    list.push_back({{"singular_value", number(c.singular_value)}, {"standard_error", number(c.standard_error)}, {"determined", c.determined},
+    list.push_back({{"singular_value", number(c.singular_value)},
+                    {"standard_error", number(c.standard_error)},
+                    {"determined", c.determined},
                     {"weights", weights}});
   }
   return list;
@@ -76,7 +90,9 @@ Json table_json(const std::vector<std::vector<double>>& rows) {
 Json sensitivity_json(const Findings& f) {
   Json names = Json::array();
   for (const auto& n : f.numbers) names.push_back(n.name);
-  return {{"numbers", names}, {"ten_per_cent", table_json(f.sensitivity.ten_per_cent)}, {"exact", table_json(f.sensitivity.exact)}};
+  return {{"numbers", names},
+          {"ten_per_cent", table_json(f.sensitivity.ten_per_cent)},
+          {"exact", table_json(f.sensitivity.exact)}};
 }
 
 Json tune_json(const Findings& f, const TuneArguments& a) {
@@ -84,7 +100,9 @@ Json tune_json(const Findings& f, const TuneArguments& a) {
   return {{"ship", t.ship.name},
           {"out", a.out.string()},
           {"status", in_words(t.status)},
-          {"error", {{"turns", change_json(t.before.turns, t.after.turns)}, {"zigzags", change_json(t.before.zigzags, t.after.zigzags)}}},
+          {"error",
+           {{"turns", change_json(t.before.turns, t.after.turns)},
+            {"zigzags", change_json(t.before.zigzags, t.after.zigzags)}}},
           {"voyages", {{"turns", t.voyages.turns}, {"zigzags", t.voyages.zigzags}}},
           {"numbers", numbers_json(t)},
           {"indices", indices_json(f)},
@@ -109,7 +127,8 @@ double largest(const Findings& f, std::size_t j, std::size_t first, std::size_t 
 /// The numbers, those that do most first.
 void print_sensitivity(const Findings& f, const MeasuredTrial& trial, std::size_t first) {
   const std::size_t last = first + trial.indices.size();
-  fmt::print("\n{}: change in per cent for 10 % more of a number | exact, per cent per per cent\n  {:<12}", name_of(trial.manoeuvre), "");
+  fmt::print("\n{}: change in per cent for 10 % more of a number | exact, per cent per per cent\n  {:<12}",
+             name_of(trial.manoeuvre), "");
   for (const auto& i : trial.indices) fmt::print("{:>24}", i.name);
   fmt::print("\n");
   std::vector<std::size_t> order(f.numbers.size());
@@ -118,7 +137,8 @@ void print_sensitivity(const Findings& f, const MeasuredTrial& trial, std::size_
   for (const std::size_t j : order) {
     fmt::print("  {:<12}", f.numbers[j].name);
     for (std::size_t k = first; k < last; ++k)
-      fmt::print("{:>24}", fmt::format("{} |{:>8.3f}", percent(f.sensitivity.ten_per_cent[k][j]), f.sensitivity.exact[k][j]));
+      fmt::print("{:>24}",
+                 fmt::format("{} |{:>8.3f}", percent(f.sensitivity.ten_per_cent[k][j]), f.sensitivity.exact[k][j]));
     fmt::print("\n");
   }
 }
@@ -127,19 +147,22 @@ void print_indices(const Findings& f) {
   std::size_t trial = f.measured.trials.size();
   for (const auto& i : f.tuning.indices) {
     if (i.trial != trial)
-      fmt::print("\n{}\n  {:<28}{:>12}{:>10}{:>12}{:>12}\n", name_of(f.measured.trials[i.trial].manoeuvre), "", "measured", "sd", "before", "after");
+      fmt::print("\n{}\n  {:<28}{:>12}{:>10}{:>12}{:>12}\n", name_of(f.measured.trials[i.trial].manoeuvre), "",
+                 "measured", "sd", "before", "after");
     trial = i.trial;
     const double si = i.measured.si;
-    fmt::print("  {:<28}{:>12.5g}{:>10.3g}{:>12.5g}{:>12.5g}\n", i.measured.name, i.measured.value / si, i.measured.deviation / si, i.before / si,
-               i.after / si);
+    fmt::print("  {:<28}{:>12.5g}{:>10.3g}{:>12.5g}{:>12.5g}\n", i.measured.name, i.measured.value / si,
+               i.measured.deviation / si, i.before / si, i.after / si);
   }
 }
 
 void print_numbers(const Tuning& t) {
-  fmt::print("\n  {:<12}{:>14}{:>14}{:>10}{:>12}{:>12}   told by the indices\n", "number", "before", "after", "change %", "prior sd %", "sd now %");
+  fmt::print("\n  {:<12}{:>14}{:>14}{:>10}{:>12}{:>12}   told by the indices\n", "number", "before", "after",
+             "change %", "prior sd %", "sd now %");
   for (const auto& n : t.numbers)
-    fmt::print("  {:<12}{:>14.6g}{:>14.6g}{:>10.1f}{:>12.3g}{:>12.3g}   {:.0f} %{}{}\n", n.number.name, n.number.value / n.number.si,
-               n.value / n.number.si, 100.0 * (n.value / n.number.value - 1.0), 100.0 * n.prior, 100.0 * n.deviation, 100.0 * n.told, n.determined() ? "" : ", undetermined",
+    fmt::print("  {:<12}{:>14.6g}{:>14.6g}{:>10.1f}{:>12.3g}{:>12.3g}   {:.0f} %{}{}\n", n.number.name,
+               n.number.value / n.number.si, n.value / n.number.si, 100.0 * (n.value / n.number.value - 1.0),
+               100.0 * n.prior, 100.0 * n.deviation, 100.0 * n.told, n.determined() ? "" : ", undetermined",
                n.at_bound ? ", at its bound" : "");
 }
 
@@ -156,7 +179,8 @@ std::string combination_text(const Findings& f, const IndexCombination& c) {
 
 void print_combinations(const Findings& f) {
   const auto& t = f.tuning;
-  fmt::print("\nthe indices determine {} of {} combinations of relative changes to better than a half:\n", determined(t), t.combinations.size());
+  fmt::print("\nthe indices determine {} of {} combinations of relative changes to better than a half:\n",
+             determined(t), t.combinations.size());
   for (const auto& c : t.combinations) {
     if (!c.determined) break;
     fmt::print("  to {:>5.1f} %  {}\n", 100.0 * c.standard_error, combination_text(f, c));
@@ -174,26 +198,30 @@ void print_text(const Findings& f, const TuneArguments& a) {
   print_indices(f);
   print_numbers(t);
   print_combinations(f);
-  fmt::print("\nsum of squared relative errors: turns {:.4f} before, {:.4f} after; zigzags {:.4f} before, {:.4f} after\n", t.before.turns,
-             t.after.turns, t.before.zigzags, t.after.zigzags);
-  fmt::print("{} after {} turning circles and {} zigzags; written to {}\n", in_words(t.status), t.voyages.turns, t.voyages.zigzags, a.out.string());
+  fmt::print(
+      "\nsum of squared relative errors: turns {:.4f} before, {:.4f} after; zigzags {:.4f} before, {:.4f} after\n",
+      t.before.turns, t.after.turns, t.before.zigzags, t.after.zigzags);
+  fmt::print("{} after {} turning circles and {} zigzags; written to {}\n", in_words(t.status), t.voyages.turns,
+             t.voyages.zigzags, a.out.string());
 }
 
 // ---------------------------------------------------------------- work
 
 std::string remark(const Tuning& t, const TuneArguments& a) {
-  return fmt::format("Made by swayaw {} tune from {} and the indices of {}.\n{} numbers changed; {} after {} turning circles and {} zigzags.\n"
-                     "Sum of squared relative errors: turns {:.6g} before, {:.6g} after; zigzags {:.6g} before, {:.6g} after.",
-                     version(), a.ship.filename().string(), a.indices.filename().string(), t.numbers.size(), in_words(t.status), t.voyages.turns,
-                     t.voyages.zigzags, t.before.turns, t.after.turns, t.before.zigzags, t.after.zigzags);
+  return fmt::format(
+      "Made by swayaw {} tune from {} and the indices of {}.\n{} numbers changed; {} after {} turning circles and {} "
+      "zigzags.\n"
+      "Sum of squared relative errors: turns {:.6g} before, {:.6g} after; zigzags {:.6g} before, {:.6g} after.",
+      version(), a.ship.filename().string(), a.indices.filename().string(), t.numbers.size(), in_words(t.status),
+      t.voyages.turns, t.voyages.zigzags, t.before.turns, t.after.turns, t.before.zigzags, t.after.zigzags);
 }
 
 Tuning tuned(const Ship& ship, const MeasuredIndices& measured, TuningOptions options) {
   const Interrupt interrupt;
   Progress progress("tune");
   options.watch = [&](const TuningProgress& p) {
-    progress.tell(fmt::format("{} turning circles, {} zigzags, squared errors {:.4f} and {:.4f}", p.voyages.turns, p.voyages.zigzags, p.error.turns,
-                              p.error.zigzags));
+    progress.tell(fmt::format("{} turning circles, {} zigzags, squared errors {:.4f} and {:.4f}", p.voyages.turns,
+                              p.voyages.zigzags, p.error.turns, p.error.zigzags));
     return !interrupt.asked();
   };
   return tune(ship, measured, options);
@@ -203,15 +231,18 @@ Tuning tuned(const Ship& ship, const MeasuredIndices& measured, TuningOptions op
 
 void tune(const TuneArguments& a) {
   const Ship ship = load_nonlinear_ship(a.ship);
-  const TuningOptions options{.numbers = a.numbers, .prior = a.prior, .most_change = a.most_change, .most_turns = a.most_turns, .watch = {}};
+  const TuningOptions options{
+      .numbers = a.numbers, .prior = a.prior, .most_change = a.most_change, .most_turns = a.most_turns, .watch = {}};
   auto measured = read_indices(a.indices, length(ship));
   auto numbers = tuned_numbers(ship, options);
   auto tuning = tuned(ship, measured, options);
   write_ship(a.out, tuning.ship, remark(tuning, a));
-  if (tuning.status == TuningStatus::interrupted) fmt::print(stderr, "swayaw: interrupted; the best ship so far is written to {}\n", a.out.string());
+  if (tuning.status == TuningStatus::interrupted)
+    fmt::print(stderr, "swayaw: interrupted; the best ship so far is written to {}\n", a.out.string());
   auto sensitivity = index_sensitivity(ship, measured, numbers);
   auto relative = singular_values(sensitivity, measured);
-  const Findings f{std::move(measured), std::move(numbers), std::move(sensitivity), std::move(relative), std::move(tuning)};
+  const Findings f{std::move(measured), std::move(numbers), std::move(sensitivity), std::move(relative),
+                   std::move(tuning)};
   if (a.json) fmt::print("{}\n", tune_json(f, a).dump(2));
   else print_text(f, a);
 }

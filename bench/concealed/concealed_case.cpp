@@ -20,10 +20,13 @@ constexpr std::array severities{Severity::weak, Severity::moderate, Severity::st
 
 std::vector<Manoeuvre> manoeuvres(TrialSet set, double heading) {
   switch (set) {
-    case TrialSet::all_round: return {zigzag(10, 10, false, heading), zigzag(20, 20, true, heading + 1.9), turn(35, false, heading + 3.7)};
-    case TrialSet::one_heading: return {zigzag(10, 10, false, heading), zigzag(20, 20, true, heading), zigzag(15, 15, false, heading)};
+    case TrialSet::all_round:
+      return {zigzag(10, 10, false, heading), zigzag(20, 20, true, heading + 1.9), turn(35, false, heading + 3.7)};
+    case TrialSet::one_heading:
+      return {zigzag(10, 10, false, heading), zigzag(20, 20, true, heading), zigzag(15, 15, false, heading)};
     case TrialSet::four_headings:
-      return {zigzag(10, 10, false, heading), zigzag(20, 20, true, heading + 0.5 * pi), zigzag(10, 10, true, heading + pi), zigzag(20, 20, false, heading + 1.5 * pi)};
+      return {zigzag(10, 10, false, heading), zigzag(20, 20, true, heading + 0.5 * pi),
+              zigzag(10, 10, true, heading + pi), zigzag(20, 20, false, heading + 1.5 * pi)};
     case TrialSet::passage: {
       auto there = passage(heading, radians(10.0)), back = passage(heading + 2.5, radians(-8.0));
       back.name = "passage_back";
@@ -33,9 +36,11 @@ std::vector<Manoeuvre> manoeuvres(TrialSet set, double heading) {
   return {};
 }
 
-std::vector<Recording> sailed(const TrueShip& truth, const Concealment& hidden, const std::vector<Manoeuvre>& runs, double noise, std::uint64_t seed) {
+std::vector<Recording> sailed(const TrueShip& truth, const Concealment& hidden, const std::vector<Manoeuvre>& runs,
+                              double noise, std::uint64_t seed) {
   std::vector<Recording> result;
-  for (const auto& m : runs) result.push_back(sail(truth, hidden, m, {.noise = noise, .seed = seed_of(seed, result.size())}));
+  for (const auto& m : runs)
+    result.push_back(sail(truth, hidden, m, {.noise = noise, .seed = seed_of(seed, result.size())}));
   return result;
 }
 
@@ -43,8 +48,12 @@ std::vector<Recording> sailed(const TrueShip& truth, const Concealment& hidden, 
 CasePlan plan_of(std::size_t index, std::uint64_t seed, std::vector<std::pair<std::string, Severity>> effects) {
   RandomSource random(seed_of(seed, index));
   constexpr std::array noises{1.0, 1.0, 3.0, 10.0};
-  constexpr std::array sets{TrialSet::all_round, TrialSet::all_round, TrialSet::one_heading, TrialSet::four_headings, TrialSet::four_headings, TrialSet::passage};
-  CasePlan plan{.name = fmt::format("{:03}", index + 1), .ship_kind = std::string(ship_kinds()[index % 3]), .effects = std::move(effects), .seed = random.bits()};
+  constexpr std::array sets{TrialSet::all_round,     TrialSet::all_round,     TrialSet::one_heading,
+                            TrialSet::four_headings, TrialSet::four_headings, TrialSet::passage};
+  CasePlan plan{.name = fmt::format("{:03}", index + 1),
+                .ship_kind = std::string(ship_kinds()[index % 3]),
+                .effects = std::move(effects),
+                .seed = random.bits()};
   plan.noise = noises[random.below(noises.size())];
   plan.set = sets[random.below(sets.size())];
   plan.reference = random.below(2) == 0;
@@ -54,7 +63,9 @@ CasePlan plan_of(std::size_t index, std::uint64_t seed, std::vector<std::pair<st
 
 using Effects = std::vector<std::pair<std::string, Severity>>;
 
-Effects single(std::size_t i, std::span<const std::string_view> kinds) { return {{std::string(kinds[i % kinds.size()]), severities[2 - i / kinds.size() % 3]}}; }
+Effects single(std::size_t i, std::span<const std::string_view> kinds) {
+  return {{std::string(kinds[i % kinds.size()]), severities[2 - i / kinds.size() % 3]}};
+}
 
 Effects pair(RandomSource& random) {
   const auto kinds = known_kinds();
@@ -95,10 +106,12 @@ ConcealedCase made(const CasePlan& plan) {
   RandomSource random(plan.seed);
   const auto truth = true_ship(plan.ship_kind, random.bits());
   const auto fair = fair_ship(truth, confidence);
-  ConcealedCase c{.plan = plan, .ship = fair.ship, .train = {}, .holdout = {}, .reference = {}, .true_holdout = {}, .labels = {}};
+  ConcealedCase c{
+      .plan = plan, .ship = fair.ship, .train = {}, .holdout = {}, .reference = {}, .true_holdout = {}, .labels = {}};
   c.ship.name = fmt::format("{} {}", plan.ship_kind, plan.name);
   Concealment hidden;
-  for (const auto& [kind, severity] : plan.effects) c.labels.push_back(conceal(hidden, kind, severity, truth, std::get<MmgShip<double>>(fair.ship.model), random));
+  for (const auto& [kind, severity] : plan.effects)
+    c.labels.push_back(conceal(hidden, kind, severity, truth, std::get<MmgShip<double>>(fair.ship.model), random));
   if (plan.wrong_baseline) c.ship = slightly_wrong(c.ship, random.bits());
   const double heading = random.uniform(0.0, 2.0 * pi);
   c.train = sailed(truth, hidden, manoeuvres(plan.set, heading), plan.noise, random.bits());
@@ -106,7 +119,10 @@ ConcealedCase made(const CasePlan& plan) {
   const auto weather = random.bits();
   c.holdout = sailed(truth, hidden, held_out, plan.noise, weather);
   c.true_holdout = sailed(truth, hidden, held_out, 0.0, weather);
-  if (plan.reference) c.reference = sailed(truth, {}, {zigzag(15, 10, true, heading), turn(30, true, heading + 2.2), zigzag(20, 15, false, heading + 4.4)}, plan.noise, random.bits());
+  if (plan.reference)
+    c.reference = sailed(
+        truth, {}, {zigzag(15, 10, true, heading), turn(30, true, heading + 2.2), zigzag(20, 15, false, heading + 4.4)},
+        plan.noise, random.bits());
   return c;
 }
 
@@ -118,17 +134,24 @@ void write_case(const ConcealedCase& c, const std::filesystem::path& folder) {
     Json numbers = Json::object();
     for (const auto& n : label.numbers) numbers[n.key] = n.value;
     if (!label.channel.empty()) numbers["channel"] = label.channel;
-    effects.push_back({{"effect", label.effect}, {"level", name_of(label.severity)}, {"parameters", std::move(numbers)}});
+    effects.push_back(
+        {{"effect", label.effect}, {"level", name_of(label.severity)}, {"parameters", std::move(numbers)}});
   }
-  const Json truth{{"effects", effects}, {"ship", c.plan.ship_kind}, {"noise", c.plan.noise}, {"set", std::string(1, letter_of(c.plan.set))}, {"reference", c.plan.reference},
-                   {"baseline_error", c.plan.wrong_baseline ? confidence : 0.0}, {"seed", c.plan.seed}};
+  const Json truth{{"effects", effects},
+                   {"ship", c.plan.ship_kind},
+                   {"noise", c.plan.noise},
+                   {"set", std::string(1, letter_of(c.plan.set))},
+                   {"reference", c.plan.reference},
+                   {"baseline_error", c.plan.wrong_baseline ? confidence : 0.0},
+                   {"seed", c.plan.seed}};
   const auto write_runs = [&](const char* part, const std::vector<Recording>& runs) {
     if (!runs.empty()) std::filesystem::create_directories(home / part);
     for (const auto& run : runs) write_recording(run, home / part / (run.name + ".csv"));
   };
   std::filesystem::create_directories(home);
   write_ship(home / "ship.toml", c.ship);
-  write_runs("train", c.train), write_runs("holdout", c.holdout), write_runs("reference", c.reference), write_runs("truth", c.true_holdout);
+  write_runs("train", c.train), write_runs("holdout", c.holdout), write_runs("reference", c.reference),
+      write_runs("truth", c.true_holdout);
   write_text(home / "truth.json", truth.dump(1) + "\n");
 }
 

@@ -39,14 +39,15 @@ std::span<const std::string_view> unknown_kinds();
 
 /// Hides an effect in a ship. Numbers that replace coefficients are counted from those of the ship file.
 /// @throws std::domain_error  for a kind that is not made here
-Label conceal(Concealment& hidden, std::string_view kind, Severity severity, const TrueShip& truth, const MmgShip<double>& file, RandomSource& random);
+Label conceal(Concealment& hidden, std::string_view kind, Severity severity, const TrueShip& truth,
+              const MmgShip<double>& file, RandomSource& random);
 
 /// What is sailed to find it.
 enum class TrialSet {
-  all_round,     ///< A: zigzags 10/10 and 20/20 and a turn with 35 deg, on different headings
-  one_heading,   ///< B: zigzags on one heading
-  four_headings, ///< C: zigzags on four headings
-  passage,       ///< D: small changes of course
+  all_round,      ///< A: zigzags 10/10 and 20/20 and a turn with 35 deg, on different headings
+  one_heading,    ///< B: zigzags on one heading
+  four_headings,  ///< C: zigzags on four headings
+  passage,        ///< D: small changes of course
 };
 char letter_of(TrialSet set);
 
@@ -56,12 +57,13 @@ struct CasePlan {
   std::vector<std::pair<std::string, Severity>> effects;
   double noise = 1.0;
   TrialSet set = TrialSet::all_round;
-  bool reference = false;      ///< three calm runs of the same ship are given
-  bool wrong_baseline = false; ///< the ship file is wrong by its confidence
+  bool reference = false;       ///< three calm runs of the same ship are given
+  bool wrong_baseline = false;  ///< the ship file is wrong by its confidence
   std::uint64_t seed = 1;
 };
 
-/// `clean`, `singles`, `pairs`, `unknown` or `all` (a quarter clean, 55 % singles, 10 % pairs, 10 % unknown); so many cases, or as many as the plan has by itself.
+/// `clean`, `singles`, `pairs`, `unknown` or `all` (a quarter clean, 55 % singles, 10 % pairs, 10 % unknown); so many
+/// cases, or as many as the plan has by itself.
 /// @throws std::domain_error  if there is no plan of that name
 std::vector<CasePlan> plan_named(std::string_view name, std::size_t count, std::uint64_t seed);
 
@@ -75,7 +77,8 @@ struct ConcealedCase {
 };
 ConcealedCase made(const CasePlan& plan);
 
-/// FOLDER/NAME/{ship.toml, train/, holdout/, reference/, truth.json, truth/}; truth/ has the runs held out without noise.
+/// FOLDER/NAME/{ship.toml, train/, holdout/, reference/, truth.json, truth/}; truth/ has the runs held out without
+/// noise.
 void write_case(const ConcealedCase& c, const std::filesystem::path& folder);
 
 }  // namespace swayaw::concealed

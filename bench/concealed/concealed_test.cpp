@@ -32,13 +32,23 @@ std::string table_named(const std::vector<Json>& lines, const std::string& name)
 
 /// A line of answers with one hidden effect, or none, and the name that was given.
 Json line_of(const std::string& hidden, const std::string& found) {
-  Json line{{"effects", Json::array()}, {"ship", "tanker"}, {"noise", 1.0}, {"set", "A"}, {"reference", false}, {"baseline_error", 0.0}, {"time_unit_s", 40.0}};
-  if (!hidden.empty()) line["effects"].push_back({{"effect", hidden}, {"level", "strong"}, {"parameters", {{"offset_rad", 0.02}}}});
+  Json line{{"effects", Json::array()}, {"ship", "tanker"},      {"noise", 1.0},       {"set", "A"},
+            {"reference", false},       {"baseline_error", 0.0}, {"time_unit_s", 40.0}};
+  if (!hidden.empty())
+    line["effects"].push_back({{"effect", hidden}, {"level", "strong"}, {"parameters", {{"offset_rad", 0.02}}}});
   Json effects = Json::array();
   if (!found.empty())
-    effects.push_back({{"effect", found}, {"probability", 0.9}, {"onset_s", nullptr}, {"parameters", {{"offset_rad", {0.022, 0.002}}}}, {"indistinguishable_from", {"propeller_side_force"}}});
-  line["answer"] = {{"verdict", found.empty() ? "nothing_missing" : "missing_physics"}, {"effects", effects}, {"candidates", Json::array()}, {"holdout_ratio", 0.5}};
-  line["rivals"] = {{"nothing", Json::array()}, {"random", {"gust"}}, {"ols_bic", Json::array()}, {"sparse", Json::array()}};
+    effects.push_back({{"effect", found},
+                       {"probability", 0.9},
+                       {"onset_s", nullptr},
+                       {"parameters", {{"offset_rad", {0.022, 0.002}}}},
+                       {"indistinguishable_from", {"propeller_side_force"}}});
+  line["answer"] = {{"verdict", found.empty() ? "nothing_missing" : "missing_physics"},
+                    {"effects", effects},
+                    {"candidates", Json::array()},
+                    {"holdout_ratio", 0.5}};
+  line["rivals"] = {
+      {"nothing", Json::array()}, {"random", {"gust"}}, {"ols_bic", Json::array()}, {"sparse", Json::array()}};
   return line;
 }
 
@@ -47,10 +57,12 @@ Json line_of(const std::string& hidden, const std::string& found) {
 TEST_CASE("a ship with two like sides sails to starboard as she sails to port", "[bench][symmetry]") {
   for (const auto kind : ship_kinds()) {
     const auto ship = symmetric(true_ship(kind, 5));
-    const auto port = sail(ship, {}, zigzag(20, 10, true, 0.0), still), starboard = sail(ship, {}, zigzag(20, 10, false, 0.0), still);
+    const auto port = sail(ship, {}, zigzag(20, 10, true, 0.0), still),
+               starboard = sail(ship, {}, zigzag(20, 10, false, 0.0), still);
     CHECK(largest_difference(port, starboard, Channel::x) < 1e-6 * ship.L);
     CHECK(largest_difference(port, starboard, Channel::speed_through_water) < 1e-6 * ship.U_0);
-    for (const auto channel : {Channel::y, Channel::psi, Channel::r, Channel::delta}) CHECK(largest_difference(port, starboard, channel, -1.0) < 1e-5 * (channel == Channel::y ? ship.L : 1.0));
+    for (const auto channel : {Channel::y, Channel::psi, Channel::r, Channel::delta})
+      CHECK(largest_difference(port, starboard, channel, -1.0) < 1e-5 * (channel == Channel::y ? ship.L : 1.0));
   }
 }
 
@@ -59,28 +71,41 @@ TEST_CASE("a ship sails the same on every heading while nothing comes from a dir
   const auto north = sail(ship, {}, turn(35, true, 0.0), still), east = sail(ship, {}, turn(35, true, 0.5 * pi), still);
   CHECK(largest_difference(north, east, Channel::r) < 1e-8);
   double most = 0.0;
-  for (std::size_t i = 0; i < north.samples(); ++i) most = std::max(most, std::abs(north[Channel::x][i] - east[Channel::y][i]));
+  for (std::size_t i = 0; i < north.samples(); ++i)
+    most = std::max(most, std::abs(north[Channel::x][i] - east[Channel::y][i]));
   CHECK(most < 1e-5 * ship.L);
 }
 
 TEST_CASE("what is hidden with the size 0 changes no digit", "[bench][limit]") {
   const auto ship = true_ship("tanker", 2);
-  const Concealment nothing{.wind_from = 1.0, .gust_from = 2.0, .gust_onset = 100.0, .gust_end = 300.0, .current_to = 0.7, .wave_from = 3.0, .gap_angle = 0.2, .GM = 2.0, .memory_tau = 20.0,
-                       .late = Channel::x, .tow_onset = 50.0};
+  const Concealment nothing{.wind_from = 1.0,
+                            .gust_from = 2.0,
+                            .gust_onset = 100.0,
+                            .gust_end = 300.0,
+                            .current_to = 0.7,
+                            .wave_from = 3.0,
+                            .gap_angle = 0.2,
+                            .GM = 2.0,
+                            .memory_tau = 20.0,
+                            .late = Channel::x,
+                            .tow_onset = 50.0};
   for (const auto& manoeuvre : {zigzag(10, 10, true, 1.0), turn(35, false, 2.0)})
-    CHECK(recording_text(sail(ship, nothing, manoeuvre, {.seed = 3})) == recording_text(sail(ship, {}, manoeuvre, {.seed = 3})));
+    CHECK(recording_text(sail(ship, nothing, manoeuvre, {.seed = 3})) ==
+          recording_text(sail(ship, {}, manoeuvre, {.seed = 3})));
 }
 
 TEST_CASE("positions that are late show where she was", "[bench][limit]") {
   const auto ship = true_ship("tanker", 2);
   const auto manoeuvre = turn(35, false, 2.0);
   const double step = sail(ship, {}, manoeuvre, still).time[1];
-  const auto prompt = sail(ship, {}, manoeuvre, still), late = sail(ship, {.delay = 4.0 * step, .late = Channel::x}, manoeuvre, still);
+  const auto prompt = sail(ship, {}, manoeuvre, still),
+             late = sail(ship, {.delay = 4.0 * step, .late = Channel::x}, manoeuvre, still);
   for (std::size_t i = 4; i < prompt.samples(); ++i) {
     CHECK(std::abs(late[Channel::x][i] - prompt[Channel::x][i - 4]) < 1e-5 * ship.L);
     CHECK(std::abs(late[Channel::y][i] - prompt[Channel::y][i - 4]) < 1e-5 * ship.L);
   }
-  CHECK(std::hypot(late[Channel::x][0] + 4.0 * step * ship.U_0 * std::cos(2.0), late[Channel::y][0] + 4.0 * step * ship.U_0 * std::sin(2.0)) < 0.01 * ship.L);
+  CHECK(std::hypot(late[Channel::x][0] + 4.0 * step * ship.U_0 * std::cos(2.0),
+                   late[Channel::y][0] + 4.0 * step * ship.U_0 * std::sin(2.0)) < 0.01 * ship.L);
 }
 
 TEST_CASE("every kind of hidden effect shows in the recording, under the keys of its numbers", "[bench][limit]") {
@@ -110,7 +135,8 @@ TEST_CASE("a longer step of the integration leaves the track where it is", "[ben
   auto fine = still;
   fine.steps = 16;
   const auto manoeuvre = turn(35, true, 0.0);
-  CHECK(largest_difference(sail(ship, {}, manoeuvre, still), sail(ship, {}, manoeuvre, fine), Channel::x) < 2e-3 * ship.L);
+  CHECK(largest_difference(sail(ship, {}, manoeuvre, still), sail(ship, {}, manoeuvre, fine), Channel::x) <
+        2e-3 * ship.L);
 }
 
 TEST_CASE("true ships sail like ships, and their files are near them", "[bench][limit]") {
@@ -146,8 +172,12 @@ TEST_CASE("a seed makes the same files again", "[bench][regression]") {
 }
 
 TEST_CASE("marks count names, classes and false alarms", "[bench][limit]") {
-  const std::vector<Json> lines{line_of("rudder_offset", "rudder_offset"), line_of("propeller_side_force", "rudder_offset"), line_of("gust", ""), line_of("", ""),
-                                line_of("", "rudder_offset"), line_of("unknown_kelp", "rudder_offset")};
+  const std::vector<Json> lines{line_of("rudder_offset", "rudder_offset"),
+                                line_of("propeller_side_force", "rudder_offset"),
+                                line_of("gust", ""),
+                                line_of("", ""),
+                                line_of("", "rudder_offset"),
+                                line_of("unknown_kelp", "rudder_offset")};
   const auto overview = table_named(lines, "overview");
   CHECK_THAT(overview, ContainsSubstring("| false alarms | 1/2 (50 %)"));
   CHECK_THAT(overview, ContainsSubstring("| one effect: detected | 2/3 (67 %)"));
@@ -164,5 +194,6 @@ TEST_CASE("a plan or an effect that is not there is refused in words", "[bench][
   CHECK_THROWS_WITH(true_ship("barge", 1), ContainsSubstring("\"barge\""));
   Concealment hidden;
   RandomSource random(1);
-  CHECK_THROWS_WITH(conceal(hidden, "kraken", Severity::weak, true_ship("tanker", 1), {}, random), ContainsSubstring("\"kraken\""));
+  CHECK_THROWS_WITH(conceal(hidden, "kraken", Severity::weak, true_ship("tanker", 1), {}, random),
+                    ContainsSubstring("\"kraken\""));
 }

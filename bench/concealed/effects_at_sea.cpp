@@ -45,7 +45,10 @@ Numbers gust(Kitchen& k) {
   const double T = k.s.time_unit();
   k.h.gust_speed = k.size({1.2, 1.8, 2.6}) * k.s.U_0, k.h.gust_from = k.direction();
   k.h.gust_onset = k.random.uniform(5.0, 11.0) * T, k.h.gust_end = k.h.gust_onset + k.random.uniform(5.0, 9.0) * T;
-  return {{"wind_speed_m_s", k.h.gust_speed}, {"wind_from_rad", k.h.gust_from}, {"onset_s", k.h.gust_onset}, {"end_s", k.h.gust_end}};
+  return {{"wind_speed_m_s", k.h.gust_speed},
+          {"wind_from_rad", k.h.gust_from},
+          {"onset_s", k.h.gust_onset},
+          {"end_s", k.h.gust_end}};
 }
 
 Numbers current(Kitchen& k) {
@@ -54,7 +57,8 @@ Numbers current(Kitchen& k) {
 }
 
 Numbers waves(Kitchen& k) {
-  k.h.wave_force = k.size({0.003, 0.007, 0.014}) * 0.5 * 1025.0 * k.s.L * k.s.d * k.s.U_0 * k.s.U_0, k.h.wave_from = k.direction();
+  k.h.wave_force = k.size({0.003, 0.007, 0.014}) * 0.5 * 1025.0 * k.s.L * k.s.d * k.s.U_0 * k.s.U_0,
+  k.h.wave_from = k.direction();
   return {{"force_N", k.h.wave_force}, {"wave_from_rad", k.h.wave_from}};
 }
 
@@ -68,15 +72,20 @@ Numbers linear_derivatives(Kitchen& k) {
   const Three size{0.08, 0.18, 0.30};
   auto& h = k.h;
   const auto& f = k.file.hull;
-  h.Y_v = k.either_way(size) * k.s.Y_v, h.Y_r = k.either_way(size) * k.s.Y_r, h.N_v = k.either_way(size) * 0.5 * k.s.N_v, h.N_r = k.either_way(size) * k.s.N_r;
+  h.Y_v = k.either_way(size) * k.s.Y_v, h.Y_r = k.either_way(size) * k.s.Y_r,
+  h.N_v = k.either_way(size) * 0.5 * k.s.N_v, h.N_r = k.either_way(size) * k.s.N_r;
   return changed({{"Y_v", f.Y_v, h.Y_v}, {"Y_r", f.Y_r, h.Y_r}, {"N_v", f.N_v, h.N_v}, {"N_r", f.N_r, h.N_r}});
 }
 
 Numbers cubic_damping(Kitchen& k) {
   auto& h = k.h;
   const auto& f = k.file.hull;
-  h.Y_vvr = k.either_way({0.12, 0.30, 0.55}), h.Y_vrr = k.either_way({0.12, 0.30, 0.55}), h.N_vvr = -k.size({0.05, 0.12, 0.22}), h.N_vrr = k.size({0.02, 0.05, 0.10});
-  return changed({{"Y_vvr", f.Y_vvr, h.Y_vvr}, {"Y_vrr", f.Y_vrr, h.Y_vrr}, {"N_vvr", f.N_vvr, h.N_vvr}, {"N_vrr", f.N_vrr, h.N_vrr}});
+  h.Y_vvr = k.either_way({0.12, 0.30, 0.55}), h.Y_vrr = k.either_way({0.12, 0.30, 0.55}),
+  h.N_vvr = -k.size({0.05, 0.12, 0.22}), h.N_vrr = k.size({0.02, 0.05, 0.10});
+  return changed({{"Y_vvr", f.Y_vvr, h.Y_vvr},
+                  {"Y_vrr", f.Y_vrr, h.Y_vrr},
+                  {"N_vvr", f.N_vvr, h.N_vvr},
+                  {"N_vrr", f.N_vrr, h.N_vrr}});
 }
 
 Numbers cross_flow(Kitchen& k) {
@@ -113,7 +122,8 @@ Numbers rudder_hull(Kitchen& k) {
 
 Numbers stall(Kitchen& k) {
   k.h.stall_angle = k.size({0.40, 0.31, 0.22});
-  return {{"stall_angle_rad", k.h.stall_angle + 0.5 * stall_span}};  // where half of the loss has come, as docs/effects.md counts it
+  return {{"stall_angle_rad",
+           k.h.stall_angle + 0.5 * stall_span}};  // where half of the loss has come, as docs/effects.md counts it
 }
 
 /// Numbers of the law of docs/effects.md, 1 + s (|δ| − δ_lim)², that is nearest to the true curve from 0 to 35 deg.
@@ -123,7 +133,8 @@ Numbers nearest_gap(double from, double strength) {
   for (double limit = 0.0; limit < from + 0.05; limit += 1e-3) {
     double xy = 0.0, xx = 0.0, yy = 0.0;
     for (double delta = 0.0; delta < radians(35.0); delta += 1e-3) {
-      const double beyond = std::max(0.0, delta - limit), x = beyond * beyond, y = kept_through_gap(delta, from, strength) - 1.0;
+      const double beyond = std::max(0.0, delta - limit), x = beyond * beyond,
+                   y = kept_through_gap(delta, from, strength) - 1.0;
       xy += x * y, xx += x * x, yy += y * y;
     }
     const double s = xy / xx, error = yy - s * xy;
@@ -140,7 +151,8 @@ Numbers gap(Kitchen& k) {
 Numbers straightening(Kitchen& k) {
   k.h.straightening = k.either_way({0.15, 0.30, 0.50});
   const auto& f = k.file.rudder;
-  return changed({{"gamma_R_negative", f.gamma_R_negative, k.h.straightening * f.gamma_R_negative}, {"gamma_R_positive", f.gamma_R_positive, k.h.straightening * f.gamma_R_positive}});
+  return changed({{"gamma_R_negative", f.gamma_R_negative, k.h.straightening * f.gamma_R_negative},
+                  {"gamma_R_positive", f.gamma_R_positive, k.h.straightening * f.gamma_R_positive}});
 }
 
 Numbers race(Kitchen& k) {
@@ -156,7 +168,8 @@ Numbers side_force(Kitchen& k) {
 Numbers wake(Kitchen& k) {
   k.h.wake_positive = k.either_way({0.15, 0.30, 0.45}), k.h.wake_negative = k.either_way({0.15, 0.30, 0.45});
   const auto& f = k.file.propeller;
-  return changed({{"C2_positive", f.C_2_positive, k.h.wake_positive}, {"C2_negative", f.C_2_negative, k.h.wake_negative}});
+  return changed(
+      {{"C2_positive", f.C_2_positive, k.h.wake_positive}, {"C2_negative", f.C_2_negative, k.h.wake_negative}});
 }
 
 Numbers shaft_drop(Kitchen& k) {
@@ -230,7 +243,9 @@ Numbers grown(Kitchen& k, const Three& sizes) {
 Numbers kelp(Kitchen& k) { return grown<&Concealment::kelp>(k, {0.004, 0.008, 0.016}); }
 Numbers fouled_side(Kitchen& k) { return grown<&Concealment::fouled_side>(k, {0.3, 0.6, 1.2}); }
 Numbers sloshing(Kitchen& k) { return grown<&Concealment::sloshing>(k, {0.02, 0.05, 0.10}); }
-Numbers compass(Kitchen& k) { return grown<&Concealment::compass_cosine>(k, {radians(1.0), radians(2.0), radians(4.0)}); }
+Numbers compass(Kitchen& k) {
+  return grown<&Concealment::compass_cosine>(k, {radians(1.0), radians(2.0), radians(4.0)});
+}
 Numbers blade(Kitchen& k) { return grown<&Concealment::broken_blade>(k, {0.0010, 0.0025, 0.0060}); }
 Numbers bank(Kitchen& k) { return grown<&Concealment::bank>(k, {0.003, 0.007, 0.015}); }
 Numbers tow_line(Kitchen& k) {
@@ -241,14 +256,43 @@ Numbers tow_line(Kitchen& k) {
 using Recipe = Numbers (*)(Kitchen&);
 
 constexpr std::array<std::pair<std::string_view, Recipe>, 37> recipes{{
-    {"steady_wind", wind}, {"gust", gust}, {"steady_current", current}, {"wave_drift", waves}, {"shallow_water", shallow}, {"hull_linear_derivatives", linear_derivatives},
-    {"hull_nonlinear_damping", cubic_damping}, {"cross_flow_drag", cross_flow}, {"added_resistance", resistance}, {"speed_loss_in_turn", loss_in_turn}, {"added_mass", added_mass},
-    {"rudder_effectiveness", rudder_lift}, {"rudder_hull_interaction", rudder_hull}, {"rudder_stall", stall}, {"rudder_gap", gap}, {"flow_straightening", straightening},
-    {"propeller_race", race}, {"propeller_side_force", side_force}, {"wake_change", wake}, {"shaft_speed_drop", shaft_drop}, {"rudder_offset", offset},
-    {"steering_gear_lag", lag}, {"steering_gear_backlash", play}, {"roll_coupling", roll}, {"fluid_memory", memory}, {"heading_bias", heading}, {"gyro_bias", gyro},
-    {"log_scale", log_factor}, {"antenna_lever_arm", antenna}, {"channel_delay", delay},
-    {"unknown_kelp", kelp}, {"unknown_tow_line", tow_line}, {"unknown_fouled_side", fouled_side}, {"unknown_sloshing", sloshing}, {"unknown_compass", compass},
-    {"unknown_blade", blade}, {"unknown_bank", bank},
+    {"steady_wind", wind},
+    {"gust", gust},
+    {"steady_current", current},
+    {"wave_drift", waves},
+    {"shallow_water", shallow},
+    {"hull_linear_derivatives", linear_derivatives},
+    {"hull_nonlinear_damping", cubic_damping},
+    {"cross_flow_drag", cross_flow},
+    {"added_resistance", resistance},
+    {"speed_loss_in_turn", loss_in_turn},
+    {"added_mass", added_mass},
+    {"rudder_effectiveness", rudder_lift},
+    {"rudder_hull_interaction", rudder_hull},
+    {"rudder_stall", stall},
+    {"rudder_gap", gap},
+    {"flow_straightening", straightening},
+    {"propeller_race", race},
+    {"propeller_side_force", side_force},
+    {"wake_change", wake},
+    {"shaft_speed_drop", shaft_drop},
+    {"rudder_offset", offset},
+    {"steering_gear_lag", lag},
+    {"steering_gear_backlash", play},
+    {"roll_coupling", roll},
+    {"fluid_memory", memory},
+    {"heading_bias", heading},
+    {"gyro_bias", gyro},
+    {"log_scale", log_factor},
+    {"antenna_lever_arm", antenna},
+    {"channel_delay", delay},
+    {"unknown_kelp", kelp},
+    {"unknown_tow_line", tow_line},
+    {"unknown_fouled_side", fouled_side},
+    {"unknown_sloshing", sloshing},
+    {"unknown_compass", compass},
+    {"unknown_blade", blade},
+    {"unknown_bank", bank},
 }};
 
 constexpr std::size_t known_count = 30;
@@ -269,7 +313,8 @@ std::string_view name_of(Severity severity) {
 std::span<const std::string_view> known_kinds() { return std::span(kind_names).first(known_count); }
 std::span<const std::string_view> unknown_kinds() { return std::span(kind_names).subspan(known_count); }
 
-Label conceal(Concealment& hidden, std::string_view kind, Severity severity, const TrueShip& truth, const MmgShip<double>& file, RandomSource& random) {
+Label conceal(Concealment& hidden, std::string_view kind, Severity severity, const TrueShip& truth,
+              const MmgShip<double>& file, RandomSource& random) {
   for (const auto& [name, recipe] : recipes) {
     if (name != kind) continue;
     Label label{std::string(kind), severity, {}, {}};

@@ -34,8 +34,10 @@ std::vector<Point> grid(const TrueShip& truth) {
         const double delta = -35.0 + 17.5 * (i / 2), loss = i % 2 ? 0.7 : 0.25;
         const double beta = 0.43 * r_prime + off, U = truth.U_0 * (1.0 - loss * std::abs(r_prime));
         States q{};
-        q[State::u] = U * std::cos(beta), q[State::v] = -U * std::sin(beta), q[State::r] = r_prime * U / truth.L, q[State::shaft] = order.rev * (1.0 - 0.03 * std::abs(r_prime));
-        points.push_back({q, {.time = 0.0, .delta = radians(delta), .order = order, .disturbance = {}, .turbulence = 0.0}});
+        q[State::u] = U * std::cos(beta), q[State::v] = -U * std::sin(beta), q[State::r] = r_prime * U / truth.L,
+        q[State::shaft] = order.rev * (1.0 - 0.03 * std::abs(r_prime));
+        points.push_back(
+            {q, {.time = 0.0, .delta = radians(delta), .order = order, .disturbance = {}, .turbulence = 0.0}});
       }
   return points;
 }
@@ -46,7 +48,8 @@ void add_trials(std::vector<Point>& points, const TrueShip& truth, const std::ve
   for (const auto& trial : trials) {
     const auto track = true_track(truth, {}, trial, {.disturbance = 0.0});
     for (std::size_t i = 0; i < track.states.size(); i += 16)
-      points.push_back({track.states[i], {.time = 0.0, .delta = track.delta[i], .order = order, .disturbance = {}, .turbulence = 0.0}});
+      points.push_back({track.states[i],
+                        {.time = 0.0, .delta = track.delta[i], .order = order, .disturbance = {}, .turbulence = 0.0}});
   }
 }
 
@@ -56,8 +59,10 @@ MmgForces<double> forces_of(const Mmg& ship, const Point& p) {
   return swayaw::forces(ship, motion, controls, branch_at(ship, motion, controls));
 }
 
-/// Moves the numbers to the least squares of the residuals, by Gauss and Newton with differences. A number that moves by half of itself from where it stood costs `hold`².
-void fit(Mmg& ship, const std::vector<Number>& numbers, const std::function<Eigen::VectorXd(const Mmg&)>& residuals, double hold) {
+/// Moves the numbers to the least squares of the residuals, by Gauss and Newton with differences. A number that moves
+/// by half of itself from where it stood costs `hold`².
+void fit(Mmg& ship, const std::vector<Number>& numbers, const std::function<Eigen::VectorXd(const Mmg&)>& residuals,
+         double hold) {
   const auto size = static_cast<Eigen::Index>(numbers.size());
   Mmg start = ship;
   for (int round = 0; round < 8; ++round) {
@@ -80,8 +85,8 @@ void fit(Mmg& ship, const std::vector<Number>& numbers, const std::function<Eige
 }
 
 /// Residuals of some forces of a part, in units of their own size.
-auto residuals_of(const TrueShip& truth, const std::vector<Point>& points, PlanarForce<double> TrueForces::*true_part, PlanarForce<double> MmgForces<double>::*part,
-                  std::vector<double PlanarForce<double>::*> components) {
+auto residuals_of(const TrueShip& truth, const std::vector<Point>& points, PlanarForce<double> TrueForces::*true_part,
+                  PlanarForce<double> MmgForces<double>::*part, std::vector<double PlanarForce<double>::*> components) {
   std::vector<PlanarForce<double>> target;
   for (const auto& p : points) target.push_back(forces(truth, {}, p.state, p.moment).*true_part);
   return [=](const Mmg& ship) {
@@ -90,7 +95,8 @@ auto residuals_of(const TrueShip& truth, const std::vector<Point>& points, Plana
     for (const auto component : components) {
       double size = 0.0;
       for (const auto& f : target) size += f.*component * (f.*component);
-      for (std::size_t i = 0; i < points.size(); ++i) e[row++] = (forces_of(ship, points[i]).*part.*component - target[i].*component) / std::sqrt(size);
+      for (std::size_t i = 0; i < points.size(); ++i)
+        e[row++] = (forces_of(ship, points[i]).*part.*component - target[i].*component) / std::sqrt(size);
     }
     return e;
   };
@@ -107,13 +113,42 @@ std::vector<Number> numbers(Part Mmg::*part, std::vector<double Part::*> members
 Mmg particulars_of(const TrueShip& t) {
   Mmg ship{};
   ship.water.rho = 1025.0;
-  ship.particulars = {.L = t.L, .B = t.B, .d = t.d, .nabla = t.volume(), .x_G = t.x_G * t.L, .k_zz = t.k_zz * t.L, .U_0 = t.U_0, .A_front = t.A_front, .A_lateral = t.A_lateral};
+  ship.particulars = {.L = t.L,
+                      .B = t.B,
+                      .d = t.d,
+                      .nabla = t.volume(),
+                      .x_G = t.x_G * t.L,
+                      .k_zz = t.k_zz * t.L,
+                      .U_0 = t.U_0,
+                      .A_front = t.A_front,
+                      .A_lateral = t.A_lateral};
   ship.added_mass = {.m_x = t.m_x, .m_y = t.m_y, .J_z = t.J_z, .surge_coupling = {}};
   ship.hull = {};
-  ship.propeller = {.D = t.D, .x_P = -0.48, .t_P = t.t_P, .w_P0 = t.w_0, .k_0 = t.K_T[0], .k_1 = t.K_T[1], .k_2 = t.K_T[2], .C_1 = t.wake_rate, .C_2_positive = t.wake_gain,
-                    .C_2_negative = t.wake_gain, .q_0 = 0.0, .q_1 = 0.0, .q_2 = 0.0};
-  ship.rudder = {.A_R = t.A_R, .H_R = t.H_R, .x_R = -0.5, .t_R = t.t_R, .a_H = t.a_H, .x_H = t.x_H, .l_R = t.l_R, .gamma_R_negative = t.gamma, .gamma_R_positive = t.gamma,
-                 .epsilon = t.epsilon, .kappa = t.kappa, .f_alpha = t.f_alpha};
+  ship.propeller = {.D = t.D,
+                    .x_P = -0.48,
+                    .t_P = t.t_P,
+                    .w_P0 = t.w_0,
+                    .k_0 = t.K_T[0],
+                    .k_1 = t.K_T[1],
+                    .k_2 = t.K_T[2],
+                    .C_1 = t.wake_rate,
+                    .C_2_positive = t.wake_gain,
+                    .C_2_negative = t.wake_gain,
+                    .q_0 = 0.0,
+                    .q_1 = 0.0,
+                    .q_2 = 0.0};
+  ship.rudder = {.A_R = t.A_R,
+                 .H_R = t.H_R,
+                 .x_R = -0.5,
+                 .t_R = t.t_R,
+                 .a_H = t.a_H,
+                 .x_H = t.x_H,
+                 .l_R = t.l_R,
+                 .gamma_R_negative = t.gamma,
+                 .gamma_R_positive = t.gamma,
+                 .epsilon = t.epsilon,
+                 .kappa = t.kappa,
+                 .f_alpha = t.f_alpha};
   ship.steering_gear = {.rate = t.rudder_rate, .max_angle = radians(35.0), .lag = 0.0, .dead_band = 0.0};
   ship.engine = {};
   return ship;
@@ -139,7 +174,8 @@ void fit_parts(Mmg& ship, const TrueShip& truth, const std::vector<Point>& point
   using R = MmgRudder<double>;
   constexpr auto X = &PlanarForce<double>::X, Y = &PlanarForce<double>::Y, N = &PlanarForce<double>::N;
   const auto hull = [&](auto component, auto members) {
-    fit(ship, numbers(&Mmg::hull, members), residuals_of(truth, points, &TrueForces::hull, &MmgForces<double>::hull, {component}), hold);
+    fit(ship, numbers(&Mmg::hull, members),
+        residuals_of(truth, points, &TrueForces::hull, &MmgForces<double>::hull, {component}), hold);
   };
   hull(X, std::vector{&H::R_0, &H::X_vv, &H::X_vr, &H::X_rr, &H::X_vvvv});
   hull(Y, std::vector{&H::Y_v, &H::Y_r, &H::Y_vvv, &H::Y_vvr, &H::Y_vrr, &H::Y_rrr});
@@ -147,10 +183,12 @@ void fit_parts(Mmg& ship, const TrueShip& truth, const std::vector<Point>& point
   const auto thrust = residuals_of(truth, points, &TrueForces::propeller, &MmgForces<double>::propeller, {X});
   Mmg best = ship;
   double least = HUGE_VAL;
-  for (const double factor : {0.4, 0.5, 0.6, 0.7, 0.85, 1.0, 1.2}) {  // the rate of the wake is looked for, all else is nearly linear
+  for (const double factor :
+       {0.4, 0.5, 0.6, 0.7, 0.85, 1.0, 1.2}) {  // the rate of the wake is looked for, all else is nearly linear
     Mmg tried = ship;
     tried.propeller.C_1 *= hold > 0.0 ? 1.0 : factor;
-    fit(tried, numbers(&Mmg::propeller, std::vector{&P::k_0, &P::k_1, &P::C_2_positive, &P::C_2_negative}), thrust, hold);
+    fit(tried, numbers(&Mmg::propeller, std::vector{&P::k_0, &P::k_1, &P::C_2_positive, &P::C_2_negative}), thrust,
+        hold);
     if (const double left = thrust(tried).norm(); left < least) least = left, best = tried;
   }
   ship = best;
@@ -161,7 +199,8 @@ void fit_parts(Mmg& ship, const TrueShip& truth, const std::vector<Point>& point
 /// What some 200 lengths of trials tell of a number, with accelerations of 2.4 % that no model has.
 constexpr double known_by_trials = 0.0017;
 
-/// A fit knows a force, not each of its terms: a term that is small in a turn with v' = 0.25 and r' = 0.5 is trusted to the same share of the largest one of its force.
+/// A fit knows a force, not each of its terms: a term that is small in a turn with v' = 0.25 and r' = 0.5 is trusted to
+/// the same share of the largest one of its force.
 Confidence confidence_of(const Ship& ship, double least) {
   Confidence confidence{.coefficients = least, .named = {}};
   const auto terms = coefficients_of(ship, "hull");
@@ -175,7 +214,8 @@ Confidence confidence_of(const Ship& ship, double least) {
     for (const auto& n : terms)
       if (n.key.front() == force) largest = std::max(largest, size(n));
     for (const auto& n : terms)
-      if (n.key.front() == force && size(n) < largest) confidence.named.emplace_back(n.key, std::min(1.0, least * largest / size(n)));
+      if (n.key.front() == force && size(n) < largest)
+        confidence.named.emplace_back(n.key, std::min(1.0, least * largest / size(n)));
   }
   return confidence;
 }
@@ -187,9 +227,15 @@ FairShip fair_ship(const TrueShip& truth, double confidence) {
   fit_parts(model, truth, grid(truth), 0.0);
   std::vector<Point> trials;
   for (const bool to_port : {true, false})
-    add_trials(trials, truth, {zigzag(10, 10, to_port, 0.0), zigzag(20, 20, to_port, 0.0), turn(20, to_port, 0.0), turn(35, to_port, 0.0)});
+    add_trials(
+        trials, truth,
+        {zigzag(10, 10, to_port, 0.0), zigzag(20, 20, to_port, 0.0), turn(20, to_port, 0.0), turn(35, to_port, 0.0)});
   fit_parts(model, truth, trials, known_by_trials);
-  Ship ship{.name = truth.kind, .model = model, .confidence = {}, .surroundings = {.windage = *windage_from({.frontal = truth.A_front, .lateral = truth.A_lateral, .length = truth.L})}};
+  Ship ship{.name = truth.kind,
+            .model = model,
+            .confidence = {},
+            .surroundings = {
+                .windage = *windage_from({.frontal = truth.A_front, .lateral = truth.A_lateral, .length = truth.L})}};
   ship.confidence = confidence_of(ship, confidence);
   return {.ship = ship, .residue = residue_of(truth, model, trials)};
 }
@@ -199,7 +245,8 @@ Ship slightly_wrong(const Ship& ship, std::uint64_t seed) {
   std::vector<ShipNumber> coefficients;
   std::vector<double> values;
   for (const auto& n : ship_numbers(ship))
-    if (n.role == Role::coefficient && n.deviation > 0.0 && !n.key.starts_with("stall")) coefficients.push_back(n), values.push_back(n.value + n.deviation * random.normal());
+    if (n.role == Role::coefficient && n.deviation > 0.0 && !n.key.starts_with("stall"))
+      coefficients.push_back(n), values.push_back(n.value + n.deviation * random.normal());
   return with_values(ship, coefficients, values);
 }
 

@@ -16,7 +16,8 @@ namespace {
 using namespace swayaw;
 using namespace swayaw::concealed;
 
-void make(const std::filesystem::path& folder, const std::string& plan, std::size_t count, std::uint64_t seed, unsigned jobs) {
+void make(const std::filesystem::path& folder, const std::string& plan, std::size_t count, std::uint64_t seed,
+          unsigned jobs) {
   const auto plans = plan_named(plan, count, seed);
   in_parallel(plans.size(), jobs, [&](std::size_t i) { write_case(made(plans[i]), folder); });
   fmt::print("{} cases in {}\n", plans.size(), folder.string());
@@ -24,24 +25,31 @@ void make(const std::filesystem::path& folder, const std::string& plan, std::siz
 
 void tell(const Json& line) {
   std::vector<std::string> truth, found;
-  for (const auto& e : line.at("effects")) truth.push_back(fmt::format("{}:{}", e.at("effect").get<std::string>(), e.at("level").get<std::string>()));
+  for (const auto& e : line.at("effects"))
+    truth.push_back(fmt::format("{}:{}", e.at("effect").get<std::string>(), e.at("level").get<std::string>()));
   if (line.contains("answer"))
     for (const auto& e : line["answer"].at("effects")) found.push_back(e.at("effect"));
-  fmt::print("{} [{}] noise {:g} set {}{}{} -> {} [{}]\n", line.at("case").get<std::string>(), fmt::join(truth, ", "), line.at("noise").get<double>(), line.at("set").get<std::string>(),
-             line.at("reference").get<bool>() ? " reference" : "", line.at("baseline_error").get<double>() > 0.0 ? " wrong" : "",
-             line.contains("answer") ? line["answer"].at("verdict").get<std::string>() : "rivals only", fmt::join(found, ", "));
+  fmt::print("{} [{}] noise {:g} set {}{}{} -> {} [{}]\n", line.at("case").get<std::string>(), fmt::join(truth, ", "),
+             line.at("noise").get<double>(), line.at("set").get<std::string>(),
+             line.at("reference").get<bool>() ? " reference" : "",
+             line.at("baseline_error").get<double>() > 0.0 ? " wrong" : "",
+             line.contains("answer") ? line["answer"].at("verdict").get<std::string>() : "rivals only",
+             fmt::join(found, ", "));
   std::fflush(stdout);
 }
 
 /// How the true ships sail, and how near their ship files come.
 std::string ships_table() {
-  std::string text = "| ship | L [m] | overshoot 10/10, 20/20 [deg] | tactical diameter [L] | speed in the turn | residue of the ship file X, Y, N |\n| --- | ---: | ---: | ---: | ---: | ---: |\n";
+  std::string text =
+      "| ship | L [m] | overshoot 10/10, 20/20 [deg] | tactical diameter [L] | speed in the turn | residue of the ship "
+      "file X, Y, N |\n| --- | ---: | ---: | ---: | ---: | ---: |\n";
   for (const auto kind : ship_kinds()) {
     const auto ship = true_ship(kind, 1);
     const auto c = character_of(ship);
     const auto residue = fair_ship(ship, 0.02).residue;
-    text += fmt::format("| {} | {:.0f} | {:.1f}, {:.1f} | {:.2f} | {:.2f} | {:.1f}, {:.1f}, {:.1f} % |\n", kind, ship.L, degrees(c.overshoot_10), degrees(c.overshoot_20),
-                        c.tactical_diameter, c.speed_in_turn, 100.0 * residue.X, 100.0 * residue.Y, 100.0 * residue.N);
+    text += fmt::format("| {} | {:.0f} | {:.1f}, {:.1f} | {:.2f} | {:.2f} | {:.1f}, {:.1f}, {:.1f} % |\n", kind, ship.L,
+                        degrees(c.overshoot_10), degrees(c.overshoot_20), c.tactical_diameter, c.speed_in_turn,
+                        100.0 * residue.X, 100.0 * residue.Y, 100.0 * residue.N);
   }
   return text;
 }
@@ -72,7 +80,8 @@ int main(int argc, char** argv) {
   maker->add_option("--seed", seed)->capture_default_str();
   maker->add_option("--jobs", jobs, "cases at a time")->capture_default_str();
   ScoreOptions options;
-  auto* scorer = app.add_subcommand("score", "diagnoses the cases that are not in the file of answers yet; may be stopped and begun again");
+  auto* scorer = app.add_subcommand(
+      "score", "diagnoses the cases that are not in the file of answers yet; may be stopped and begun again");
   scorer->add_option("folder", folder)->required();
   scorer->add_option("--lines", options.lines, "file of answers; FOLDER/score.jsonl unless given");
   scorer->add_option("--jobs", options.jobs, "cases at a time")->capture_default_str();

@@ -32,6 +32,8 @@ class RandomSource {
 };
 
 /// A seed of its own for part `index` of what has that seed.
-inline std::uint64_t seed_of(std::uint64_t seed, std::uint64_t index) { return RandomSource(seed * 0x2545f4914f6cdd1dull + index).bits(); }
+inline std::uint64_t seed_of(std::uint64_t seed, std::uint64_t index) {
+  return RandomSource(seed * 0x2545f4914f6cdd1dull + index).bits();
+}
 
 }  // namespace swayaw::concealed

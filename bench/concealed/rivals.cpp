@@ -51,10 +51,13 @@ std::vector<Sample> samples_of(const Recording& run) {
   std::vector<Sample> samples;
   for (std::ptrdiff_t i = half_window; i + half_window < std::ssize(run.time); i += stride) {
     const auto at = [&](Channel channel) { return local_cubic(run.time, run[channel], static_cast<std::size_t>(i)); };
-    const auto x = at(Channel::x), y = at(Channel::y), psi = at(Channel::psi), yaw = at(Channel::r), delta = at(Channel::delta);
+    const auto x = at(Channel::x), y = at(Channel::y), psi = at(Channel::psi), yaw = at(Channel::r),
+               delta = at(Channel::delta);
     const double c = std::cos(psi.value), s = std::sin(psi.value), r = yaw.value;
     const double u = x.rate * c + y.rate * s, v = -x.rate * s + y.rate * c;
-    samples.push_back({{x.value, y.value, psi.value, {u, v, r}}, {.delta = delta.value, .rev = at(Channel::rev).value}, delta.rate,
+    samples.push_back({{x.value, y.value, psi.value, {u, v, r}},
+                       {.delta = delta.value, .rev = at(Channel::rev).value},
+                       delta.rate,
                        {x.second * c + y.second * s + r * v, -x.second * s + y.second * c - r * u, yaw.rate}});
   }
   return samples;
@@ -115,18 +118,22 @@ Matrix columns_of(const Ship& ship, const std::vector<Sample>& samples, const Ve
   const auto n = without.size();
   const auto with_rudder = [&](auto&& moved) {
     Matrix column(n, 1);
-    column.col(0) = stacked(samples, [&](Sample s) { return s.controls.delta += moved(s), acceleration(ship, s); }) - without;
+    column.col(0) =
+        stacked(samples, [&](Sample s) { return s.controls.delta += moved(s), acceleration(ship, s); }) - without;
     return column;
   };
   if (id_of(null) == "rudder_offset") return with_rudder([](const Sample&) { return 0.02; });
   if (id_of(null) == "steering_gear_lag") return with_rudder([](const Sample& s) { return -s.delta_rate; });
   const auto place = place_of(null);
-  if (place == EffectPlace::sensor || place == EffectPlace::actuator || place == EffectPlace::water || id_of(null) == "gust") return Matrix(n, 0);
+  if (place == EffectPlace::sensor || place == EffectPlace::actuator || place == EffectPlace::water ||
+      id_of(null) == "gust")
+    return Matrix(n, 0);
   const auto units = unit_effects(ship, null);
   Matrix columns(n, static_cast<Eigen::Index>(units.size()));
   for (std::size_t i = 0; i < units.size(); ++i) {
     const Ship changed = with_effect(ship, units[i]);
-    columns.col(static_cast<Eigen::Index>(i)) = stacked(samples, [&](const Sample& s) { return acceleration(changed, s); }) - without;
+    columns.col(static_cast<Eigen::Index>(i)) =
+        stacked(samples, [&](const Sample& s) { return acceleration(changed, s); }) - without;
   }
   return columns;
 }
@@ -141,7 +148,8 @@ void scale_axes(Vector& residual, std::vector<Matrix*> columns) {
   }
 }
 
-std::vector<std::string> by_bic(const Ship& ship, const std::vector<Sample>& samples, const Vector& without, Vector residual) {
+std::vector<std::string> by_bic(const Ship& ship, const std::vector<Sample>& samples, const Vector& without,
+                                Vector residual) {
   struct Scored {
     std::string id;
     double gain;
@@ -161,7 +169,8 @@ std::vector<std::string> by_bic(const Ship& ship, const std::vector<Sample>& sam
   for (const auto& [id, A] : all) {
     if (A.cols() == 0) continue;
     const Vector left = residual - A * A.completeOrthogonalDecomposition().solve(residual);
-    scored.push_back({id, n * std::log(residual.squaredNorm() / left.squaredNorm()) - static_cast<double>(A.cols()) * std::log(n)});
+    scored.push_back(
+        {id, n * std::log(residual.squaredNorm() / left.squaredNorm()) - static_cast<double>(A.cols()) * std::log(n)});
   }
   std::ranges::sort(scored, std::greater{}, &Scored::gain);
   std::vector<std::string> names;
@@ -183,36 +192,54 @@ double r_of(const Sample& s, double L) { return s.state.motion.r * L / speed(s.s
 
 const std::array<Term, 16> library{{
     {[](const Sample&, double, double) { return 1.0; }, {"added_resistance", "propeller_side_force", "rudder_offset"}},
-    {[](const Sample& s, double, double U_0) { return s.state.motion.u / U_0 - 1.0; }, {"added_resistance", "propeller_side_force", "propeller_side_force"}},
-    {[](const Sample& s, double, double) { return v_of(s); }, {"steady_current", "hull_linear_derivatives", "hull_linear_derivatives"}},
-    {[](const Sample& s, double L, double) { return r_of(s, L); }, {"wake_change", "hull_linear_derivatives", "hull_linear_derivatives"}},
-    {[](const Sample& s, double, double) { return s.controls.delta; }, {"rudder_offset", "rudder_effectiveness", "rudder_effectiveness"}},
-    {[](const Sample& s, double, double) { return std::pow(s.controls.delta, 3); }, {"rudder_effectiveness", "rudder_stall", "rudder_stall"}},
-    {[](const Sample& s, double, double) { return s.controls.delta * s.controls.delta; }, {"rudder_effectiveness", "rudder_gap", "rudder_gap"}},
-    {[](const Sample& s, double, double) { return v_of(s) * v_of(s); }, {"speed_loss_in_turn", "flow_straightening", "flow_straightening"}},
-    {[](const Sample& s, double L, double) { return r_of(s, L) * r_of(s, L); }, {"speed_loss_in_turn", "flow_straightening", "flow_straightening"}},
-    {[](const Sample& s, double L, double) { return v_of(s) * r_of(s, L); }, {"speed_loss_in_turn", "flow_straightening", "flow_straightening"}},
-    {[](const Sample& s, double, double) { return std::abs(v_of(s)) * v_of(s); }, {"speed_loss_in_turn", "cross_flow_drag", "cross_flow_drag"}},
-    {[](const Sample& s, double L, double) { return v_of(s) * v_of(s) * r_of(s, L); }, {"speed_loss_in_turn", "hull_nonlinear_damping", "hull_nonlinear_damping"}},
-    {[](const Sample& s, double L, double) { return v_of(s) * r_of(s, L) * r_of(s, L); }, {"speed_loss_in_turn", "hull_nonlinear_damping", "hull_nonlinear_damping"}},
-    {[](const Sample& s, double, double) { return s.delta_rate; }, {"steering_gear_lag", "steering_gear_lag", "steering_gear_lag"}},
-    {[](const Sample& s, double, double) { return std::cos(s.state.psi); }, {"steady_wind", "steady_wind", "steady_wind"}},
-    {[](const Sample& s, double, double) { return std::sin(s.state.psi); }, {"steady_wind", "steady_wind", "steady_wind"}},
+    {[](const Sample& s, double, double U_0) { return s.state.motion.u / U_0 - 1.0; },
+     {"added_resistance", "propeller_side_force", "propeller_side_force"}},
+    {[](const Sample& s, double, double) { return v_of(s); },
+     {"steady_current", "hull_linear_derivatives", "hull_linear_derivatives"}},
+    {[](const Sample& s, double L, double) { return r_of(s, L); },
+     {"wake_change", "hull_linear_derivatives", "hull_linear_derivatives"}},
+    {[](const Sample& s, double, double) { return s.controls.delta; },
+     {"rudder_offset", "rudder_effectiveness", "rudder_effectiveness"}},
+    {[](const Sample& s, double, double) { return std::pow(s.controls.delta, 3); },
+     {"rudder_effectiveness", "rudder_stall", "rudder_stall"}},
+    {[](const Sample& s, double, double) { return s.controls.delta * s.controls.delta; },
+     {"rudder_effectiveness", "rudder_gap", "rudder_gap"}},
+    {[](const Sample& s, double, double) { return v_of(s) * v_of(s); },
+     {"speed_loss_in_turn", "flow_straightening", "flow_straightening"}},
+    {[](const Sample& s, double L, double) { return r_of(s, L) * r_of(s, L); },
+     {"speed_loss_in_turn", "flow_straightening", "flow_straightening"}},
+    {[](const Sample& s, double L, double) { return v_of(s) * r_of(s, L); },
+     {"speed_loss_in_turn", "flow_straightening", "flow_straightening"}},
+    {[](const Sample& s, double, double) { return std::abs(v_of(s)) * v_of(s); },
+     {"speed_loss_in_turn", "cross_flow_drag", "cross_flow_drag"}},
+    {[](const Sample& s, double L, double) { return v_of(s) * v_of(s) * r_of(s, L); },
+     {"speed_loss_in_turn", "hull_nonlinear_damping", "hull_nonlinear_damping"}},
+    {[](const Sample& s, double L, double) { return v_of(s) * r_of(s, L) * r_of(s, L); },
+     {"speed_loss_in_turn", "hull_nonlinear_damping", "hull_nonlinear_damping"}},
+    {[](const Sample& s, double, double) { return s.delta_rate; },
+     {"steering_gear_lag", "steering_gear_lag", "steering_gear_lag"}},
+    {[](const Sample& s, double, double) { return std::cos(s.state.psi); },
+     {"steady_wind", "steady_wind", "steady_wind"}},
+    {[](const Sample& s, double, double) { return std::sin(s.state.psi); },
+     {"steady_wind", "steady_wind", "steady_wind"}},
 }};
 
-/// Terms that survive: each time the weights are fitted, those that move the residual by less than a share of its size are dropped.
+/// Terms that survive: each time the weights are fitted, those that move the residual by less than a share of its size
+/// are dropped.
 std::vector<std::pair<double, std::size_t>> survivors(const Matrix& terms, const Vector& residual) {
   std::vector<std::size_t> kept;
   for (Eigen::Index i = 0; i < terms.cols(); ++i) kept.push_back(static_cast<std::size_t>(i));
   const double enough = 0.3 * residual.norm();
   while (!kept.empty()) {
     Matrix A(terms.rows(), static_cast<Eigen::Index>(kept.size()));
-    for (std::size_t i = 0; i < kept.size(); ++i) A.col(static_cast<Eigen::Index>(i)) = terms.col(static_cast<Eigen::Index>(kept[i]));
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      A.col(static_cast<Eigen::Index>(i)) = terms.col(static_cast<Eigen::Index>(kept[i]));
     const Vector weights = A.completeOrthogonalDecomposition().solve(residual);
     std::vector<std::pair<double, std::size_t>> left;
     for (std::size_t i = 0; i < kept.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
-      if (const double share = std::abs(weights[k]) * A.col(k).norm(); share > enough) left.emplace_back(share / residual.norm(), kept[i]);
+      if (const double share = std::abs(weights[k]) * A.col(k).norm(); share > enough)
+        left.emplace_back(share / residual.norm(), kept[i]);
     }
     if (left.size() == kept.size()) {
       const double explained = 1.0 - (residual - A * weights).squaredNorm() / residual.squaredNorm();
@@ -229,10 +256,12 @@ std::vector<std::string> by_sparse_terms(const Ship& ship, const std::vector<Sam
   const double L = length(ship), U_0 = service_speed(ship);
   Matrix terms(n, static_cast<Eigen::Index>(library.size()));
   for (Eigen::Index i = 0; i < n; ++i)
-    for (std::size_t k = 0; k < library.size(); ++k) terms(i, static_cast<Eigen::Index>(k)) = library[k].value(samples[static_cast<std::size_t>(i)], L, U_0);
+    for (std::size_t k = 0; k < library.size(); ++k)
+      terms(i, static_cast<Eigen::Index>(k)) = library[k].value(samples[static_cast<std::size_t>(i)], L, U_0);
   std::vector<std::pair<double, std::string>> found;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const auto& [share, term] : survivors(terms, residual.segment(static_cast<Eigen::Index>(axis) * n, n))) found.emplace_back(share, library[term].effect[axis]);
+    for (const auto& [share, term] : survivors(terms, residual.segment(static_cast<Eigen::Index>(axis) * n, n)))
+      found.emplace_back(share, library[term].effect[axis]);
   std::ranges::sort(found, std::greater{}, &std::pair<double, std::string>::first);
   std::vector<std::string> names;
   for (const auto& [share, name] : found)
@@ -255,7 +284,10 @@ std::vector<RivalAnswer> rivals_on(const Riddle& riddle, std::uint64_t seed) {
     for (const auto& s : samples_of(run)) samples.push_back(s);
   const Vector without = stacked(samples, [&](const Sample& s) { return acceleration(riddle.ship, s); });
   const Vector residual = stacked(samples, [](const Sample& s) { return s.acceleration; }) - without;
-  return {{"nothing", {}}, {"random", at_random(seed)}, {"ols_bic", by_bic(riddle.ship, samples, without, residual)}, {"sparse", by_sparse_terms(riddle.ship, samples, residual)}};
+  return {{"nothing", {}},
+          {"random", at_random(seed)},
+          {"ols_bic", by_bic(riddle.ship, samples, without, residual)},
+          {"sparse", by_sparse_terms(riddle.ship, samples, residual)}};
 }
 
 }  // namespace swayaw::concealed

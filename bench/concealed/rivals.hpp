@@ -15,8 +15,9 @@ struct RivalAnswer {
   std::vector<std::string> effects;
 };
 
-/// `nothing`: never anything. `random`: any effect or nothing, all alike. `ols_bic`: accelerations that the ship file does not give, from local cubics through the channels,
-/// regressed on what each effect would add; least BIC. `sparse`: sequentially thresholded least squares of the same accelerations on monomials, each of which stands for an effect.
+/// `nothing`: never anything. `random`: any effect or nothing, all alike. `ols_bic`: accelerations that the ship file
+/// does not give, from local cubics through the channels, regressed on what each effect would add; least BIC. `sparse`:
+/// sequentially thresholded least squares of the same accelerations on monomials, each of which stands for an effect.
 std::vector<RivalAnswer> rivals_on(const Riddle& riddle, std::uint64_t seed);
 
 }  // namespace swayaw::concealed

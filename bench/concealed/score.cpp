@@ -35,20 +35,24 @@ Json number(std::optional<double> value) { return value && std::isfinite(*value)
 Json effect_of(const FoundEffect& e) {
   Json numbers = Json::object();
   for (const auto& p : e.parameters) numbers[p.key] = {number(p.value), number(p.standard_error)};
-  Json json{{"effect", id_of(e.effect)}, {"probability", number(e.probability)}, {"onset_s", number(e.onset)}, {"end_s", number(e.end)}, {"parameters", std::move(numbers)},
-            {"indistinguishable_from", e.indistinguishable_from}};
+  Json json{{"effect", id_of(e.effect)},        {"probability", number(e.probability)},
+            {"onset_s", number(e.onset)},       {"end_s", number(e.end)},
+            {"parameters", std::move(numbers)}, {"indistinguishable_from", e.indistinguishable_from}};
   if (const auto* late = std::get_if<ChannelDelay<double>>(&e.effect)) json["channel"] = short_name(late->channel);
   return json;
 }
 
-/// Mean of error with the effects over error of the refitted baseline, heading and yaw rate of the runs held out as they truly went.
+/// Mean of error with the effects over error of the refitted baseline, heading and yaw rate of the runs held out as
+/// they truly went.
 std::optional<double> holdout_ratio(const Diagnosis& d, const std::vector<Recording>& true_runs) {
   double sum = 0.0;
   int count = 0;
   for (const auto& run : true_runs) {
     const auto refitted = compare(d.refitted, run).errors, after = compare(d.improved, run).errors;
     for (const auto quantity : {Quantity::heading, Quantity::yaw_rate}) {
-      const auto of = [&](const std::vector<QuantityError>& errors) { return std::ranges::find(errors, quantity, &QuantityError::quantity)->window_rms; };
+      const auto of = [&](const std::vector<QuantityError>& errors) {
+        return std::ranges::find(errors, quantity, &QuantityError::quantity)->window_rms;
+      };
       if (!(of(refitted) > 0.0)) continue;
       sum += of(after) / of(refitted);
       ++count;
@@ -57,13 +61,16 @@ std::optional<double> holdout_ratio(const Diagnosis& d, const std::vector<Record
   return count ? std::optional(sum / count) : std::nullopt;
 }
 
-/// Errors of each quantity in each run held out: given model, refitted, with the effects; and the noise that is in all three.
+/// Errors of each quantity in each run held out: given model, refitted, with the effects; and the noise that is in all
+/// three.
 Json holdout_errors(const Diagnosis& d) {
   Json runs = Json::array();
   for (const auto& run : d.holdout) {
     Json quantities = Json::object();
     for (std::size_t i = 0; i < run.before.size() && i < run.refitted.size() && i < run.after.size(); ++i)
-      quantities[std::string(name_of(run.before[i].quantity))] = {number(run.before[i].window_rms), number(run.refitted[i].window_rms), number(run.after[i].window_rms), number(run.before[i].noise)};
+      quantities[std::string(name_of(run.before[i].quantity))] = {
+          number(run.before[i].window_rms), number(run.refitted[i].window_rms), number(run.after[i].window_rms),
+          number(run.before[i].noise)};
     runs.push_back({{"run", run.run}, {"errors", std::move(quantities)}});
   }
   return runs;
@@ -73,9 +80,15 @@ Json diagnosis_of(const Riddle& riddle) {
   const auto d = diagnose(riddle.ship, riddle.train, riddle.reference, riddle.holdout);
   Json effects = Json::array(), candidates = Json::array();
   for (const auto& e : d.effects) effects.push_back(effect_of(e));
-  for (const auto& c : d.candidates) candidates.push_back({{"effect", c.effect}, {"probability", number(c.probability)}, {"gain", number(c.log_evidence_gain)}});
-  return {{"verdict", name_of(d.verdict)}, {"imperfection", number(d.imperfection)}, {"effects", std::move(effects)}, {"candidates", std::move(candidates)},
-          {"holdout_ratio", number(holdout_ratio(d, riddle.true_holdout))}, {"holdout", holdout_errors(d)}};
+  for (const auto& c : d.candidates)
+    candidates.push_back(
+        {{"effect", c.effect}, {"probability", number(c.probability)}, {"gain", number(c.log_evidence_gain)}});
+  return {{"verdict", name_of(d.verdict)},
+          {"imperfection", number(d.imperfection)},
+          {"effects", std::move(effects)},
+          {"candidates", std::move(candidates)},
+          {"holdout_ratio", number(holdout_ratio(d, riddle.true_holdout))},
+          {"holdout", holdout_errors(d)}};
 }
 
 /// The answers to one case beside its truth. What cannot be diagnosed is a wrong answer.
@@ -84,12 +97,17 @@ Json answered(const fs::path& folder, bool rivals_only) {
   line["case"] = folder.filename().string();
   const auto riddle = read_riddle(folder);
   line["time_unit_s"] = length(riddle.ship) / service_speed(riddle.ship);
-  for (const auto& [rival, effects] : rivals_on(riddle, line.value("seed", std::uint64_t{0}))) line["rivals"][rival] = effects;
+  for (const auto& [rival, effects] : rivals_on(riddle, line.value("seed", std::uint64_t{0})))
+    line["rivals"][rival] = effects;
   if (rivals_only) return line;
   try {
     line["answer"] = diagnosis_of(riddle);
   } catch (const std::exception& trouble) {
-    line["answer"] = {{"verdict", "failed"}, {"words", trouble.what()}, {"effects", Json::array()}, {"candidates", Json::array()}, {"holdout_ratio", nullptr}};
+    line["answer"] = {{"verdict", "failed"},
+                      {"words", trouble.what()},
+                      {"effects", Json::array()},
+                      {"candidates", Json::array()},
+                      {"holdout_ratio", nullptr}};
   }
   return line;
 }
@@ -97,7 +115,8 @@ Json answered(const fs::path& folder, bool rivals_only) {
 }  // namespace
 
 Riddle read_riddle(const fs::path& folder) {
-  return {read_ship(folder / "ship.toml"), read_runs(folder / "train"), read_runs(folder / "holdout"), read_runs(folder / "reference"), read_runs(folder / "truth")};
+  return {read_ship(folder / "ship.toml"), read_runs(folder / "train"), read_runs(folder / "holdout"),
+          read_runs(folder / "reference"), read_runs(folder / "truth")};
 }
 
 std::vector<Json> read_lines(const fs::path& file) {
@@ -115,7 +134,8 @@ void score(const fs::path& cases, const ScoreOptions& options, const std::functi
   if (fs::exists(options.lines)) write_text(options.lines, kept);  // without a line that was cut off
   std::set<fs::path> waiting;
   for (const auto& entry : fs::directory_iterator(cases))
-    if (fs::exists(entry.path() / "truth.json") && !done.contains(entry.path().filename().string())) waiting.insert(entry.path());
+    if (fs::exists(entry.path() / "truth.json") && !done.contains(entry.path().filename().string()))
+      waiting.insert(entry.path());
   const std::vector<fs::path> order(waiting.begin(), waiting.end());
   std::ofstream out(options.lines, std::ios::app);
   if (!out) throw FileError({options.lines}, "cannot be written");

@@ -29,7 +29,8 @@ struct ScoreOptions {
 };
 
 /// Answers for all cases of a folder that are not answered yet; told(line) after each.
-void score(const std::filesystem::path& cases, const ScoreOptions& options, const std::function<void(const Json&)>& told);
+void score(const std::filesystem::path& cases, const ScoreOptions& options,
+           const std::function<void(const Json&)>& told);
 
 /// All answers of a file; a last line that was cut off is left out.
 std::vector<Json> read_lines(const std::filesystem::path& file);

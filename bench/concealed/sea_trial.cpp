@@ -17,7 +17,8 @@ constexpr double settling = 12.0;  ///< [L/U] before the record begins
 /// A process that forgets: standard deviation 1, memory in steps.
 class Wandering {
  public:
-  Wandering(double memory, RandomSource& random) : stays_(std::exp(-1.0 / memory)), random_(random), value_(random.normal()) {}
+  Wandering(double memory, RandomSource& random)
+      : stays_(std::exp(-1.0 / memory)), random_(random), value_(random.normal()) {}
 
   double next() { return value_ = stays_ * value_ + std::sqrt(1.0 - stays_ * stays_) * random_.normal(); }
 
@@ -44,7 +45,9 @@ class Helm {
   }
 
  private:
-  double steered(const States& q, double course) const { return std::clamp(1.0 * (q[State::psi] - course) + 2.0 * T_ * q[State::r], -0.17, 0.17); }
+  double steered(const States& q, double course) const {
+    return std::clamp(1.0 * (q[State::psi] - course) + 2.0 * T_ * q[State::r], -0.17, 0.17);
+  }
 
   /// Eight lengths to each course: away, farther, back over the first one.
   double course(double time) const {
@@ -86,7 +89,8 @@ States plus(const States& a, double h, const States& b) {
 }
 
 /// One step of the classical method; the rudder is that of the beginning, the middle and the end.
-States stepped(const TrueShip& ship, const Concealment& hidden, const States& q, Moment now, const std::array<double, 3>& delta, double h) {
+States stepped(const TrueShip& ship, const Concealment& hidden, const States& q, Moment now,
+               const std::array<double, 3>& delta, double h) {
   const auto rate = [&](const States& s, double part, double rudder) {
     Moment moment = now;
     moment.time += part * h;
@@ -114,7 +118,8 @@ double rounded(double value) { return std::stod(fmt::format("{:.7g}", value)); }
 
 double deviation(Channel channel, const TrueShip& s) {
   switch (channel) {
-    case Channel::x: case Channel::y: return 0.0007 * s.L;
+    case Channel::x:
+    case Channel::y: return 0.0007 * s.L;
     case Channel::psi: return radians(0.06);
     case Channel::r: return 0.005 * s.U_0 / s.L;
     case Channel::speed_through_water: return 0.01 * s.U_0;
@@ -141,33 +146,40 @@ std::vector<double> shown(Channel channel, const TrueTrack& track, const Conceal
   return values;
 }
 
-Recording recorded(const TrueShip& s, const Concealment& h, const Manoeuvre& m, const TrialOptions& o, const TrueTrack& track, RandomSource& random) {
+Recording recorded(const TrueShip& s, const Concealment& h, const Manoeuvre& m, const TrialOptions& o,
+                   const TrueTrack& track, RandomSource& random) {
   Recording run{.name = m.name, .facts = {}, .time = {}, .channels = {}, .extra = {}};
   run.facts.manoeuvre = m.name;
   run.facts.execute = rounded(s.time_unit());
   const double dt = rounded(o.sample * s.time_unit());
   for (int i = 0; i * o.sample <= m.lengths; ++i) run.time.push_back(rounded(i * dt));
-  for (const auto channel : {Channel::x, Channel::y, Channel::psi, Channel::r, Channel::speed_through_water, Channel::delta, Channel::rev}) {
+  for (const auto channel :
+       {Channel::x, Channel::y, Channel::psi, Channel::r, Channel::speed_through_water, Channel::delta, Channel::rev}) {
     const auto truth = shown(channel, track, h);
     const bool late = channel == h.late || (channel == Channel::y && h.late == Channel::x);
     const auto values = run.fill(channel);
     for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = rounded(at(track, truth, run.time[i] - (late ? h.delay : 0.0)) + o.noise * deviation(channel, s) * random.normal());
+      values[i] = rounded(at(track, truth, run.time[i] - (late ? h.delay : 0.0)) +
+                          o.noise * deviation(channel, s) * random.normal());
   }
   return run;
 }
 
 /// The true track from the settled approach to the end.
-TrueTrack sailed(const TrueShip& s, const Concealment& h, const Manoeuvre& m, const TrialOptions& o, RandomSource& random) {
-  const double T = s.time_unit(), step = rounded(o.sample * T) / o.steps, unit = 0.0012 * o.disturbance * s.U_0 * s.U_0 / s.L;
+TrueTrack sailed(const TrueShip& s, const Concealment& h, const Manoeuvre& m, const TrialOptions& o,
+                 RandomSource& random) {
+  const double T = s.time_unit(), step = rounded(o.sample * T) / o.steps,
+               unit = 0.0012 * o.disturbance * s.U_0 * s.U_0 / s.L;
   const double memory = 0.7 * T / step;
   Wandering d_u(memory, random), d_v(memory, random), d_r(memory, random), gusts(2.0 * T / step, random);
   Moment now{.time = 0.0, .delta = 0.0, .order = self_propulsion(s, s.U_0), .disturbance = {}, .turbulence = 0.0};
   States q{};
-  q[State::psi] = m.approach, q[State::u] = s.U_0, q[State::shaft] = now.order.rev, q[State::engine_torque] = now.order.torque;
+  q[State::psi] = m.approach, q[State::u] = s.U_0, q[State::shaft] = now.order.rev,
+  q[State::engine_torque] = now.order.torque;
   Helm helm(m, T);
   Gear gear(s.rudder_rate, h);
-  const auto before = static_cast<long>(settling * T / step), kept = static_cast<long>(T / step), after = static_cast<long>((m.lengths + 0.1) * T / step);
+  const auto before = static_cast<long>(settling * T / step), kept = static_cast<long>(T / step),
+             after = static_cast<long>((m.lengths + 0.1) * T / step);
   TrueTrack track{.from = -static_cast<double>(kept) * step, .step = step, .states = {}, .delta = {}};
   for (long i = -before; i <= after; ++i) {
     if (i == 0) {  // the record begins where she is now, what is late shows where she was
@@ -191,25 +203,36 @@ std::string side_letter(bool to_port) { return to_port ? "p" : "s"; }
 }  // namespace
 
 Manoeuvre zigzag(int rudder_deg, int heading_deg, bool to_port, double approach) {
-  return {.kind = Manoeuvre::Kind::zigzag, .name = fmt::format("zz{}_{}_{}", rudder_deg, heading_deg, side_letter(to_port)),
-          .rudder = (to_port ? 1.0 : -1.0) * radians(rudder_deg), .heading = radians(heading_deg), .approach = approach};
+  return {.kind = Manoeuvre::Kind::zigzag,
+          .name = fmt::format("zz{}_{}_{}", rudder_deg, heading_deg, side_letter(to_port)),
+          .rudder = (to_port ? 1.0 : -1.0) * radians(rudder_deg),
+          .heading = radians(heading_deg),
+          .approach = approach};
 }
 
 Manoeuvre turn(int rudder_deg, bool to_port, double approach) {
-  return {.kind = Manoeuvre::Kind::turn, .name = fmt::format("turn{}_{}", rudder_deg, side_letter(to_port)), .rudder = (to_port ? 1.0 : -1.0) * radians(rudder_deg),
+  return {.kind = Manoeuvre::Kind::turn,
+          .name = fmt::format("turn{}_{}", rudder_deg, side_letter(to_port)),
+          .rudder = (to_port ? 1.0 : -1.0) * radians(rudder_deg),
           .approach = approach};
 }
 
 Manoeuvre passage(double approach, double first_change) {
-  return {.kind = Manoeuvre::Kind::passage, .name = "passage", .heading = first_change, .approach = approach, .lengths = 28.0};
+  return {.kind = Manoeuvre::Kind::passage,
+          .name = "passage",
+          .heading = first_change,
+          .approach = approach,
+          .lengths = 28.0};
 }
 
-TrueTrack true_track(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre, const TrialOptions& options) {
+TrueTrack true_track(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,
+                     const TrialOptions& options) {
   RandomSource random(options.seed);
   return sailed(ship, hidden, manoeuvre, options, random);
 }
 
-Recording sail(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre, const TrialOptions& options) {
+Recording sail(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,
+               const TrialOptions& options) {
   RandomSource random(options.seed);
   const auto track = sailed(ship, hidden, manoeuvre, options, random);
   return recorded(ship, hidden, manoeuvre, options, track, random);
@@ -232,8 +255,10 @@ Character character_of(const TrueShip& ship) {
   const auto circle = sail(ship, {}, turn(35, true, 0.0), still);
   const auto psi = circle[Channel::psi], stw = circle[Channel::speed_through_water];
   const auto reversed = std::ranges::find_if(psi, [](double a) { return a <= -pi; }) - psi.begin();
-  const double diameter = reversed < std::ssize(psi) ? std::abs(circle[Channel::y][static_cast<std::size_t>(reversed)]) / ship.L : HUGE_VAL;
-  return {first_overshoot(sail(ship, {}, zigzag(10, 10, true, 0.0), still), radians(10)), first_overshoot(sail(ship, {}, zigzag(20, 20, true, 0.0), still), radians(20)), diameter,
+  const double diameter =
+      reversed < std::ssize(psi) ? std::abs(circle[Channel::y][static_cast<std::size_t>(reversed)]) / ship.L : HUGE_VAL;
+  return {first_overshoot(sail(ship, {}, zigzag(10, 10, true, 0.0), still), radians(10)),
+          first_overshoot(sail(ship, {}, zigzag(20, 20, true, 0.0), still), radians(20)), diameter,
           stw.back() / stw.front()};
 }
 

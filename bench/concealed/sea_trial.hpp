@@ -12,11 +12,11 @@ namespace swayaw::concealed {
 /// What is done after a straight approach of one ship length of way.
 struct Manoeuvre {
   enum class Kind { zigzag, turn, passage } kind;
-  std::string name;        ///< of its file, "zz10_10_p"
-  double rudder = 0.0;     ///< [rad]; positive begins to port
-  double heading = 0.0;    ///< of a zigzag: change of heading at which the rudder is reversed [rad]
-  double approach = 0.0;   ///< heading of the approach [rad]
-  double lengths = 24.0;   ///< duration [L/U]
+  std::string name;       ///< of its file, "zz10_10_p"
+  double rudder = 0.0;    ///< [rad]; positive begins to port
+  double heading = 0.0;   ///< of a zigzag: change of heading at which the rudder is reversed [rad]
+  double approach = 0.0;  ///< heading of the approach [rad]
+  double lengths = 24.0;  ///< duration [L/U]
 };
 
 /// zz10_10_p and alike: angles in degrees, side of the first order.
@@ -26,12 +26,13 @@ Manoeuvre turn(int rudder_deg, bool to_port, double approach);
 /// Small changes of course by an autopilot.
 Manoeuvre passage(double approach, double first_change);
 
-/// Deviations of the white noise of the instruments. At 1 those of good trials: 0.0007 L, 0.06 deg, 0.005 U/L, 0.01 U, 0.03 deg.
+/// Deviations of the white noise of the instruments. At 1 those of good trials: 0.0007 L, 0.06 deg, 0.005 U/L, 0.01 U,
+/// 0.03 deg.
 struct TrialOptions {
-  double noise = 1.0;         ///< times that
-  double disturbance = 1.0;   ///< times accelerations of 0.0012 U²/L sway, with a memory of 0.7 L/U
-  double sample = 0.04;       ///< time between samples [L/U]
-  int steps = 4;              ///< of the integration between samples
+  double noise = 1.0;        ///< times that
+  double disturbance = 1.0;  ///< times accelerations of 0.0012 U²/L sway, with a memory of 0.7 L/U
+  double sample = 0.04;      ///< time between samples [L/U]
+  int steps = 4;             ///< of the integration between samples
   std::uint64_t seed = 1;
 };
 
@@ -42,10 +43,12 @@ struct TrueTrack {
   std::vector<States> states;
   std::vector<double> delta;  ///< that the indicator shows [rad]
 };
-TrueTrack true_track(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre, const TrialOptions& options = {});
+TrueTrack true_track(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,
+                     const TrialOptions& options = {});
 
 /// The recording of a manoeuvre.
-Recording sail(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre, const TrialOptions& options = {});
+Recording sail(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,
+               const TrialOptions& options = {});
 
 /// What a trial without noise shows of a ship.
 struct Character {

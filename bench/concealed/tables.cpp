@@ -36,7 +36,8 @@ Names truth_of(const Json& line) {
 bool is_unknown(const Names& truth) { return !truth.empty() && truth.front().starts_with("unknown"); }
 
 bool any_of_in(const Names& truth, const Names& names, std::size_t most) {
-  return std::any_of(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())), [&](const auto& n) { return std::ranges::count(truth, n) > 0; });
+  return std::any_of(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(std::min(most, names.size())),
+                     [&](const auto& n) { return std::ranges::count(truth, n) > 0; });
 }
 
 /// @param unexplained  the answer says that something is there which it does not know
@@ -52,7 +53,8 @@ Mark mark(const Names& truth, const Names& effects, Names ranking, const Names& 
   for (const auto& n : ranking)
     if (std::ranges::count(three, n) == 0) three.push_back(n);
   const bool first = any_of_in(truth, effects, 1), covered = first || (found && any_of_in(truth, same, same.size()));
-  return {found, first, found && any_of_in(truth, three, 3), covered, std::ranges::all_of(truth, [&](const auto& n) { return std::ranges::count(effects, n) > 0; })};
+  return {found, first, found && any_of_in(truth, three, 3), covered,
+          std::ranges::all_of(truth, [&](const auto& n) { return std::ranges::count(effects, n) > 0; })};
 }
 
 Mark mark_of(const Json& line) {
@@ -82,10 +84,14 @@ void add_numbers(const Json& line, NumberErrors& all) {
   for (const auto& truth : line.at("effects"))
     for (const auto& found : line.at("answer").at("effects")) {
       const auto& numbers = truth.at("parameters");
-      if (found.at("effect") != truth.at("effect") || (numbers.contains("channel") && numbers["channel"] != found.value("channel", ""))) continue;
+      if (found.at("effect") != truth.at("effect") ||
+          (numbers.contains("channel") && numbers["channel"] != found.value("channel", "")))
+        continue;
       for (const auto& [key, value] : numbers.items()) {
-        if (!value.is_number() || !found.at("parameters").contains(key) || found["parameters"][key][0].is_null()) continue;
-        const double t = value.get<double>(), v = found["parameters"][key][0].get<double>(), s = found["parameters"][key][1].get<double>();
+        if (!value.is_number() || !found.at("parameters").contains(key) || found["parameters"][key][0].is_null())
+          continue;
+        const double t = value.get<double>(), v = found["parameters"][key][0].get<double>(),
+                     s = found["parameters"][key][1].get<double>();
         const double off = is_direction(key) ? wrapped(v - t) : v - t;
         all.errors.push_back(is_direction(key) ? std::abs(off) : std::abs(off / t));
         all.inside += std::abs(off) <= 1.96 * s;
@@ -96,8 +102,10 @@ void add_numbers(const Json& line, NumberErrors& all) {
 void add_onset(const Json& line, std::vector<double>& errors) {
   for (const auto& truth : line.at("effects"))
     for (const auto& found : line.at("answer").at("effects"))
-      if (found.at("effect") == truth.at("effect") && truth.at("parameters").contains("onset_s") && !found.at("onset_s").is_null())
-        errors.push_back(std::abs(found["onset_s"].get<double>() - truth["parameters"]["onset_s"].get<double>()) / line.at("time_unit_s").get<double>());
+      if (found.at("effect") == truth.at("effect") && truth.at("parameters").contains("onset_s") &&
+          !found.at("onset_s").is_null())
+        errors.push_back(std::abs(found["onset_s"].get<double>() - truth["parameters"]["onset_s"].get<double>()) /
+                         line.at("time_unit_s").get<double>());
 }
 
 std::optional<double> median(std::vector<double> values) {
@@ -123,29 +131,38 @@ struct Group {
   NumberErrors numbers;
   std::vector<double> ratios, onsets;
 
-  void add(const Mark& m) { ++cases, found += m.found, first += m.first, third += m.third, covered += m.covered, all += m.all; }
+  void add(const Mark& m) {
+    ++cases, found += m.found, first += m.first, third += m.third, covered += m.covered, all += m.all;
+  }
   void add(const Json& line) {
     add(mark_of(line));
     add_numbers(line, numbers);
     add_onset(line, onsets);
     const auto& ratio = line.at("answer").at("holdout_ratio");
-    if (!ratio.is_null() && !line["answer"]["effects"].empty() && !is_of_instrument(line)) ratios.push_back(ratio.get<double>());
+    if (!ratio.is_null() && !line["answer"]["effects"].empty() && !is_of_instrument(line))
+      ratios.push_back(ratio.get<double>());
   }
 };
 
-std::string share(int part, int whole) { return whole ? fmt::format("{}/{} ({:.0f} %)", part, whole, 100.0 * part / whole) : "–"; }
+std::string share(int part, int whole) {
+  return whole ? fmt::format("{}/{} ({:.0f} %)", part, whole, 100.0 * part / whole) : "–";
+}
 std::string per_cent(std::optional<double> x) { return x ? fmt::format("{:.0f} %", 100.0 * *x) : "–"; }
 std::string plain(std::optional<double> x) { return x ? fmt::format("{:.2f}", *x) : "–"; }
 std::string inside(const NumberErrors& n) { return share(n.inside, static_cast<int>(n.errors.size())); }
 
 std::string row(const std::string& name, const Group& g) {
-  return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", name, g.cases, share(g.found, g.cases), share(g.first, g.cases), share(g.third, g.cases), share(g.covered, g.cases),
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", name, g.cases, share(g.found, g.cases),
+                     share(g.first, g.cases), share(g.third, g.cases), share(g.covered, g.cases),
                      per_cent(median(g.numbers.errors)), inside(g.numbers), plain(median(g.ratios)));
 }
 
 std::string head(const std::string& name) {
-  return fmt::format("| {} | cases | detected | first | among three | class | median error of numbers | in 95 % interval | held-out ratio |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | "
-                     "---: | ---: |\n", name);
+  return fmt::format(
+      "| {} | cases | detected | first | among three | class | median error of numbers | in 95 % interval | held-out "
+      "ratio |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | "
+      "---: | ---: |\n",
+      name);
 }
 
 using Lines = std::vector<const Json*>;
@@ -164,7 +181,10 @@ std::string grouped(const std::string& title, const Lines& lines, auto&& name_of
   std::map<std::string, Group> groups;
   for (const auto* line : lines) groups[name_of(*line)].add(*line);
   std::vector<std::pair<std::string, Group>> sorted(groups.begin(), groups.end());
-  std::ranges::stable_sort(sorted, {}, [](const auto& g) { return std::pair(static_cast<double>(g.second.first) / g.second.cases, static_cast<double>(g.second.covered) / g.second.cases); });
+  std::ranges::stable_sort(sorted, {}, [](const auto& g) {
+    return std::pair(static_cast<double>(g.second.first) / g.second.cases,
+                     static_cast<double>(g.second.covered) / g.second.cases);
+  });
   std::string text = head(title);
   for (const auto& [name, group] : sorted) text += row(name, group);
   return text;
@@ -183,7 +203,8 @@ constexpr std::array factors{"noise", "set", "reference", "baseline", "ship"};
 // ---------------------------------------------------------------- tables
 
 std::string overview(const std::vector<Json>& lines) {
-  const auto none = where(lines, [](const Names& t) { return t.empty(); }), some = where(lines, is_single), two = where(lines, [](const Names& t) { return t.size() > 1; });
+  const auto none = where(lines, [](const Names&t) { return t.empty(); }), some = where(lines, is_single),
+             two = where(lines, [](const Names&t) { return t.size() > 1; });
   const auto strange = where(lines, is_unknown);
   Group alarms, singles, pairs, unknown;
   for (const auto* line : none) alarms.add(*line);
@@ -193,11 +214,15 @@ std::string overview(const std::vector<Json>& lines) {
   for (const auto* line : strange) {
     unknown.add(*line);
     const auto& a = line->at("answer");
-    misnamed += a.at("verdict") == "missing_physics" && !a["effects"].empty() && a["effects"][0].at("probability").get<double>() > 0.8;
+    misnamed += a.at("verdict") == "missing_physics" && !a["effects"].empty() &&
+                a["effects"][0].at("probability").get<double>() > 0.8;
   }
   std::string text = "| what | found | wanted |\n| --- | ---: | ---: |\n";
-  const auto line = [&](const char* what, const std::string& found, const char* wanted) { text += fmt::format("| {} | {} | {} |\n", what, found, wanted); };
-  line("cases: nothing hidden, one effect, two, unknown", fmt::format("{}, {}, {}, {}", none.size(), some.size(), two.size(), strange.size()), "");
+  const auto line = [&](const char* what, const std::string& found, const char* wanted) {
+    text += fmt::format("| {} | {} | {} |\n", what, found, wanted);
+  };
+  line("cases: nothing hidden, one effect, two, unknown",
+       fmt::format("{}, {}, {}, {}", none.size(), some.size(), two.size(), strange.size()), "");
   line("false alarms", share(alarms.found, alarms.cases), "≤ 2 %");
   line("one effect: detected", share(singles.found, singles.cases), "");
   line("one effect: named first", share(singles.first, singles.cases), "");
@@ -211,7 +236,8 @@ std::string overview(const std::vector<Json>& lines) {
   line("median error of numbers", per_cent(median(singles.numbers.errors)), "≤ 15 %");
   line("numbers in their 95 % interval", inside(singles.numbers), "90–99 %");
   line("median error of the onset of a gust [L/U]", plain(median(singles.onsets)), "≤ 1");
-  line("median held-out ratio to the refitted baseline, effects of instruments left out", plain(median(singles.ratios)), "≤ 0.65");
+  line("median held-out ratio to the refitted baseline, effects of instruments left out", plain(median(singles.ratios)),
+       "≤ 0.65");
   return text;
 }
 
@@ -222,7 +248,9 @@ std::string alarms(const std::vector<Json>& lines) {
     const auto& a = line->at("answer");
     const bool alarm = mark_of(*line).found;
     for (const auto* name : factors) ++groups[factor(*line, name)].second, groups[factor(*line, name)].first += alarm;
-    if (alarm) ++blamed[a.at("effects").empty() ? a.at("verdict").get<std::string>() : a["effects"][0].at("effect").get<std::string>()];
+    if (alarm)
+      ++blamed[a.at("effects").empty() ? a.at("verdict").get<std::string>()
+                                       : a["effects"][0].at("effect").get<std::string>()];
   }
   std::string text = "| cases with nothing hidden | false alarms |\n| --- | ---: |\n";
   for (const auto& [name, g] : groups) text += fmt::format("| {} | {} |\n", name, share(g.first, g.second));
@@ -252,7 +280,9 @@ std::string confusions(const std::vector<Json>& lines) {
     const auto truth = truth_of(line);
     if (!line.contains("answer") || mark_of(line).first) continue;
     const auto& a = line["answer"];
-    ++times[{truth.empty() ? "none" : fmt::format("{}", fmt::join(truth, " + ")), a.at("effects").empty() ? a.at("verdict").get<std::string>() : a["effects"][0].at("effect").get<std::string>()}];
+    ++times[{truth.empty() ? "none" : fmt::format("{}", fmt::join(truth, " + ")),
+             a.at("effects").empty() ? a.at("verdict").get<std::string>()
+                                     : a["effects"][0].at("effect").get<std::string>()}];
   }
   std::vector<std::pair<std::pair<std::string, std::string>, int>> sorted(times.begin(), times.end());
   std::ranges::stable_sort(sorted, std::greater{}, [](const auto& t) { return t.second; });
@@ -276,7 +306,8 @@ std::string calibration(const std::vector<Json>& lines) {
     double p = 1.0;
     if (!a.at("effects").empty()) p = a["effects"][0].at("probability").get<double>();
     else
-      for (const auto& c : a.at("candidates")) p -= c.at("probability").is_null() ? 0.0 : c["probability"].get<double>();
+      for (const auto& c : a.at("candidates"))
+        p -= c.at("probability").is_null() ? 0.0 : c["probability"].get<double>();
     auto& bin = bins[static_cast<std::size_t>(std::clamp(p * 5.0, 0.0, 4.0))];
     ++bin.cases, ++cases, bin.sum += p, bin.right += mark_of(line).covered;
   }
@@ -284,23 +315,32 @@ std::string calibration(const std::vector<Json>& lines) {
   for (std::size_t i = 0; i < bins.size(); ++i) {
     const auto& b = bins[i];
     if (b.cases == 0) continue;
-    text += fmt::format("| {:.1f} to {:.1f} | {} | {:.3f} | {} |\n", 0.2 * static_cast<double>(i), 0.2 * static_cast<double>(i + 1), b.cases, b.sum / b.cases, share(b.right, b.cases));
+    text += fmt::format("| {:.1f} to {:.1f} | {} | {:.3f} | {} |\n", 0.2 * static_cast<double>(i),
+                        0.2 * static_cast<double>(i + 1), b.cases, b.sum / b.cases, share(b.right, b.cases));
     error += std::abs(b.sum - b.right) / cases;
   }
   return text + fmt::format("\nExpected calibration error {:.3f} (wanted: at most 0.10).\n", error);
 }
 
 std::string rivals(const std::vector<Json>& lines) {
-  std::string text = "| answer | false alarms | detected | first | among three | class | both of two | unknown called unknown |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+  std::string text =
+      "| answer | false alarms | detected | first | among three | class | both of two | unknown called unknown |\n| "
+      "--- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
   for (const std::string who : {"diagnose", "nothing", "random", "ols_bic", "sparse"}) {
     Group none, single, two, unknown;
     for (const auto& line : lines) {
       if (who == "diagnose" && !line.contains("answer")) continue;
       const auto truth = truth_of(line);
-      (truth.empty() ? none : is_unknown(truth) ? unknown : truth.size() > 1 ? two : single).add(who == "diagnose" ? mark_of(line) : mark_of_rival(line, who));
+      (truth.empty()       ? none
+       : is_unknown(truth) ? unknown
+       : truth.size() > 1  ? two
+                           : single)
+          .add(who == "diagnose" ? mark_of(line) : mark_of_rival(line, who));
     }
-    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", who, share(none.found, none.cases), share(single.found, single.cases), share(single.first, single.cases),
-                        share(single.third, single.cases), share(single.covered, single.cases), share(two.all, two.cases), share(unknown.first, unknown.cases));
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", who, share(none.found, none.cases),
+                        share(single.found, single.cases), share(single.first, single.cases),
+                        share(single.third, single.cases), share(single.covered, single.cases),
+                        share(two.all, two.cases), share(unknown.first, unknown.cases));
   }
   return text;
 }

@@ -32,8 +32,8 @@ Force at(double X, double Y, double x_place, double y_place = 0.0) { return {X, 
 /// What a finite depth does: Kijima's (1 − d/h)^−n − d/h, with an exponent of its own for each number.
 double shallow(double ratio, double exponent) { return ratio > 0.0 ? std::pow(1.0 - ratio, -exponent) - ratio : 1.0; }
 
-/// ½ρd ∫ C_D(x) |w| w (1, x) dx, w = v + xr, by Simpson's rule; only one direction of the flow where asked. The flow separates gradually: the drag grows with w³
-/// until w is about `onset`.
+/// ½ρd ∫ C_D(x) |w| w (1, x) dx, w = v + xr, by Simpson's rule; only one direction of the flow where asked. The flow
+/// separates gradually: the drag grows with w³ until w is about `onset`.
 Force cross_flow(const TrueShip& s, double C_D, double taper, double v, double r, double onset, bool one_side = false) {
   constexpr int strips = 40;
   Force sum{};
@@ -41,7 +41,8 @@ Force cross_flow(const TrueShip& s, double C_D, double taper, double v, double r
     const double place = (static_cast<double>(i) / strips - 0.5) * s.L, flow = v + place * r;
     if (one_side && flow < 0.0) continue;
     const double weight = (i == 0 || i == strips ? 1.0 : i % 2 ? 4.0 : 2.0) * s.L / (3.0 * strips);
-    const double drag = -0.5 * rho * s.d * C_D * (1.0 + taper * place / s.L) * flow * flow * flow / std::hypot(flow, onset) * weight;
+    const double drag =
+        -0.5 * rho * s.d * C_D * (1.0 + taper * place / s.L) * flow * flow * flow / std::hypot(flow, onset) * weight;
     sum = sum + at(0.0, drag, place);
   }
   return sum;
@@ -57,13 +58,19 @@ Force linear_damping(const TrueShip& s, const Concealment& h, double u, double v
 
 Force hull(const TrueShip& s, const Concealment& h, const States& q) {
   const double u = q[State::u], v = q[State::v], r = q[State::r], U = std::hypot(u, v);
-  const double v_prime = v / U, r_prime = r * s.L / U, x = h.draught_over_depth, dynamic = 0.5 * rho * s.L * s.d * U * U;
-  const double R = 0.5 * rho * s.L * s.d * s.R_0 * u * std::abs(u) * (1.0 + s.rise * (square(u / s.U_0) - 1.0)) * (1.0 + h.resistance) * (1.0 + 0.45 * x * x);
-  const double surge = (s.X_vv + h.X_vv) * v_prime * v_prime * square(u / U) + (s.X_vr + h.X_vr) * v_prime * r_prime + (s.X_rr + h.X_rr) * r_prime * r_prime;
+  const double v_prime = v / U, r_prime = r * s.L / U, x = h.draught_over_depth,
+               dynamic = 0.5 * rho * s.L * s.d * U * U;
+  const double R = 0.5 * rho * s.L * s.d * s.R_0 * u * std::abs(u) * (1.0 + s.rise * (square(u / s.U_0) - 1.0)) *
+                   (1.0 + h.resistance) * (1.0 + 0.45 * x * x);
+  const double surge = (s.X_vv + h.X_vv) * v_prime * v_prime * square(u / U) + (s.X_vr + h.X_vr) * v_prime * r_prime +
+                       (s.X_rr + h.X_rr) * r_prime * r_prime;
   // cubic terms that level off
-  const double level = 1.0 / (1.0 + v_prime * v_prime + 0.25 * r_prime * r_prime), vvr = level * v_prime * v_prime * r_prime, vrr = level * v_prime * r_prime * r_prime;
+  const double level = 1.0 / (1.0 + v_prime * v_prime + 0.25 * r_prime * r_prime),
+               vvr = level * v_prime * v_prime * r_prime, vrr = level * v_prime * r_prime * r_prime;
   const Force cubic{0.0, dynamic * (h.Y_vvr * vvr + h.Y_vrr * vrr), dynamic * s.L * (h.N_vvr * vvr + h.N_vrr * vrr)};
-  Force sum = linear_damping(s, h, u, v, r) + cross_flow(s, s.C_D * (1.0 + 2.0 * x * x * x), s.taper, v, r, s.onset * u) + cubic + Force{dynamic * surge - R, 0.0, 0.0};
+  Force sum = linear_damping(s, h, u, v, r) +
+              cross_flow(s, s.C_D * (1.0 + 2.0 * x * x * x), s.taper, v, r, s.onset * u) + cubic +
+              Force{dynamic * surge - R, 0.0, 0.0};
   if (h.cross_flow != 0.0) sum = sum + cross_flow(s, h.cross_flow, 0.1, v, r, 0.02 * u);
   if (h.fouled_side != 0.0) sum = sum + cross_flow(s, h.fouled_side, 0.0, v, r, 0.02 * u, true);
   if (h.memory_share != 0.0) {
@@ -77,8 +84,10 @@ Force hull(const TrueShip& s, const Concealment& h, const States& q) {
 
 /// Axial speed at the propeller.
 double inflow(const TrueShip& s, const Concealment& h, const States& q) {
-  const double U = std::hypot(q[State::u], q[State::v]), beta_P = -(q[State::v] - 0.48 * s.L * q[State::r]) / U, side = std::tanh(beta_P / 0.02);
-  const double gain = s.wake_gain + s.wake_sides * side + 0.5 * (1.0 + side) * h.wake_positive + 0.5 * (1.0 - side) * h.wake_negative;
+  const double U = std::hypot(q[State::u], q[State::v]), beta_P = -(q[State::v] - 0.48 * s.L * q[State::r]) / U,
+               side = std::tanh(beta_P / 0.02);
+  const double gain =
+      s.wake_gain + s.wake_sides * side + 0.5 * (1.0 + side) * h.wake_positive + 0.5 * (1.0 - side) * h.wake_negative;
   const double straight = 1.0 - s.w_0 * (1.0 + 0.25 * h.draught_over_depth);
   return q[State::u] * straight * (1.0 + (gain - 1.0) * -std::expm1(-std::pow(s.wake_rate * std::abs(beta_P), 1.2)));
 }
@@ -87,12 +96,17 @@ double advance(const TrueShip& s, double u_P, double rev) { return u_P / (std::m
 
 /// Shaft speed that the propeller really has: a tired engine gives way in a turn, however it is governed.
 double true_rev(const TrueShip& s, const Concealment& h, const States& q) {
-  const double load = std::tanh(std::abs(q[State::r]) * s.L / std::hypot(q[State::u], q[State::v]) / 0.6) / std::tanh(1.0);
+  const double load =
+      std::tanh(std::abs(q[State::r]) * s.L / std::hypot(q[State::u], q[State::v]) / 0.6) / std::tanh(1.0);
   return q[State::shaft] * (1.0 - h.shaft_drop * load);
 }
 
-double thrust(const TrueShip& s, double u_P, double rev) { return rho * rev * rev * std::pow(s.D, 4) * polynomial(s.K_T, advance(s, u_P, rev)); }
-double torque(const TrueShip& s, double u_P, double rev) { return rho * rev * rev * std::pow(s.D, 5) * polynomial(s.K_Q, advance(s, u_P, rev)); }
+double thrust(const TrueShip& s, double u_P, double rev) {
+  return rho * rev * rev * std::pow(s.D, 4) * polynomial(s.K_T, advance(s, u_P, rev));
+}
+double torque(const TrueShip& s, double u_P, double rev) {
+  return rho * rev * rev * std::pow(s.D, 5) * polynomial(s.K_Q, advance(s, u_P, rev));
+}
 
 /// Share of the lift that a stalled rudder keeps: half of it goes over stall_span.
 double after_stall(double angle, double stall) {
@@ -114,19 +128,22 @@ Force rudder(const TrueShip& s, const Concealment& h, const States& q, double de
   const double eta = s.D / s.H_R, behind = u_P + (s.kappa + h.kappa) * (race - u_P);
   const double u_R = s.epsilon * std::sqrt(eta * behind * behind + (1.0 - eta) * u_P * u_P);
   const double alpha = delta - std::atan2(v_R, u_R);
-  const double F_N = 0.5 * rho * s.A_R * s.f_alpha * (1.0 + h.lift) * (u_R * u_R + v_R * v_R) * s.softness * std::tanh(alpha / s.softness) * after_stall(alpha, h.stall_angle) *
-                     through_gap(delta, h);
+  const double F_N = 0.5 * rho * s.A_R * s.f_alpha * (1.0 + h.lift) * (u_R * u_R + v_R * v_R) * s.softness *
+                     std::tanh(alpha / s.softness) * after_stall(alpha, h.stall_angle) * through_gap(delta, h);
   const double a_H = s.a_H + h.a_H;
-  return {-(1.0 - s.t_R) * F_N * std::sin(delta), -(1.0 + a_H) * F_N * std::cos(delta), -(-0.5 + a_H * s.x_H) * s.L * F_N * std::cos(delta)};
+  return {-(1.0 - s.t_R) * F_N * std::sin(delta), -(1.0 + a_H) * F_N * std::cos(delta),
+          -(-0.5 + a_H * s.x_H) * s.L * F_N * std::cos(delta)};
 }
 
 // ---------------------------------------------------------------- air, waves, and the rest
 
 Force wind_load(const TrueShip& s, double V, double from, const States& q, double u_ground, double v_ground) {
-  const double relative = from - q[State::psi], a_u = V * std::cos(relative) + u_ground, a_v = V * std::sin(relative) + v_ground;
+  const double relative = from - q[State::psi], a_u = V * std::cos(relative) + u_ground,
+               a_v = V * std::sin(relative) + v_ground;
   const double dynamic = 0.5 * rho_air * (a_u * a_u + a_v * a_v), angle = std::atan2(a_v, a_u);
   const double C_Y = -0.78 * std::sin(angle) * (1.0 + 0.12 * square(std::sin(2.0 * angle)));
-  return {dynamic * s.A_front * (-0.72 * std::cos(angle) - 0.08 * std::cos(3.0 * angle)), dynamic * s.A_lateral * C_Y, -0.085 * dynamic * s.A_lateral * s.L * std::sin(2.0 * angle)};
+  return {dynamic * s.A_front * (-0.72 * std::cos(angle) - 0.08 * std::cos(3.0 * angle)), dynamic * s.A_lateral * C_Y,
+          -0.085 * dynamic * s.A_lateral * s.L * std::sin(2.0 * angle)};
 }
 
 double gust_now(const TrueShip& s, const Concealment& h, double time) {
@@ -137,19 +154,22 @@ double gust_now(const TrueShip& s, const Concealment& h, double time) {
 Force air(const TrueShip& s, const Concealment& h, const States& q, const Moment& now) {
   const double gust = h.gust_speed > 0.0 ? gust_now(s, h, now.time) : 0.0;
   if (h.wind_speed <= 0.0 && gust <= 0.0) return {};
-  const double north = h.wind_speed * std::cos(h.wind_from) + gust * std::cos(h.gust_from), east = h.wind_speed * std::sin(h.wind_from) + gust * std::sin(h.gust_from);
+  const double north = h.wind_speed * std::cos(h.wind_from) + gust * std::cos(h.gust_from),
+               east = h.wind_speed * std::sin(h.wind_from) + gust * std::sin(h.gust_from);
   const double drift = h.current_to - q[State::psi];
-  return wind_load(s, std::hypot(north, east) * (1.0 + now.turbulence), std::atan2(east, north), q, q[State::u] + h.current_speed * std::cos(drift),
-                   q[State::v] + h.current_speed * std::sin(drift));
+  return wind_load(s, std::hypot(north, east) * (1.0 + now.turbulence), std::atan2(east, north), q,
+                   q[State::u] + h.current_speed * std::cos(drift), q[State::v] + h.current_speed * std::sin(drift));
 }
 
 Force waves(const TrueShip& s, const Concealment& h, const States& q) {
   const double a = h.wave_from - q[State::psi], beam = std::sin(a);
-  return h.wave_force * Force{-0.28 * std::cos(a) * (1.0 + 0.15 * std::cos(a)), -beam * std::pow(std::abs(beam), 0.8), -0.05 * s.L * std::sin(2.0 * a)};
+  return h.wave_force * Force{-0.28 * std::cos(a) * (1.0 + 0.15 * std::cos(a)), -beam * std::pow(std::abs(beam), 0.8),
+                              -0.05 * s.L * std::sin(2.0 * a)};
 }
 
 Force heel(const TrueShip& s, const Concealment& h, const States& q) {
-  const double dynamic = 0.5 * rho * s.L * s.d * (square(q[State::u]) + square(q[State::v])), lean = std::sin(q[State::phi]);
+  const double dynamic = 0.5 * rho * s.L * s.d * (square(q[State::u]) + square(q[State::v])),
+               lean = std::sin(q[State::phi]);
   return {0.0, dynamic * h.Y_phi * lean, dynamic * s.L * h.N_phi * lean};
 }
 
@@ -158,17 +178,22 @@ Force unknown(const TrueShip& s, const Concealment& h, const States& q, const Mo
   const double unit = 0.5 * rho * s.L * s.d * s.U_0 * s.U_0, u = q[State::u], v = q[State::v], r = q[State::r];
   Force sum{};
   const auto drag = [&](double size, double power, double x_place, double y_place) {
-    const double a = u - y_place * r, b = v + x_place * r, U = std::hypot(a, b), f = -size * unit * std::pow(U / s.U_0, power) / U;
+    const double a = u - y_place * r, b = v + x_place * r, U = std::hypot(a, b),
+                 f = -size * unit * std::pow(U / s.U_0, power) / U;
     sum = sum + at(f * a, f * b, x_place, y_place);
   };
   if (h.kelp != 0.0) drag(h.kelp, 1.3, 0.45 * s.L, 0.0);
   if (h.tow_line != 0.0 && now.time >= h.tow_onset) drag(h.tow_line, 0.5, -0.48 * s.L, 0.4 * s.B);
-  if (h.broken_blade != 0.0) sum = sum + at(0.0, h.broken_blade * unit * std::sin(2.0 * pi * now.time / (0.8 * s.time_unit())), -0.48 * s.L);
+  if (h.broken_blade != 0.0)
+    sum = sum + at(0.0, h.broken_blade * unit * std::sin(2.0 * pi * now.time / (0.8 * s.time_unit())), -0.48 * s.L);
   if (h.bank != 0.0) {
-    const double away = (q[State::y] - 2.0 * s.L) / (1.5 * s.L), pull = h.bank * unit * (u * u + v * v) / square(s.U_0) * std::exp(-away * away);
+    const double away = (q[State::y] - 2.0 * s.L) / (1.5 * s.L),
+                 pull = h.bank * unit * (u * u + v * v) / square(s.U_0) * std::exp(-away * away);
     sum = sum + at(0.0, pull * std::cos(q[State::psi]), -0.25 * s.L);
   }
-  if (h.sloshing != 0.0) sum = sum + at(0.0, h.sloshing * rho * s.volume() * square(2.0 * pi / (1.5 * s.time_unit())) * q[State::tank], 0.1 * s.L);
+  if (h.sloshing != 0.0)
+    sum = sum +
+          at(0.0, h.sloshing * rho * s.volume() * square(2.0 * pi / (1.5 * s.time_unit())) * q[State::tank], 0.1 * s.L);
   return sum;
 }
 
@@ -179,9 +204,12 @@ double kept_through_gap(double delta, double from, double strength) {
 }
 
 TrueForces forces(const TrueShip& s, const Concealment& h, const States& q, const Moment& now) {
-  const double u_P = inflow(s, h, q), T = thrust(s, u_P, true_rev(s, h, q)), t_P = s.t_P * (1.0 + 0.3 * h.draught_over_depth);
+  const double u_P = inflow(s, h, q), T = thrust(s, u_P, true_rev(s, h, q)),
+               t_P = s.t_P * (1.0 + 0.3 * h.draught_over_depth);
   const Force side = at(0.0, h.side_force * T, -0.48 * s.L);
-  return {.hull = hull(s, h, q), .propeller = {(1.0 - t_P) * T, 0.0, 0.0}, .rudder = rudder(s, h, q, now.delta, u_P, T),
+  return {.hull = hull(s, h, q),
+          .propeller = {(1.0 - t_P) * T, 0.0, 0.0},
+          .rudder = rudder(s, h, q, now.delta, u_P, T),
           .other = air(s, h, q, now) + waves(s, h, q) + heel(s, h, q) + side + unknown(s, h, q, now)};
 }
 
@@ -189,9 +217,12 @@ States rates(const TrueShip& s, const Concealment& h, const States& q, const Mom
   const auto f = forces(s, h, q, now);
   const Force sum = f.hull + f.propeller + f.rudder + f.other;
   const double m = rho * s.volume(), added = 0.5 * rho * s.L * s.L * s.d, x = h.draught_over_depth, x_G = s.x_G * s.L;
-  const double m_u = m + added * s.m_x * (1.0 + 0.8 * x * x), m_v = m + added * (s.m_y + h.m_y) * (1.0 + 2.2 * std::pow(x, 3.5));
-  const double inertia = m * (square(s.k_zz * s.L) + x_G * x_G) + added * s.L * s.L * (s.J_z + h.J_z) * (1.0 + 1.5 * std::pow(x, 3.5));
-  const double u = q[State::u], v = q[State::v], r = q[State::r], c = std::cos(q[State::psi]), e = std::sin(q[State::psi]);
+  const double m_u = m + added * s.m_x * (1.0 + 0.8 * x * x),
+               m_v = m + added * (s.m_y + h.m_y) * (1.0 + 2.2 * std::pow(x, 3.5));
+  const double inertia =
+      m * (square(s.k_zz * s.L) + x_G * x_G) + added * s.L * s.L * (s.J_z + h.J_z) * (1.0 + 1.5 * std::pow(x, 3.5));
+  const double u = q[State::u], v = q[State::v], r = q[State::r], c = std::cos(q[State::psi]),
+               e = std::sin(q[State::psi]);
   const double Y = sum.Y - m_u * u * r, N = sum.N - m * x_G * u * r, det = m_v * inertia - square(m * x_G);
   States d{};
   d[State::x] = u * c - v * e + h.current_speed * std::cos(h.current_to);
@@ -202,14 +233,17 @@ States rates(const TrueShip& s, const Concealment& h, const States& q, const Mom
   d[State::r] = (m_v * N - m * x_G * Y) / det + now.disturbance.r;
   // a governor with droop asks for torque, and the engine gives it late
   const auto& ordered = now.order;
-  const double wanted = ordered.torque * std::clamp(1.0 + (ordered.rev - q[State::shaft]) / (s.droop * ordered.rev), 0.0, 1.3);
+  const double wanted =
+      ordered.torque * std::clamp(1.0 + (ordered.rev - q[State::shaft]) / (s.droop * ordered.rev), 0.0, 1.3);
   d[State::engine_torque] = (wanted - q[State::engine_torque]) / (s.engine_lag * s.time_unit());
-  d[State::shaft] = (q[State::engine_torque] - torque(s, inflow(s, h, q), q[State::shaft])) * ordered.rev / (s.inertia * s.time_unit() * ordered.torque);
+  d[State::shaft] = (q[State::engine_torque] - torque(s, inflow(s, h, q), q[State::shaft])) * ordered.rev /
+                    (s.inertia * s.time_unit() * ordered.torque);
   // roll about a metacentric height, damped at a tenth of critical
   if (h.GM > 0.0) {
     const double k = 0.4 * s.B, omega2 = gravity * h.GM / (k * k);
     d[State::phi] = q[State::roll_rate];
-    d[State::roll_rate] = -0.2 * std::sqrt(omega2) * q[State::roll_rate] - omega2 * std::sin(q[State::phi]) - 0.5 * s.d * u * r / (k * k);
+    d[State::roll_rate] =
+        -0.2 * std::sqrt(omega2) * q[State::roll_rate] - omega2 * std::sin(q[State::phi]) - 0.5 * s.d * u * r / (k * k);
   }
   if (h.memory_tau > 0.0) {
     d[State::slow_v] = (v - q[State::slow_v]) / h.memory_tau;
@@ -224,7 +258,8 @@ States rates(const TrueShip& s, const Concealment& h, const States& q, const Mom
 }
 
 ShaftPoint self_propulsion(const TrueShip& s, double speed) {
-  const double u_P = speed * (1.0 - s.w_0), R = 0.5 * rho * s.L * s.d * s.R_0 * speed * speed * (1.0 + s.rise * (square(speed / s.U_0) - 1.0));
+  const double u_P = speed * (1.0 - s.w_0),
+               R = 0.5 * rho * s.L * s.d * s.R_0 * speed * speed * (1.0 + s.rise * (square(speed / s.U_0) - 1.0));
   double low = 0.3 * u_P / s.D, high = 20.0 * u_P / s.D;
   for (int i = 0; i < 60; ++i) {
     const double rev = 0.5 * (low + high);
@@ -237,29 +272,162 @@ ShaftPoint self_propulsion(const TrueShip& s, double speed) {
 
 namespace {
 
-/// Particulars and coefficients near those published for a KVLCC2, a KCS and a training ship of 90 m; what the sources do not tell is usual.
+/// Particulars and coefficients near those published for a KVLCC2, a KCS and a training ship of 90 m; what the sources
+/// do not tell is usual.
 TrueShip tanker() {
-  return {.kind = "tanker", .L = 320.0, .B = 58.0, .d = 20.8, .C_B = 0.81, .x_G = 0.035, .k_zz = 0.25, .U_0 = 7.97, .A_front = 1160.0, .A_lateral = 3650.0,
-          .m_x = 0.022, .m_y = 0.223, .J_z = 0.011, .R_0 = 0.022, .rise = 0.06, .Y_v = -0.29, .Y_r = 0.07, .N_v = -0.146, .N_r = -0.046, .C_D = 2.2, .taper = -0.2, .onset = 0.80,
-          .X_vv = 0.03, .X_vr = -0.140, .X_rr = 0.020, .D = 9.86, .t_P = 0.22, .w_0 = 0.35, .K_T = {0.2931, -0.2600, -0.1700, 0.0200}, .K_Q = {0.031, -0.025},
-          .wake_rate = 3.0, .wake_gain = 1.35, .wake_sides = 0.20, .A_R = 86.0, .H_R = 15.8, .f_alpha = 2.747, .softness = 1.05, .t_R = 0.387, .a_H = 0.312, .x_H = -0.464,
-          .l_R = -0.71, .gamma = 0.50, .gamma_sides = 0.11, .epsilon = 1.09, .kappa = 0.5, .rudder_rate = radians(2.6), .droop = 0.12, .engine_lag = 0.15, .inertia = 0.05};
+  return {.kind = "tanker",
+          .L = 320.0,
+          .B = 58.0,
+          .d = 20.8,
+          .C_B = 0.81,
+          .x_G = 0.035,
+          .k_zz = 0.25,
+          .U_0 = 7.97,
+          .A_front = 1160.0,
+          .A_lateral = 3650.0,
+          .m_x = 0.022,
+          .m_y = 0.223,
+          .J_z = 0.011,
+          .R_0 = 0.022,
+          .rise = 0.06,
+          .Y_v = -0.29,
+          .Y_r = 0.07,
+          .N_v = -0.146,
+          .N_r = -0.046,
+          .C_D = 2.2,
+          .taper = -0.2,
+          .onset = 0.80,
+          .X_vv = 0.03,
+          .X_vr = -0.140,
+          .X_rr = 0.020,
+          .D = 9.86,
+          .t_P = 0.22,
+          .w_0 = 0.35,
+          .K_T = {0.2931, -0.2600, -0.1700, 0.0200},
+          .K_Q = {0.031, -0.025},
+          .wake_rate = 3.0,
+          .wake_gain = 1.35,
+          .wake_sides = 0.20,
+          .A_R = 86.0,
+          .H_R = 15.8,
+          .f_alpha = 2.747,
+          .softness = 1.05,
+          .t_R = 0.387,
+          .a_H = 0.312,
+          .x_H = -0.464,
+          .l_R = -0.71,
+          .gamma = 0.50,
+          .gamma_sides = 0.11,
+          .epsilon = 1.09,
+          .kappa = 0.5,
+          .rudder_rate = radians(2.6),
+          .droop = 0.12,
+          .engine_lag = 0.15,
+          .inertia = 0.05};
 }
 
 TrueShip container() {
-  return {.kind = "container", .L = 230.0, .B = 32.2, .d = 10.8, .C_B = 0.651, .x_G = -0.015, .k_zz = 0.245, .U_0 = 11.5, .A_front = 950.0, .A_lateral = 4300.0,
-          .m_x = 0.010, .m_y = 0.145, .J_z = 0.0085, .R_0 = 0.0150, .rise = 0.08, .Y_v = -0.215, .Y_r = 0.045, .N_v = -0.108, .N_r = -0.044, .C_D = 2.1, .taper = -0.3, .onset = 0.80,
-          .X_vv = -0.05, .X_vr = -0.100, .X_rr = -0.005, .D = 7.9, .t_P = 0.20, .w_0 = 0.30, .K_T = {0.5228, -0.4300, -0.0900, 0.0200}, .K_Q = {0.080, -0.060},
-          .wake_rate = 3.5, .wake_gain = 1.25, .wake_sides = 0.12, .A_R = 40.0, .H_R = 8.4, .f_alpha = 2.60, .softness = 1.1, .t_R = 0.26, .a_H = 0.32, .x_H = -0.44,
-          .l_R = -0.75, .gamma = 0.43, .gamma_sides = 0.06, .epsilon = 0.98, .kappa = 0.60, .rudder_rate = radians(2.8), .droop = 0.15, .engine_lag = 0.20, .inertia = 0.06};
+  return {.kind = "container",
+          .L = 230.0,
+          .B = 32.2,
+          .d = 10.8,
+          .C_B = 0.651,
+          .x_G = -0.015,
+          .k_zz = 0.245,
+          .U_0 = 11.5,
+          .A_front = 950.0,
+          .A_lateral = 4300.0,
+          .m_x = 0.010,
+          .m_y = 0.145,
+          .J_z = 0.0085,
+          .R_0 = 0.0150,
+          .rise = 0.08,
+          .Y_v = -0.215,
+          .Y_r = 0.045,
+          .N_v = -0.108,
+          .N_r = -0.044,
+          .C_D = 2.1,
+          .taper = -0.3,
+          .onset = 0.80,
+          .X_vv = -0.05,
+          .X_vr = -0.100,
+          .X_rr = -0.005,
+          .D = 7.9,
+          .t_P = 0.20,
+          .w_0 = 0.30,
+          .K_T = {0.5228, -0.4300, -0.0900, 0.0200},
+          .K_Q = {0.080, -0.060},
+          .wake_rate = 3.5,
+          .wake_gain = 1.25,
+          .wake_sides = 0.12,
+          .A_R = 40.0,
+          .H_R = 8.4,
+          .f_alpha = 2.60,
+          .softness = 1.1,
+          .t_R = 0.26,
+          .a_H = 0.32,
+          .x_H = -0.44,
+          .l_R = -0.75,
+          .gamma = 0.43,
+          .gamma_sides = 0.06,
+          .epsilon = 0.98,
+          .kappa = 0.60,
+          .rudder_rate = radians(2.8),
+          .droop = 0.15,
+          .engine_lag = 0.20,
+          .inertia = 0.06};
 }
 
 TrueShip training() {
-  return {.kind = "training", .L = 90.0, .B = 14.6, .d = 5.3, .C_B = 0.60, .x_G = -0.010, .k_zz = 0.245, .U_0 = 7.2, .A_front = 150.0, .A_lateral = 720.0,
-          .m_x = 0.012, .m_y = 0.165, .J_z = 0.0095, .R_0 = 0.0185, .rise = 0.08, .Y_v = -0.255, .Y_r = 0.052, .N_v = -0.112, .N_r = -0.050, .C_D = 2.1, .taper = -0.15, .onset = 0.80,
-          .X_vv = -0.04, .X_vr = -0.095, .X_rr = 0.002, .D = 3.7, .t_P = 0.19, .w_0 = 0.24, .K_T = {0.4200, -0.3700, -0.1000, 0.0200}, .K_Q = {0.060, -0.046},
-          .wake_rate = 3.0, .wake_gain = 1.22, .wake_sides = 0.08, .A_R = 9.2, .H_R = 4.1, .f_alpha = 2.55, .softness = 1.0, .t_R = 0.28, .a_H = 0.27, .x_H = -0.43,
-          .l_R = -0.78, .gamma = 0.46, .gamma_sides = 0.04, .epsilon = 1.02, .kappa = 0.58, .rudder_rate = radians(3.2), .droop = 0.10, .engine_lag = 0.25, .inertia = 0.08};
+  return {.kind = "training",
+          .L = 90.0,
+          .B = 14.6,
+          .d = 5.3,
+          .C_B = 0.60,
+          .x_G = -0.010,
+          .k_zz = 0.245,
+          .U_0 = 7.2,
+          .A_front = 150.0,
+          .A_lateral = 720.0,
+          .m_x = 0.012,
+          .m_y = 0.165,
+          .J_z = 0.0095,
+          .R_0 = 0.0185,
+          .rise = 0.08,
+          .Y_v = -0.255,
+          .Y_r = 0.052,
+          .N_v = -0.112,
+          .N_r = -0.050,
+          .C_D = 2.1,
+          .taper = -0.15,
+          .onset = 0.80,
+          .X_vv = -0.04,
+          .X_vr = -0.095,
+          .X_rr = 0.002,
+          .D = 3.7,
+          .t_P = 0.19,
+          .w_0 = 0.24,
+          .K_T = {0.4200, -0.3700, -0.1000, 0.0200},
+          .K_Q = {0.060, -0.046},
+          .wake_rate = 3.0,
+          .wake_gain = 1.22,
+          .wake_sides = 0.08,
+          .A_R = 9.2,
+          .H_R = 4.1,
+          .f_alpha = 2.55,
+          .softness = 1.0,
+          .t_R = 0.28,
+          .a_H = 0.27,
+          .x_H = -0.43,
+          .l_R = -0.78,
+          .gamma = 0.46,
+          .gamma_sides = 0.04,
+          .epsilon = 1.02,
+          .kappa = 0.58,
+          .rudder_rate = radians(3.2),
+          .droop = 0.10,
+          .engine_lag = 0.25,
+          .inertia = 0.08};
 }
 
 }  // namespace
@@ -267,15 +435,17 @@ TrueShip training() {
 std::array<std::string_view, 3> ship_kinds() { return {"tanker", "container", "training"}; }
 
 TrueShip true_ship(std::string_view kind, std::uint64_t seed) {
-  if (kind != "tanker" && kind != "container" && kind != "training") throw std::domain_error("no kind of ship \"" + std::string(kind) + "\"");
+  if (kind != "tanker" && kind != "container" && kind != "training")
+    throw std::domain_error("no kind of ship \"" + std::string(kind) + "\"");
   TrueShip s = kind == "tanker" ? tanker() : kind == "container" ? container() : training();
   RandomSource random(seed);
   const double size = random.uniform(0.8, 1.15);
   for (double* length : {&s.L, &s.B, &s.d, &s.D, &s.H_R}) *length *= size;
   for (double* area : {&s.A_front, &s.A_lateral, &s.A_R}) *area *= size * size;
   s.U_0 *= std::sqrt(size);
-  for (double* number : {&s.m_y, &s.J_z, &s.R_0, &s.Y_v, &s.Y_r, &s.N_v, &s.N_r, &s.C_D, &s.X_vv, &s.X_vr, &s.X_rr, &s.w_0, &s.wake_rate, &s.A_R, &s.f_alpha, &s.a_H, &s.gamma,
-                         &s.gamma_sides, &s.wake_sides, &s.kappa, &s.softness})
+  for (double* number : {&s.m_y,     &s.J_z,  &s.R_0,   &s.Y_v,         &s.Y_r,        &s.N_v,       &s.N_r,
+                         &s.C_D,     &s.X_vv, &s.X_vr,  &s.X_rr,        &s.w_0,        &s.wake_rate, &s.A_R,
+                         &s.f_alpha, &s.a_H,  &s.gamma, &s.gamma_sides, &s.wake_sides, &s.kappa,     &s.softness})
     *number *= 1.0 + 0.04 * random.normal();
   return s;
 }

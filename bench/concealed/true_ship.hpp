@@ -10,36 +10,39 @@
 
 /// Ships that are not built like the models of swayaw: their forces are computed here and nowhere else.
 ///
-///     hull        linear in (v, r) with the forward speed u, and drag of a cross flow that separates gradually, strip by strip
-///     flow        straightened with a factor that passes smoothly from side to side and saturates
-///     rudder      normal force f_alpha a tanh(alpha/a): softens long before it stalls
-///     propeller   cubic K_T, wake that changes smoothly with the drift, governor and torque of an engine
+///     hull        linear in (v, r) with the forward speed u, and drag of a cross flow that separates gradually, strip
+///     by strip flow        straightened with a factor that passes smoothly from side to side and saturates rudder
+///     normal force f_alpha a tanh(alpha/a): softens long before it stalls propeller   cubic K_T, wake that changes
+///     smoothly with the drift, governor and torque of an engine
 ///
 /// Axes, signs and units: docs/notation.md; the rudder angle is positive to port.
 namespace swayaw::concealed {
 
-/// Hull primes refer to ½ρLd and to the forward speed, ½ρLdu(Y_v v + Y_r L r), added masses to ½ρL²d and ½ρL⁴d, lengths to L.
+/// Hull primes refer to ½ρLd and to the forward speed, ½ρLdu(Y_v v + Y_r L r), added masses to ½ρL²d and ½ρL⁴d, lengths
+/// to L.
 struct TrueShip {
   std::string kind;
-  double L, B, d, C_B;                  ///< [m], block coefficient
-  double x_G, k_zz;                     ///< over L
-  double U_0;                           ///< [m/s]
-  double A_front, A_lateral;            ///< [m²]
+  double L, B, d, C_B;        ///< [m], block coefficient
+  double x_G, k_zz;           ///< over L
+  double U_0;                 ///< [m/s]
+  double A_front, A_lateral;  ///< [m²]
   double m_x, m_y, J_z;
-  double R_0, rise;                     ///< ½ρLdR_0 u² (1 + rise (u²/U_0² − 1))
+  double R_0, rise;  ///< ½ρLdR_0 u² (1 + rise (u²/U_0² − 1))
   double Y_v, Y_r, N_v, N_r;
-  double C_D, taper, onset;             ///< drag of the cross flow C_D (1 + taper x/L), and the drift at which it sets in
+  double C_D, taper, onset;  ///< drag of the cross flow C_D (1 + taper x/L), and the drift at which it sets in
   double X_vv, X_vr, X_rr;
   double D, t_P, w_0;
-  std::array<double, 4> K_T;            ///< K_T = Σ K_T[i] J^i
+  std::array<double, 4> K_T;  ///< K_T = Σ K_T[i] J^i
   std::array<double, 2> K_Q;
-  double wake_rate, wake_gain, wake_sides;  ///< u_P = u (1 − w_0)(1 + (gain ± sides − 1)(1 − exp(−(rate |beta_P|)^1.2)))
-  double A_R, H_R, f_alpha, softness;   ///< [m²], [m], [1/rad], a [rad]
+  double wake_rate, wake_gain,
+      wake_sides;  ///< u_P = u (1 − w_0)(1 + (gain ± sides − 1)(1 − exp(−(rate |beta_P|)^1.2)))
+  double A_R, H_R, f_alpha, softness;  ///< [m²], [m], [1/rad], a [rad]
   double t_R, a_H, x_H, l_R;
-  double gamma, gamma_sides;            ///< flow straightening, mean and what the two sides differ by
+  double gamma, gamma_sides;  ///< flow straightening, mean and what the two sides differ by
   double epsilon, kappa;
-  double rudder_rate;                   ///< [rad/s]
-  double droop, engine_lag, inertia;    ///< governor droop, lag [L/U], inertia of the shaft line over that of the propeller's torque
+  double rudder_rate;  ///< [rad/s]
+  double droop, engine_lag,
+      inertia;  ///< governor droop, lag [L/U], inertia of the shaft line over that of the propeller's torque
 
   double volume() const { return C_B * L * B * d; }
   double time_unit() const { return L / U_0; }
@@ -54,7 +57,8 @@ TrueShip true_ship(std::string_view kind, std::uint64_t seed);
 /// The same with port and starboard alike.
 TrueShip symmetric(TrueShip ship);
 
-/// What is hidden: every number is 0 where it does nothing. SI and radians; coefficients are departures from those of the ship.
+/// What is hidden: every number is 0 where it does nothing. SI and radians; coefficients are departures from those of
+/// the ship.
 struct Concealment {
   double wind_speed = 0, wind_from = 0;
   double gust_speed = 0, gust_from = 0, gust_onset = 0, gust_end = 0;
@@ -76,19 +80,34 @@ struct Concealment {
   double heading_bias = 0, gyro_bias = 0, log_scale = 0, antenna_x = 0, antenna_y = 0, delay = 0;
   Channel late = Channel::psi;
   // kinds that swayaw does not know
-  double kelp = 0;           ///< ½ρLd U_0² kelp (U/U_0)^1.3 against the flow at the bow
-  double tow_line = 0;       ///< the same for a drogue on the starboard quarter, from tow_onset on
-  double tow_onset = 0;      ///< [s]
-  double fouled_side = 0;    ///< drag of cross flow from starboard only
-  double sloshing = 0;       ///< mass of a tank over that of the ship
-  double compass_cosine = 0; ///< heading error · cos(psi) [rad]
-  double broken_blade = 0;   ///< side force that beats, ½ρLdU_0²
-  double bank = 0;           ///< suction to a bank at a place of the earth, ½ρLdU²
+  double kelp = 0;            ///< ½ρLd U_0² kelp (U/U_0)^1.3 against the flow at the bow
+  double tow_line = 0;        ///< the same for a drogue on the starboard quarter, from tow_onset on
+  double tow_onset = 0;       ///< [s]
+  double fouled_side = 0;     ///< drag of cross flow from starboard only
+  double sloshing = 0;        ///< mass of a tank over that of the ship
+  double compass_cosine = 0;  ///< heading error · cos(psi) [rad]
+  double broken_blade = 0;    ///< side force that beats, ½ρLdU_0²
+  double bank = 0;            ///< suction to a bank at a place of the earth, ½ρLdU²
 };
 
 /// Place, motion, shaft and what goes on out of sight: roll, lagging flow, water in a tank.
 struct State {
-  enum Place : std::size_t { x, y, psi, u, v, r, shaft, engine_torque, phi, roll_rate, slow_v, slow_r, tank, tank_rate };
+  enum Place : std::size_t {
+    x,
+    y,
+    psi,
+    u,
+    v,
+    r,
+    shaft,
+    engine_torque,
+    phi,
+    roll_rate,
+    slow_v,
+    slow_r,
+    tank,
+    tank_rate
+  };
 };
 inline constexpr std::size_t state_count = State::tank_rate + 1;
 using States = std::array<double, state_count>;
@@ -101,9 +120,9 @@ struct ShaftPoint {
 
 /// What acts from outside in a moment.
 struct Moment {
-  double time;      ///< of the run [s]
-  double delta;     ///< true rudder angle, positive to port [rad]
-  ShaftPoint order; ///< of the governor
+  double time;       ///< of the run [s]
+  double delta;      ///< true rudder angle, positive to port [rad]
+  ShaftPoint order;  ///< of the governor
   PlanarAcceleration<double> disturbance;
   double turbulence;  ///< share of the wind speed
 };

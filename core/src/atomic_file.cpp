@@ -39,7 +39,9 @@ fs::path target_of(const fs::path& file) {
   return failed ? file : target;
 }
 
-bool rename_to(const fs::path& draft, const fs::path& target) { return std::rename(draft.c_str(), target.c_str()) == 0; }
+bool rename_to(const fs::path& draft, const fs::path& target) {
+  return std::rename(draft.c_str(), target.c_str()) == 0;
+}
 
 }  // namespace
 

@@ -61,15 +61,14 @@ std::optional<Column> column_named(std::string_view name) {
   return *found;
 }
 
-std::string_view column_name(Channel channel) {
-  return std::ranges::find(columns, channel, &Column::channel)->name;
-}
+std::string_view column_name(Channel channel) { return std::ranges::find(columns, channel, &Column::channel)->name; }
 
 namespace {
 
 /// In the order of the channels.
-constexpr std::array<std::string_view, channel_count> short_names{"x",     "y",           "psi", "u",      "v",      "ug",  "vg",         "stw",      "sog", "cog",
-                                                                  "r",     "delta",       "delta_order", "rev", "thrust", "torque", "phi", "wind_speed", "wind_from"};
+constexpr std::array<std::string_view, channel_count> short_names{
+    "x", "y",     "psi",         "u",   "v",      "ug",     "vg",  "stw",        "sog",      "cog",
+    "r", "delta", "delta_order", "rev", "thrust", "torque", "phi", "wind_speed", "wind_from"};
 
 }  // namespace
 

@@ -106,7 +106,8 @@ inline std::string shown(std::string_view text) {
   const bool long_text = text.size() > phrase;
   std::string result(text.substr(0, phrase));
   while (long_text && !result.empty() && (result.back() & 0x80) != 0) result.pop_back();
-  std::ranges::replace_if(result, [](char c) { return (c >= 0 && c < ' ') || c == 0x7F; }, '?');
+  std::ranges::replace_if(
+      result, [](char c) { return (c >= 0 && c < ' ') || c == 0x7F; }, '?');
   return long_text ? result + "..." : result;
 }
 

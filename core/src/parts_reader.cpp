@@ -47,8 +47,10 @@ struct KnownKey {
 
 /// All keys of a ship file, without those of [confidence].
 std::vector<KnownKey> known_keys(const FileKeys& file) {
-  std::vector<KnownKey> keys{
-      {"", "name", Holds::text}, {"", "model", Holds::text}, {"", "confidence", Holds::table, false}, {"", "effect", Holds::effects, false}};
+  std::vector<KnownKey> keys{{"", "name", Holds::text},
+                             {"", "model", Holds::text},
+                             {"", "confidence", Holds::table, false},
+                             {"", "effect", Holds::effects, false}};
   const auto require_table = [&](std::string_view table, bool required) {
     const auto same = [&](const KnownKey& k) { return k.holds == Holds::table && k.key == table; };
     const auto known = std::ranges::find_if(keys, same);
@@ -59,7 +61,8 @@ std::vector<KnownKey> known_keys(const FileKeys& file) {
     require_table(n.table, n.required);
     const auto [key, index] = place_of(n.key);
     if (index.value_or(0) > 0) ++keys.back().numbers;
-    else keys.push_back({std::string(n.table), std::string(key), Holds::number, n.required, n.role == Role::coefficient});
+    else
+      keys.push_back({std::string(n.table), std::string(key), Holds::number, n.required, n.role == Role::coefficient});
   }
   const auto add_optional = [&](std::string_view table, std::string_view key, Holds holds) {
     require_table(table, false);
@@ -117,7 +120,8 @@ class KeysReader {
     require_keys(file_.root(), "");
     ShipFileHead head{.name = file_.text("name"), .confidence = {}};
     for (const auto& k : keys_)
-      if (k.holds == Holds::table && k.key != "confidence" && file_.root().contains(k.key)) require_keys(file_.table(k.key), k.key);
+      if (k.holds == Holds::table && k.key != "confidence" && file_.root().contains(k.key))
+        require_keys(file_.table(k.key), k.key);
     for (const auto& n : wanted_.numbers) read_number(n);
     for (const auto& c : wanted_.choices) read_choice(c);
     for (const auto& l : wanted_.lists) read_list(l);
@@ -175,13 +179,15 @@ class KeysReader {
     if (!node) return;
     const auto* list = node->as_array();
     if (!list) file_.fail(*node, fmt::format("{} in [{}] must be a list of numbers", l.key, l.table));
-    for (const auto& element : *list) l.value->push_back(number(element, {l.key, std::nullopt}, l.table, any_number) * l.si);
+    for (const auto& element : *list)
+      l.value->push_back(number(element, {l.key, std::nullopt}, l.table, any_number) * l.si);
   }
 
   double number(const toml::node& node, const KeyPlace& place, std::string_view table, const Range& range) const {
     const auto& element = place.index ? list_element(node, place, table) : node;
     const auto value = element.value<double>();
-    if (!value || !element.is_number() || !std::isfinite(*value)) file_.fail(element, fmt::format("{} in [{}] must be a number", place.key, table));
+    if (!value || !element.is_number() || !std::isfinite(*value))
+      file_.fail(element, fmt::format("{} in [{}] must be a number", place.key, table));
     if (range.contains(*value)) return *value;
     file_.fail(element, fmt::format("{} in [{}] {}, got {}", place.key, table, requirement(range), *value));
   }
@@ -191,7 +197,9 @@ class KeysReader {
     const auto numbers = std::ranges::find_if(keys_, same)->numbers;
     const auto* list = node.as_array();
     if (!list) file_.fail(node, fmt::format("{} in [{}] must be a list of {} numbers", place.key, table, numbers));
-    if (list->size() != numbers) file_.fail(node, fmt::format("{} in [{}] must be a list of {} numbers, got {}", place.key, table, numbers, list->size()));
+    if (list->size() != numbers)
+      file_.fail(node, fmt::format("{} in [{}] must be a list of {} numbers, got {}", place.key, table, numbers,
+                                   list->size()));
     return *list->get(*place.index);
   }
 
@@ -226,7 +234,9 @@ FileEffect effect_of(const ShipText& text, const toml::table& table) {
     if (key == "kind" && word) effect.kind = *word;
     else if (key == "channel" && word) effect.channel = *word;
     else if (number && std::isfinite(*number)) effect.numbers.emplace_back(key.str(), *number);
-    else text.fail(node, fmt::format("{} in [[effect]] must be a {}", key.str(), key == "kind" || key == "channel" ? "text in quotes" : "number"));
+    else
+      text.fail(node, fmt::format("{} in [[effect]] must be a {}", key.str(),
+                                  key == "kind" || key == "channel" ? "text in quotes" : "number"));
   }
   if (effect.kind.empty()) text.fail(table, "kind is missing in [[effect]]");
   return effect;
@@ -251,8 +261,10 @@ std::string PartsReader::model() const { return has("model") ? document_->text()
 void PartsReader::require_model(std::string_view wanted) const {
   const auto named = model();
   if (has("model") && std::ranges::count(ship_models, named) == 0)
-    fail("", "model", fmt::format("model \"{}\" is not known to this version (known: {})", named, fmt::join(ship_models, ", ")));
-  if (has("model") && named != wanted) fail("", "model", fmt::format("a ship of model \"{}\" is needed here, got \"{}\"", wanted, named));
+    fail("", "model",
+         fmt::format("model \"{}\" is not known to this version (known: {})", named, fmt::join(ship_models, ", ")));
+  if (has("model") && named != wanted)
+    fail("", "model", fmt::format("a ship of model \"{}\" is needed here, got \"{}\"", wanted, named));
 }
 
 bool PartsReader::has(std::string_view key) const { return document_->root.contains(key); }
@@ -289,6 +301,8 @@ void PartsReader::fail(std::string_view table, std::string_view key, std::string
   text.fail(node ? *node : *in_table, what);
 }
 
-std::string model_of(std::string_view text, const std::filesystem::path& name) { return PartsReader(text, name).model(); }
+std::string model_of(std::string_view text, const std::filesystem::path& name) {
+  return PartsReader(text, name).model();
+}
 
 }  // namespace swayaw

@@ -43,7 +43,8 @@ bool is_written(const FileNumber& n) { return n.required || *n.value != n.fallba
 /// "kt[0]" is the first number of the list kt.
 std::string_view list_of(std::string_view key) { return key.substr(0, key.find('[')); }
 
-/// One `key = value`, or one `key = [value, …]` where the numbers from i on make a list. @return how many numbers it took
+/// One `key = value`, or one `key = [value, …]` where the numbers from i on make a list. @return how many numbers it
+/// took
 std::size_t write_number(std::string& text, const std::vector<FileNumber>& numbers, std::size_t i) {
   const auto& n = numbers[i];
   const auto list = list_of(n.key);
@@ -55,7 +56,8 @@ std::size_t write_number(std::string& text, const std::vector<FileNumber>& numbe
   const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(i);
   const auto end = std::find_if_not(begin, numbers.end(), in_list);
   std::vector<std::string> elements;
-  std::transform(begin, end, std::back_inserter(elements), [](const FileNumber& e) { return text_of(*e.value / e.si); });
+  std::transform(begin, end, std::back_inserter(elements),
+                 [](const FileNumber& e) { return text_of(*e.value / e.si); });
   if (std::any_of(begin, end, is_written)) text += fmt::format("{} = [{}]\n", list, fmt::join(elements, ", "));
   return static_cast<std::size_t>(end - begin);
 }
@@ -75,13 +77,15 @@ std::vector<std::string_view> tables_of(const FileKeys& keys) {
 std::string table_text(std::string_view table, const FileKeys& keys) {
   std::string text;
   for (const auto& c : keys.choices)
-    if (c.table == table && c.value->index > 0) text += fmt::format("{} = {}\n", c.key, in_quotes(c.names[static_cast<std::size_t>(c.value->index)]));
+    if (c.table == table && c.value->index > 0)
+      text += fmt::format("{} = {}\n", c.key, in_quotes(c.names[static_cast<std::size_t>(c.value->index)]));
   for (std::size_t i = 0; i < keys.numbers.size();)
     i += keys.numbers[i].table == table ? write_number(text, keys.numbers, i) : 1;
   for (const auto& l : keys.lists) {
     if (l.table != table || l.value->empty()) continue;
     std::vector<std::string> elements;
-    std::ranges::transform(*l.value, std::back_inserter(elements), [&](double value) { return text_of(in_unit(value, l.si)); });
+    std::ranges::transform(*l.value, std::back_inserter(elements),
+                           [&](double value) { return text_of(in_unit(value, l.si)); });
     text += fmt::format("{} = [{}]\n", l.key, fmt::join(elements, ", "));
   }
   return text.empty() ? text : fmt::format("\n[{}]\n{}", table, text);
@@ -113,8 +117,8 @@ std::string remark_text(std::string_view remark) {
 
 }  // namespace
 
-std::string ship_text(std::string_view model, const ShipFileHead& head, const FileKeys& keys, const std::vector<FileEffect>& effects,
-                      std::string_view remark) {
+std::string ship_text(std::string_view model, const ShipFileHead& head, const FileKeys& keys,
+                      const std::vector<FileEffect>& effects, std::string_view remark) {
   auto text = fmt::format("{}name = {}\nmodel = {}\n", remark_text(remark), in_quotes(head.name), in_quotes(model));
   for (const auto table : tables_of(keys)) text += table_text(table, keys);
   text += confidence_text(head.confidence);

@@ -28,8 +28,7 @@ Interpolant::Interpolant(const Recording& recording, Channel channel) {
     time_.push_back(recording.time[i]);
     value_.push_back(values[i]);
   }
-  if (time_.empty())
-    throw Refusal(fmt::format("{}: no sample of {}", recording.name, column_name(channel)));
+  if (time_.empty()) throw Refusal(fmt::format("{}: no sample of {}", recording.name, column_name(channel)));
 }
 
 double Interpolant::operator()(double time) const {

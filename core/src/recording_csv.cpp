@@ -24,7 +24,7 @@ namespace {
 /// A column while it is read.
 struct Reading {
   std::string name;
-  std::size_t place;                   ///< of its name in the header row
+  std::size_t place;  ///< of its name in the header row
   std::optional<Column> known = {};
   std::vector<double> values = {};
   std::vector<std::string> cells = {};  ///< as written, if the column is not understood
@@ -112,7 +112,8 @@ class RecordingParser {
 
   /// The column that tells the channel, if there is one.
   const Reading* source_of(Channel channel) const {
-    const auto source = std::ranges::find_if(columns_, [&](const Reading& c) { return c.known && c.known->channel == channel; });
+    const auto source =
+        std::ranges::find_if(columns_, [&](const Reading& c) { return c.known && c.known->channel == channel; });
     return source == columns_.end() ? nullptr : &*source;
   }
 
@@ -132,7 +133,8 @@ class RecordingParser {
     if (columns_.size() == 1) fail(line_, fmt::format("{}{}", refusal, separator_hint()));
     const auto odd = std::ranges::find_if(columns_, meant);
     if (odd == columns_.end()) fail(line_, refusal);
-    throw FileError({file_, line_number_, odd->place}, fmt::format("{}; is {} meant by {}?", refusal, same_but_for_capitals(odd->name), odd->name));
+    throw FileError({file_, line_number_, odd->place},
+                    fmt::format("{}; is {} meant by {}?", refusal, same_but_for_capitals(odd->name), odd->name));
   }
 
   const Reading* rudder_source() const {
@@ -142,8 +144,10 @@ class RecordingParser {
 
   /// What a line that falls into too few cells may be separated by.
   std::string_view separator_hint() const {
-    if (line_.find(';') != std::string_view::npos) return "; is the file separated by semicolons? Commas are needed, and decimal points";
-    if (trimmed(line_).find('\t') != std::string_view::npos) return "; is the file separated by tabs? Commas are needed";
+    if (line_.find(';') != std::string_view::npos)
+      return "; is the file separated by semicolons? Commas are needed, and decimal points";
+    if (trimmed(line_).find('\t') != std::string_view::npos)
+      return "; is the file separated by tabs? Commas are needed";
     return "";
   }
 
@@ -168,7 +172,8 @@ class RecordingParser {
     const bool too_many = cells.size() > columns_.size();
     const auto hint = too_many ? "; are there decimal commas? Decimal points are needed" : separator_hint();
     fail(too_many ? cells[columns_.size()] : cells.back(),
-         fmt::format("{} cell{}, but the header row has {}{}", cells.size(), cells.size() == 1 ? "" : "s", columns_.size(), hint));
+         fmt::format("{} cell{}, but the header row has {}{}", cells.size(), cells.size() == 1 ? "" : "s",
+                     columns_.size(), hint));
   }
 
   double value_in(std::string_view cell, const Reading& column) const {
@@ -182,15 +187,19 @@ class RecordingParser {
     if (!std::isfinite(value)) fail_without_number(cell, column.name);
     if (is_time && !column.values.empty() && value <= column.values.back())
       fail(cell, fmt::format("time_s must increase, got {} after {}", value, column.values.back()));
-    if (column.name == "lat_deg" && std::abs(value) > 90.0) fail(cell, fmt::format("lat_deg must lie between -90 and 90, got {}", value));
-    if (column.name == "lon_deg" && std::abs(value) > 360.0) fail(cell, fmt::format("lon_deg must lie between -360 and 360, got {}", value));
+    if (column.name == "lat_deg" && std::abs(value) > 90.0)
+      fail(cell, fmt::format("lat_deg must lie between -90 and 90, got {}", value));
+    if (column.name == "lon_deg" && std::abs(value) > 360.0)
+      fail(cell, fmt::format("lon_deg must lie between -360 and 360, got {}", value));
     return value;
   }
 
   [[noreturn]] void fail_without_number(std::string_view cell, std::string_view column) const {
     const bool comma = cell.find(',') != std::string_view::npos;
     const bool first_row = samples_ == 0;
-    const auto hint = comma ? "; a decimal point is needed" : first_row ? "; units belong in the column names, not in a row of their own" : "";
+    const auto hint = comma       ? "; a decimal point is needed"
+                      : first_row ? "; units belong in the column names, not in a row of their own"
+                                  : "";
     fail(cell, fmt::format("\"{}\" in column {} is not a number{}", shown(cell), column, hint));
   }
 
@@ -218,7 +227,8 @@ class RecordingParser {
   void keep_unknown(Reading& column) {
     const auto similar = same_but_for_capitals(column.name);
     const auto hint = similar.empty() ? std::string{} : fmt::format("; is {} meant?", similar);
-    warnings_.push_back(fmt::format("{}: column {} is not understood; kept as it is{}", recording_.name, shown(column.name), hint));
+    warnings_.push_back(
+        fmt::format("{}: column {} is not understood; kept as it is{}", recording_.name, shown(column.name), hint));
     recording_.extra.push_back({column.name, std::move(column.cells)});
   }
 
@@ -257,7 +267,8 @@ class RecordingParser {
   void move_to_midship() {
     const double l = convention_.reference_x;
     const Interpolant heading(recording_, Channel::psi);
-    const auto yaw_rate = recording_.has(Channel::r) ? std::optional<Interpolant>(std::in_place, recording_, Channel::r) : std::nullopt;
+    const auto yaw_rate =
+        recording_.has(Channel::r) ? std::optional<Interpolant>(std::in_place, recording_, Channel::r) : std::nullopt;
     for (std::size_t i = 0; i < recording_.samples(); ++i) {
       const double psi = heading(recording_.time[i]);
       const double r = yaw_rate ? (*yaw_rate)(recording_.time[i]) : turning_rate(heading, i);
@@ -360,9 +371,7 @@ RecordingFile parse_recording(std::string_view text, const std::filesystem::path
   return RecordingParser(text, name).parse();
 }
 
-RecordingFile read_recording(const std::filesystem::path& file) {
-  return parse_recording(read_text(file), file);
-}
+RecordingFile read_recording(const std::filesystem::path& file) { return parse_recording(read_text(file), file); }
 
 std::string recording_text(const Recording& recording) {
   Text out;

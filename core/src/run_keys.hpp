@@ -24,20 +24,23 @@ struct Convention {
   double reference_x = 0.0;  ///< reported point forward of midship [m]
 };
 
-inline constexpr std::array<std::string_view, 5> run_keys{"rudder_positive", "reference_x_m", "water_depth_m", "execute_s", "manoeuvre"};
+inline constexpr std::array<std::string_view, 5> run_keys{"rudder_positive", "reference_x_m", "water_depth_m",
+                                                          "execute_s", "manoeuvre"};
 
 /// The run key that was perhaps meant: one that begins alike.
 inline std::string_view similar_run_key(std::string_view key) {
   constexpr std::size_t alike = 6;
   const auto begin = lower_case(key.substr(0, alike));
-  const auto similar = std::ranges::find_if(run_keys, [&](auto known) { return begin.size() == alike && known.starts_with(begin); });
+  const auto similar =
+      std::ranges::find_if(run_keys, [&](auto known) { return begin.size() == alike && known.starts_with(begin); });
   return similar == run_keys.end() ? std::string_view{} : *similar;
 }
 
 /// Reads the lines above the header row of a recording, one by one.
 class RunKeyReader {
  public:
-  RunKeyReader(const std::filesystem::path& file, RunFacts& facts, Convention& convention, std::vector<std::string>& warnings)
+  RunKeyReader(const std::filesystem::path& file, RunFacts& facts, Convention& convention,
+               std::vector<std::string>& warnings)
       : file_(file), facts_(facts), convention_(convention), warnings_(warnings) {}
 
   /// Reads `key = value`; a line without '=' is a remark to human readers.
@@ -46,7 +49,8 @@ class RunKeyReader {
     column_ = column;
     const auto equals = line.find('=');
     if (equals == std::string_view::npos) return warn_of_remark(trimmed(line));
-    const RunRemark as_written{std::string(trimmed(line.substr(0, equals))), std::string(trimmed(line.substr(equals + 1)))};
+    const RunRemark as_written{std::string(trimmed(line.substr(0, equals))),
+                               std::string(trimmed(line.substr(equals + 1)))};
     try {
       for (auto&& [key, value] : toml::parse(line))
         if (!take_key(key.str(), value)) keep(key.str(), as_written);
@@ -81,14 +85,16 @@ class RunKeyReader {
 
   void warn(std::string_view written, std::string_view meant) {
     const auto name = file_.filename().string();
-    warnings_.push_back(fmt::format("{}: \"{}\" above the header is not understood; is {} meant?", name, shown(written), meant));
+    warnings_.push_back(
+        fmt::format("{}: \"{}\" above the header is not understood; is {} meant?", name, shown(written), meant));
   }
 
   double rudder_sign_of(const toml::node& value) {
     const auto side = text("rudder_positive", value);
     if (side == "port") return 1.0;
     if (side == "starboard") return -1.0;
-    throw FileError(at(value), fmt::format("rudder_positive must be \"port\" or \"starboard\", got \"{}\"", shown(side)));
+    throw FileError(at(value),
+                    fmt::format("rudder_positive must be \"port\" or \"starboard\", got \"{}\"", shown(side)));
   }
 
   double number(std::string_view key, const toml::node& value) {

@@ -11,8 +11,8 @@ namespace swayaw {
 void require_rudder(double angle, const SteeringGear<double>& gear) {
   require_positive(angle, "rudder angle [rad]");
   if (angle <= gear.max_angle * (1.0 + 1e-12)) return;
-  throw std::domain_error(fmt::format("rudder angle {:.6g} deg is beyond the ship's largest, {:.6g} deg", degrees(angle),
-                                      degrees(gear.max_angle)));
+  throw std::domain_error(fmt::format("rudder angle {:.6g} deg is beyond the ship's largest, {:.6g} deg",
+                                      degrees(angle), degrees(gear.max_angle)));
 }
 
 }  // namespace swayaw

@@ -30,7 +30,11 @@ constexpr double thrust_prime = 0.00122033;
 Points hmri(const std::filesystem::path& folder, const Ship& ship) {
   Points points;
   CaptiveFile file{.L = length(ship), .towed_L = towed_L, .thrust_prime = thrust_prime};
-  for (const auto& [name, test] : {std::pair{"static", ""}, {"resistance", "resistance"}, {"pure_sway", "pure_sway"}, {"pure_yaw", "pure_yaw"}, {"yaw_drift", "yaw_drift"}}) {
+  for (const auto& [name, test] : {std::pair{"static", ""},
+                                   {"resistance", "resistance"},
+                                   {"pure_sway", "pure_sway"},
+                                   {"pure_yaw", "pure_yaw"},
+                                   {"yaw_drift", "yaw_drift"}}) {
     file.test = test;
     for (const auto& point : read_captive(folder / fmt::format("hmri_{}.csv", name), file))
       if (point.run != "279") points.push_back(point);
@@ -51,10 +55,15 @@ std::string per_cent(double share) { return fmt::format("{:.0f} %", 100.0 * shar
 /// A line of the table of errors.
 std::string error_line(const std::string& name, const Ship& ship, const Points& points) {
   const auto small = captive_error(ship, points, radians(12)), large = captive_error(ship, points, radians(30));
-  const auto rudder = captive_error(ship, points, CaptiveSelection{.tests = {"static_drift_rudder"}, .max_drift = radians(12), .min_rudder = radians(1)}).relative();
+  const auto rudder =
+      captive_error(
+          ship, points,
+          CaptiveSelection{.tests = {"static_drift_rudder"}, .max_drift = radians(12), .min_rudder = radians(1)})
+          .relative();
   const auto yaw = captive_error(ship, points, CaptiveSelection{.tests = {"pure_yaw:velocity"}}).relative();
-  return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", name, per_cent(small.Y), per_cent(small.N), per_cent(large.Y), per_cent(large.N),
-                     per_cent(rudder.Y), per_cent(rudder.N), per_cent(yaw.Y), per_cent(yaw.N));
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", name, per_cent(small.Y), per_cent(small.N),
+                     per_cent(large.Y), per_cent(large.N), per_cent(rudder.Y), per_cent(rudder.N), per_cent(yaw.Y),
+                     per_cent(yaw.N));
 }
 
 /// Value and standard error, two digits of the latter.
@@ -65,16 +74,20 @@ std::string text(const Coefficient& c, double scale) {
 }
 
 /// Rudder factors are no primes.
-double scale_of(const std::string& name, double thousandths) { return name == "a_H" || name.starts_with("x_H") ? 1.0 : thousandths; }
+double scale_of(const std::string& name, double thousandths) {
+  return name == "a_H" || name.starts_with("x_H") ? 1.0 : thousandths;
+}
 
 std::string step_table(const CaptiveFit& fit, double thousandths) {
   std::string table = "| tests | force | points | found | condition | R² |\n| --- | --- | ---: | --- | ---: | ---: |\n";
   for (const auto& s : fit.steps) {
     std::string found;
-    for (const auto& c : s.fit.coefficients) found += fmt::format("{}{} {}", found.empty() ? "" : "; ", c.name, text(c, scale_of(c.name, thousandths)));
+    for (const auto& c : s.fit.coefficients)
+      found += fmt::format("{}{} {}", found.empty() ? "" : "; ", c.name, text(c, scale_of(c.name, thousandths)));
     std::string tests;
     for (const auto& test : s.step.points.tests) tests += (tests.empty() ? "" : ", ") + test;
-    table += fmt::format("| {} | {} | {} | {} | {:.1f} | {:.3f} |\n", tests, in_words(s.step.component), s.points, found, s.fit.condition_number, s.fit.R2);
+    table += fmt::format("| {} | {} | {} | {} | {:.1f} | {:.3f} |\n", tests, in_words(s.step.component), s.points,
+                         found, s.fit.condition_number, s.fit.R2);
   }
   return table;
 }
@@ -96,23 +109,32 @@ std::string cell(const Ship& ship, const std::string& name) {
   return value == 0.0 ? "-" : fmt::format("{:.3f}", scale_of(name, 1000.0) * value);
 }
 
-std::string comparison_table(const CaptiveFit& linear, const CaptiveFit& cubic, const CaptiveFit& about_G, const Ship& zigzags, const Ship& zigzags_vvr) {
-  std::string table = "| | HMRI, linear | HMRI, cubic | HMRI, cubic, if oscillating moments are about G | zigzags, with Y_r | zigzags, with Y_r and v'²r' |\n"
-                      "| --- | ---: | ---: | ---: | ---: | ---: |\n";
-  for (const std::string name : {"X_0", "X_u", "X_vv", "Y_v", "Y_r", "Y_vvv", "Y_vvr", "Y_vrr", "Y_rrr", "N_v", "N_r", "N_vvv", "N_vvr", "N_vrr", "N_rrr", "a_H", "x_H", "Y_vdot",
-                                 "N_vdot", "Y_rdot", "N_rdot"})
-    table += fmt::format("| {} | {} | {} | {} | {} | {} |\n", name, cell(linear, name), cell(cubic, name), cell(about_G, name), cell(zigzags, name), cell(zigzags_vvr, name));
+std::string comparison_table(const CaptiveFit& linear, const CaptiveFit& cubic, const CaptiveFit& about_G,
+                             const Ship& zigzags, const Ship& zigzags_vvr) {
+  std::string table =
+      "| | HMRI, linear | HMRI, cubic | HMRI, cubic, if oscillating moments are about G | zigzags, with Y_r | zigzags, "
+      "with Y_r and v'²r' |\n"
+      "| --- | ---: | ---: | ---: | ---: | ---: |\n";
+  for (const std::string name :
+       {"X_0",   "X_u",   "X_vv",  "Y_v",   "Y_r", "Y_vvv", "Y_vvr",  "Y_vrr",  "Y_rrr",  "N_v",   "N_r",
+        "N_vvv", "N_vvr", "N_vrr", "N_rrr", "a_H", "x_H",   "Y_vdot", "N_vdot", "Y_rdot", "N_rdot"})
+    table += fmt::format("| {} | {} | {} | {} | {} | {} |\n", name, cell(linear, name), cell(cubic, name),
+                         cell(about_G, name), cell(zigzags, name), cell(zigzags_vvr, name));
   return table;
 }
 
 std::string error_table(const std::vector<std::pair<std::string, std::pair<Ship, Points>>>& ships) {
-  std::string table = "| ship | drift ≤ 12°: Y | N | ≤ 30°: Y | N | drift ≤ 12° with rudder: Y | N | pure yaw, velocity: Y | N |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
+  std::string table =
+      "| ship | drift ≤ 12°: Y | N | ≤ 30°: Y | N | drift ≤ 12° with rudder: Y | N | pure yaw, velocity: Y | N |\n| "
+      "--- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
   for (const auto& [name, ship] : ships) table += error_line(name, ship.first, ship.second);
   return table;
 }
 
-int make_tables(const std::filesystem::path& ships, const std::filesystem::path& tests, const std::filesystem::path& out) {
-  const auto pi = read_ship(ships / "kvlcc2_pi.toml"), vvr = read_ship(ships / "kvlcc2_pi_vvr.toml"), mmg = read_ship(ships / "kvlcc2_l7.toml");
+int make_tables(const std::filesystem::path& ships, const std::filesystem::path& tests,
+                const std::filesystem::path& out) {
+  const auto pi = read_ship(ships / "kvlcc2_pi.toml"), vvr = read_ship(ships / "kvlcc2_pi_vvr.toml"),
+             mmg = read_ship(ships / "kvlcc2_l7.toml");
   const auto points = hmri(tests, pi), of_mmg = hmri(tests, mmg);
   const auto linear = fit_captive(pi, points, captive_plan(pi, points, HullTerms::linear, radians(12)));
   const auto plan = captive_plan(pi, points, HullTerms::cubic, radians(12));

@@ -9,12 +9,19 @@
 ///     gunnerus_ship OUT.toml
 ///
 /// Her two azimuth thrusters, turned together, are one rudder behind one propeller here: what a thruster turned
-/// by delta does to the ship, T sin(delta) and the lift of its strut, is of the form of F_N. C_B and the diameter of that propeller are guesses.
+/// by delta does to the ship, T sin(delta) and the lift of its strut, is of the form of F_N. C_B and the diameter of
+/// that propeller are guesses.
 int main(int argc, char** argv) {
   using namespace swayaw;
   if (argc != 2) return 2;
   const HullDimensions<double> gunnerus{.L = 33.9, .B = 9.6, .d = 2.7, .C_B = 0.56};
   auto [ship, assumptions, warnings] = estimated_mmg_ship(gunnerus, 5.4, {.propeller_diameter = 2.0});
-  Ship named{.name = "R/V Gunnerus, from main dimensions", .model = ship, .confidence = {.coefficients = 0.4}, .surroundings = {}};
-  write_ship(argv[1], named, fmt::format("Made by docs/results/gunnerus_ship.cpp from L, B, d of the trials' documentation and C_B 0.56 (a guess).\nThe confidence is that of a guess from main dimensions.\n{}\n{}", fmt::join(assumptions, "\n"), fmt::join(warnings, "\n")));
+  Ship named{.name = "R/V Gunnerus, from main dimensions",
+             .model = ship,
+             .confidence = {.coefficients = 0.4},
+             .surroundings = {}};
+  write_ship(argv[1], named,
+             fmt::format("Made by docs/results/gunnerus_ship.cpp from L, B, d of the trials' documentation and C_B "
+                         "0.56 (a guess).\nThe confidence is that of a guess from main dimensions.\n{}\n{}",
+                         fmt::join(assumptions, "\n"), fmt::join(warnings, "\n")));
 }

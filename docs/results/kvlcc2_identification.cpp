@@ -25,8 +25,10 @@ namespace {
 using namespace swayaw;
 namespace fs = std::filesystem;
 
-const std::vector<std::string> trained_on{"hsva_zz10_10_port", "hsva_zz10_10_stbd", "hsva_zz20_10_port", "hsva_zz20_10_stbd"};
-const std::vector<std::string> held_out{"hsva_zz05_01_stbd", "hsva_zz10_01_stbd", "hsva_zz15_05_stbd", "hsva_zz30_05_stbd", "marin_zz10_10_port", "marin_zz20_20_stbd"};
+const std::vector<std::string> trained_on{"hsva_zz10_10_port", "hsva_zz10_10_stbd", "hsva_zz20_10_port",
+                                          "hsva_zz20_10_stbd"};
+const std::vector<std::string> held_out{"hsva_zz05_01_stbd", "hsva_zz10_01_stbd",  "hsva_zz15_05_stbd",
+                                        "hsva_zz30_05_stbd", "marin_zz10_10_port", "marin_zz20_20_stbd"};
 
 /// A form of the model and the coefficients that it has.
 struct Form {
@@ -43,7 +45,8 @@ std::vector<Form> forms(const fs::path& ships) {
     form.options.numbers.insert(form.options.numbers.end(), also.begin(), also.end());
     return form;
   };
-  return {with("PI", pi_ship, {}, true), with("PI + vvr", pi_ship, {"Y_vvr", "N_vvr"}, true), with("PU", pu_ship, {}, false), with("PU + Y_r", pu_ship, {}, true),
+  return {with("PI", pi_ship, {}, true), with("PI + vvr", pi_ship, {"Y_vvr", "N_vvr"}, true),
+          with("PU", pu_ship, {}, false), with("PU + Y_r", pu_ship, {}, true),
           with("PU + Y_r, vvr", pu_ship, {"Y_vvr", "N_vvr"}, true)};
 }
 
@@ -65,7 +68,9 @@ std::string thousandths(double value, int digits = 2) { return fmt::format("{:.{
 /// "-8.56 ± 0.17", or a dash.
 std::string cell(const ForceFit& fit, const std::string& name) {
   const auto* c = coefficient(fit, name);
-  return c ? fmt::format("{} ± {}{}", thousandths(c->estimate.value), thousandths(c->estimate.standard_error), c->undetermined ? " (not determined)" : "") : "–";
+  return c ? fmt::format("{} ± {}{}", thousandths(c->estimate.value), thousandths(c->estimate.standard_error),
+                         c->undetermined ? " (not determined)" : "")
+           : "–";
 }
 
 double most(const ForceFit& fit, ForceComponent component, double (*measure)(const Regression&)) {
@@ -84,30 +89,39 @@ using Points = std::vector<CaptivePoint>;
 
 /// Steady drift with the rudder amidships in the towing tank of HMRI, as of a ship that long.
 Points captive(const fs::path& folder, const Ship& ship) {
-  return selected(read_captive(folder / "captive" / "hmri_static.csv", {.L = length(ship), .towed_L = 320.0 / 46.426, .thrust_prime = 0.00122033}), {.tests = {"static_drift"}});
+  return selected(read_captive(folder / "captive" / "hmri_static.csv",
+                               {.L = length(ship), .towed_L = 320.0 / 46.426, .thrust_prime = 0.00122033}),
+                  {.tests = {"static_drift"}});
 }
 
 std::string per_cent(double share) { return fmt::format("{:.0f} %", 100.0 * share); }
 
 // ---------------------------------------------------------------- tables
 
-std::string coefficients_table(const std::vector<Form>& all, const std::vector<ForceFit>& fits, const fs::path& folder) {
-  std::string text = "| form | Y_v | Y_r | N_v | N_r | condition Y / N | variance inflation Y / N | captive error Y / N, 12 deg | 30 deg | straight course |\n"
-                     "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n";
+std::string coefficients_table(const std::vector<Form>& all, const std::vector<ForceFit>& fits,
+                               const fs::path& folder) {
+  std::string text =
+      "| form | Y_v | Y_r | N_v | N_r | condition Y / N | variance inflation Y / N | captive error Y / N, 12 deg | 30 "
+      "deg | straight course |\n"
+      "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n";
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto& fit = fits[i];
     const auto points = captive(folder, fit.ship);
-    const auto small = captive_error(fit.ship, points, radians(12.0)), large = captive_error(fit.ship, points, radians(30.0));
-    text += fmt::format("| {} | {} | {} | {} | {} | {:.0f} / {:.0f} | {:.2g} / {:.2g} | {} / {} | {} / {} | {} |\n", all[i].name, cell(fit, "Y_v"), cell(fit, "Y_r"),
-                        cell(fit, "N_v"), cell(fit, "N_r"), most(fit, ForceComponent::Y, condition), most(fit, ForceComponent::N, condition),
-                        most(fit, ForceComponent::Y, inflation), most(fit, ForceComponent::N, inflation), per_cent(small.Y), per_cent(small.N), per_cent(large.Y),
-                        per_cent(large.N), stability_verdict(fit).words);
+    const auto small = captive_error(fit.ship, points, radians(12.0)),
+               large = captive_error(fit.ship, points, radians(30.0));
+    text +=
+        fmt::format("| {} | {} | {} | {} | {} | {:.0f} / {:.0f} | {:.2g} / {:.2g} | {} / {} | {} / {} | {} |\n",
+                    all[i].name, cell(fit, "Y_v"), cell(fit, "Y_r"), cell(fit, "N_v"), cell(fit, "N_r"),
+                    most(fit, ForceComponent::Y, condition), most(fit, ForceComponent::N, condition),
+                    most(fit, ForceComponent::Y, inflation), most(fit, ForceComponent::N, inflation), per_cent(small.Y),
+                    per_cent(small.N), per_cent(large.Y), per_cent(large.N), stability_verdict(fit).words);
   }
   return text;
 }
 
 /// The same coefficients from other choices of runs.
-std::string resamples_table(const std::vector<Form>& all, const std::vector<ForceFit>& fits, const std::vector<Recording>& runs) {
+std::string resamples_table(const std::vector<Form>& all, const std::vector<ForceFit>& fits,
+                            const std::vector<Recording>& runs) {
   std::string head = "| runs |", rule = "| --- |";
   std::map<std::string, std::string> lines;
   std::vector<std::string> order;
@@ -117,7 +131,8 @@ std::string resamples_table(const std::vector<Form>& all, const std::vector<Forc
     for (const auto& sample : resample(all[i].ship, runs, fits[i], all[i].options)) {
       if (std::ranges::count(order, sample.runs) == 0) order.push_back(sample.runs);
       for (const auto* name : {"Y_v", "N_v", "N_r"}) {
-        const auto place = static_cast<std::size_t>(std::ranges::find(all[i].options.numbers, name) - all[i].options.numbers.begin());
+        const auto place =
+            static_cast<std::size_t>(std::ranges::find(all[i].options.numbers, name) - all[i].options.numbers.begin());
         lines[sample.runs] += fmt::format(" {} |", sample.values[place] ? thousandths(*sample.values[place]) : "–");
       }
     }
@@ -130,7 +145,8 @@ std::string resamples_table(const std::vector<Form>& all, const std::vector<Forc
 /// Root mean square of heading errors in windows of 30 s.
 double window_error(const Ship& ship, const std::vector<Recording>& runs) {
   std::vector<Comparison> comparisons;
-  for (const auto& run : runs) comparisons.push_back(compare(ship, run, {.window_lengths = 30.0 * service_speed(ship) / length(ship)}));
+  for (const auto& run : runs)
+    comparisons.push_back(compare(ship, run, {.window_lengths = 30.0 * service_speed(ship) / length(ship)}));
   const auto errors = pooled(comparisons);
   return std::ranges::find(errors, Quantity::heading, &QuantityError::quantity)->window_rms;
 }
@@ -143,7 +159,8 @@ std::string window_cell(const Ship& ship, const std::vector<Recording>& runs) {
   }
 }
 
-std::string windows_table(const std::vector<Form>& all, const std::vector<ForceFit>& fits, const std::vector<Recording>& runs, const std::vector<Recording>& others) {
+std::string windows_table(const std::vector<Form>& all, const std::vector<ForceFit>& fits,
+                          const std::vector<Recording>& runs, const std::vector<Recording>& others) {
   std::string text = "| form | runs used |", rule = "| --- | ---: |";
   for (const auto& run : others) {
     text += fmt::format(" {} |", fs::path(run.name).stem().string());
@@ -174,7 +191,8 @@ std::string drift_table(const std::vector<Form>& all, const std::vector<Recordin
       for (std::size_t k = 0; k < runs.size(); ++k) {
         auto assumed = options.states;
         assumed.imperfection = likely[k].imperfection;
-        for (const auto c : assumed.channels) assumed.noise[index_of(c)] = *likely[k].noise[index_of(c)] * std::sqrt(10.0 / ratio);
+        for (const auto c : assumed.channels)
+          assumed.noise[index_of(c)] = *likely[k].noise[index_of(c)] * std::sqrt(10.0 / ratio);
         states.push_back(estimate_states(all[i].ship, runs[k], assumed));
       }
       fits.push_back(fit_forces(all[i].ship, runs, std::move(states), options));
@@ -184,8 +202,8 @@ std::string drift_table(const std::vector<Form>& all, const std::vector<Recordin
       std::array<double, 3> value{};
       for (std::size_t k = 0; k < fits.size(); ++k) value[k] = coefficient(fits[k], name)->estimate.value;
       const auto [low, high] = std::ranges::minmax(value);
-      text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} % |\n", all[i].name, name, thousandths(value[0]), thousandths(value[1]), thousandths(value[2]),
-                          100.0 * (high - low) / std::abs(value[2]));
+      text += fmt::format("| {} | {} | {} | {} | {} | {:.1f} % |\n", all[i].name, name, thousandths(value[0]),
+                          thousandths(value[1]), thousandths(value[2]), 100.0 * (high - low) / std::abs(value[2]));
     }
   }
   return text;
@@ -204,33 +222,39 @@ std::string share_cells(const ForceFit& fit) {
   for (const auto& run : fit.states)
     for (const auto& s : run.states) {
       const double U = speed(s.state.motion);
-      const double v = numbers[0].value * s.state.motion.v / U, r = numbers[1].value * s.state.motion.r * length(fit.ship) / U;
+      const double v = numbers[0].value * s.state.motion.v / U,
+                   r = numbers[1].value * s.state.motion.r * length(fit.ship) / U;
       drift += v * v, yaw += r * r, both += (v + r) * (v + r), count += 1.0;
     }
   const auto rms = [&](double sum) { return thousandths(std::sqrt(sum / count)); };
   return fmt::format("{} | {} | {}", rms(drift), rms(yaw), rms(both));
 }
 
-/// An idealized wind state: steady drift without yaw rate and rudder, as wind on the beam holds it; and what drift and yaw rate make of the
-/// hull's moment in the recorded zigzags.
+/// An idealized wind state: steady drift without yaw rate and rudder, as wind on the beam holds it; and what drift and
+/// yaw rate make of the hull's moment in the recorded zigzags.
 std::string wind_state_table(const std::vector<Form>& all, const std::vector<ForceFit>& fits, const fs::path& folder) {
   constexpr double beta = radians(9.0);  // as HMRI tested
   const auto points = captive(folder, fits[0].ship);
-  const auto point = *std::ranges::find_if(points, [](const auto& p) { return std::abs(drift_angle(p.moments.front().motion) - beta) < 1e-6; });
-  std::string text = "| | Y | N | drift's share of hull N, rms | yaw rate's | both |\n| --- | ---: | ---: | ---: | ---: | ---: |\n";
+  const auto point = *std::ranges::find_if(
+      points, [](const auto& p) { return std::abs(drift_angle(p.moments.front().motion) - beta) < 1e-6; });
+  std::string text =
+      "| | Y | N | drift's share of hull N, rms | yaw rate's | both |\n| --- | ---: | ---: | ---: | ---: | ---: |\n";
   text += fmt::format("| measured by HMRI | {} | | | |\n", force_cells(fits[0].ship, point, point.measured));
   for (std::size_t i = 0; i < all.size(); ++i)
-    text += fmt::format("| {} | {} | {} |\n", all[i].name, force_cells(fits[i].ship, point, captive_force(fits[i].ship, point)), share_cells(fits[i]));
+    text += fmt::format("| {} | {} | {} |\n", all[i].name,
+                        force_cells(fits[i].ship, point, captive_force(fits[i].ship, point)), share_cells(fits[i]));
   return text;
 }
 
 std::string angles(const std::vector<double>& overshoots) {
   std::string text;
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, overshoots.size()); ++i) text += fmt::format("{}{:.1f}", i ? ", " : "", degrees(overshoots[i]));
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, overshoots.size()); ++i)
+    text += fmt::format("{}{:.1f}", i ? ", " : "", degrees(overshoots[i]));
   return text;
 }
 
-std::string zigzag_table(const std::vector<Form>& all, const std::vector<ForceFit>& fits, const std::vector<Recording>& runs) {
+std::string zigzag_table(const std::vector<Form>& all, const std::vector<ForceFit>& fits,
+                         const std::vector<Recording>& runs) {
   std::string text = "| run | recorded |", rule = "| --- | --- |";
   for (const auto& form : all) {
     text += fmt::format(" {} |", form.name);
@@ -256,7 +280,8 @@ std::string stability_table(const Form& form, const fs::path& folder) {
   for (const auto* name : {"hsva_zz05_01_stbd", "hsva_zz10_01_stbd", "hsva_zz15_05_stbd", "hsva_zz30_05_stbd"}) {
     const auto verdict = stability_verdict(fit_forces(form.ship, recordings(folder, {name}), form.options));
     constexpr std::array words{"stable", "unstable", "not told"};
-    text += fmt::format("| {} | {:.2f} ± {:.2f} | {:.1f} | {:.2f} | {} |\n", name, verdict.e0, verdict.standard_error, degrees(verdict.range.drift), verdict.range.omega,
+    text += fmt::format("| {} | {:.2f} ± {:.2f} | {:.1f} | {:.2f} | {} |\n", name, verdict.e0, verdict.standard_error,
+                        degrees(verdict.range.drift), verdict.range.omega,
                         words[static_cast<std::size_t>(verdict.straight_course)]);
   }
   return text;

@@ -9,14 +9,16 @@
 
 namespace swayaw {
 
-/// Refuses effects of a ship that a fit does not know: forces, changed numbers and gusts, and those of instruments where `sensors` are not known.
-/// Steady wind, current, and what lies between indicator and rudder act.
+/// Refuses effects of a ship that a fit does not know: forces, changed numbers and gusts, and those of instruments
+/// where `sensors` are not known. Steady wind, current, and what lies between indicator and rudder act.
 /// @throws Refusal  naming the effect
 inline void require_known_effects(const Ship& ship, std::string_view fit, bool sensors) {
   for (const auto& effect : ship.effects) {
-    const bool known = place_of(effect) == EffectPlace::water || std::holds_alternative<SteadyWind<>>(effect) || (sensors && place_of(effect) == EffectPlace::sensor) ||
+    const bool known = place_of(effect) == EffectPlace::water || std::holds_alternative<SteadyWind<>>(effect) ||
+                       (sensors && place_of(effect) == EffectPlace::sensor) ||
                        (place_of(effect) == EffectPlace::actuator && !std::holds_alternative<ShaftSpeedDrop<>>(effect));
-    if (!known && !is_null(effect)) throw Refusal(fmt::format("the {} does not know {}; take it out of the ship file", fit, id_of(effect)));
+    if (!known && !is_null(effect))
+      throw Refusal(fmt::format("the {} does not know {}; take it out of the ship file", fit, id_of(effect)));
   }
 }
 

@@ -39,7 +39,8 @@ Stop stop_on_way(const Vector& from, const Vector& to, const Vector& low, const 
 }
 
 /// The held place that the slope pulls inwards most; -1 for none.
-Eigen::Index to_release(const Vector& slope, const Vector& d, const Vector& low, const Vector& high, const std::vector<bool>& is_free) {
+Eigen::Index to_release(const Vector& slope, const Vector& d, const Vector& low, const Vector& high,
+                        const std::vector<bool>& is_free) {
   Eigen::Index worst = -1;
   double strongest = 1e-12 * slope.cwiseAbs().maxCoeff();
   for (Eigen::Index i = 0; i < d.size(); ++i) {

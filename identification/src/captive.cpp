@@ -36,19 +36,22 @@ double unit_of(const Ship& ship, const CaptivePoint& point, ForceComponent compo
 }
 
 bool of_kind(const CaptivePoint& point, const std::vector<std::string>& tests) {
-  return tests.empty() || std::ranges::any_of(tests, [&](const auto& test) { return std::ranges::count(point.tests, test) > 0; });
+  return tests.empty() ||
+         std::ranges::any_of(tests, [&](const auto& test) { return std::ranges::count(point.tests, test) > 0; });
 }
 
 bool chosen(const CaptivePoint& point, const CaptiveSelection& s) {
   constexpr double rounding = 1e-9;
   const auto& first = point.moments.front();
   return of_kind(point, s.tests) && std::abs(drift_angle(first.motion)) <= s.max_drift + rounding &&
-         std::abs(first.controls.delta) <= s.max_rudder + rounding && std::abs(first.controls.delta) >= s.min_rudder - rounding && speed(first.motion) >= s.min_speed - rounding &&
+         std::abs(first.controls.delta) <= s.max_rudder + rounding &&
+         std::abs(first.controls.delta) >= s.min_rudder - rounding && speed(first.motion) >= s.min_speed - rounding &&
          std::ranges::count(s.without_runs, point.run) == 0;
 }
 
 /// d(force)/d(coefficients) of a point, a row in primes.
-Eigen::VectorXd features(const Ship& ship, const CaptivePoint& point, std::span<const ShipNumber> numbers, ForceComponent component) {
+Eigen::VectorXd features(const Ship& ship, const CaptivePoint& point, std::span<const ShipNumber> numbers,
+                         ForceComponent component) {
   using D = Dual<1>;
   Eigen::VectorXd row(static_cast<Index>(numbers.size()));
   const auto derivative = [&](const auto& model) {
@@ -67,17 +70,20 @@ Ship with_zeros(const Ship& ship, std::span<const ShipNumber> numbers) {
 }
 
 /// The force is linear: at ones it is what it is at zeros and the sum of its derivatives there.
-void require_linear(const Ship& at_zero, std::span<const ShipNumber> numbers, const CaptiveStep& step, const CaptivePoint& point, const Eigen::VectorXd& row) {
+void require_linear(const Ship& at_zero, std::span<const ShipNumber> numbers, const CaptiveStep& step,
+                    const CaptivePoint& point, const Eigen::VectorXd& row) {
   const double unit = unit_of(at_zero, point, step.component);
   const double zero = component_of(captive_force(at_zero, point), step.component) / unit;
   const auto ones = with_values(at_zero, numbers, std::vector<double>(numbers.size(), 1.0));
   const double one = component_of(captive_force(ones, point), step.component) / unit;
   if (!(std::abs(one - zero - row.sum()) <= 1e-8 * (std::abs(one) + std::abs(zero) + row.cwiseAbs().sum())))
-    throw Refusal(fmt::format("{}: {} is not linear in {}", at_zero.name, in_words(step.component), fmt::join(step.coefficients, ", ")));
+    throw Refusal(fmt::format("{}: {} is not linear in {}", at_zero.name, in_words(step.component),
+                              fmt::join(step.coefficients, ", ")));
 }
 
 /// y = measured − what the ship does without the coefficients of the step.
-Design design_of(const Ship& at_zero, std::span<const CaptivePoint> points, const CaptiveStep& step, std::span<const ShipNumber> numbers) {
+Design design_of(const Ship& at_zero, std::span<const CaptivePoint> points, const CaptiveStep& step,
+                 std::span<const ShipNumber> numbers) {
   Design design{.names = step.coefficients, .X = {}, .y = {}};
   design.X.resize(static_cast<Index>(points.size()), static_cast<Index>(numbers.size()));
   design.y.resize(design.X.rows());
@@ -93,9 +99,11 @@ Design design_of(const Ship& at_zero, std::span<const CaptivePoint> points, cons
 
 std::vector<CaptivePoint> points_of(const CaptiveStep& step, std::span<const CaptivePoint> points) {
   auto mine = selected(points, step.points);
-  std::erase_if(mine, [&](const CaptivePoint& point) { return std::isnan(component_of(point.measured, step.component)); });
+  std::erase_if(mine,
+                [&](const CaptivePoint& point) { return std::isnan(component_of(point.measured, step.component)); });
   if (mine.empty())
-    throw Refusal(fmt::format("no {} was measured in {}", in_words(step.component), fmt::join(step.points.tests, ", ")));
+    throw Refusal(
+        fmt::format("no {} was measured in {}", in_words(step.component), fmt::join(step.points.tests, ", ")));
   return mine;
 }
 
@@ -103,7 +111,8 @@ void require_apart(const CaptiveStep& step, std::span<const CaptivePoint> points
   if (validation.tests.empty()) return;
   for (const auto& point : points)
     if (chosen(point, validation))
-      throw Refusal(fmt::format("run {} is kept for validation and may not be used for {}", point.run, fmt::join(step.coefficients, ", ")));
+      throw Refusal(fmt::format("run {} is kept for validation and may not be used for {}", point.run,
+                                fmt::join(step.coefficients, ", ")));
 }
 
 std::vector<ShipNumber> all_found(const Ship& ship, const CaptivePlan& plan) {
@@ -128,7 +137,9 @@ PlanarForce<double> captive_force(const Ship& ship, const CaptivePoint& point) {
   return std::visit([&](const auto& model) { return captive_force(model, rigid_body(model), point); }, ship.model);
 }
 
-PlanarForce<double> CaptiveError::relative() const { return {rms.X / measured.X, rms.Y / measured.Y, rms.N / measured.N}; }
+PlanarForce<double> CaptiveError::relative() const {
+  return {rms.X / measured.X, rms.Y / measured.Y, rms.N / measured.N};
+}
 
 CaptiveError captive_error(const Ship& ship, std::span<const CaptivePoint> points, const CaptiveSelection& selection) {
   const auto mine = selected(points, selection);
@@ -154,7 +165,8 @@ PlanarForce<double> captive_error(const Ship& ship, std::span<const CaptivePoint
   return captive_error(ship, points, {.tests = {"static_drift"}, .max_drift = max_drift, .max_rudder = 0.0}).relative();
 }
 
-CaptiveFit fit_captive(const Ship& ship, std::span<const CaptivePoint> points, const CaptivePlan& plan, const RegressionOptions& options) {
+CaptiveFit fit_captive(const Ship& ship, std::span<const CaptivePoint> points, const CaptivePlan& plan,
+                       const RegressionOptions& options) {
   CaptiveFit result{.ship = with_zeros(ship, all_found(ship, plan)), .steps = {}, .validation = {}};
   for (const auto& step : plan.steps) {
     const auto numbers = ship_numbers(result.ship, step.coefficients);

@@ -38,8 +38,10 @@ std::vector<std::string> lines_of(std::string_view text) {
 /// A row of the table, whose cells are asked for by name.
 class Row {
  public:
-  Row(const std::vector<std::string>& names, std::vector<std::string> cells, FilePlace place) : names_(names), cells_(std::move(cells)), place_(std::move(place)) {
-    if (cells_.size() != names_.size()) throw FileError(place_, fmt::format("{} cells in a table of {} columns", cells_.size(), names_.size()));
+  Row(const std::vector<std::string>& names, std::vector<std::string> cells, FilePlace place)
+      : names_(names), cells_(std::move(cells)), place_(std::move(place)) {
+    if (cells_.size() != names_.size())
+      throw FileError(place_, fmt::format("{} cells in a table of {} columns", cells_.size(), names_.size()));
   }
 
   bool has(std::string_view name) const { return std::ranges::count(names_, name) > 0; }
@@ -51,7 +53,8 @@ class Row {
     if (cell.empty() || cell == "nan") return missing;
     double value = 0.0;
     const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (error != std::errc{} || end != cell.data() + cell.size()) throw FileError(place_, fmt::format("{}: \"{}\" is not a number", name, cell));
+    if (error != std::errc{} || end != cell.data() + cell.size())
+      throw FileError(place_, fmt::format("{}: \"{}\" is not a number", name, cell));
     return value;
   }
 
@@ -62,10 +65,14 @@ class Row {
     return std::nullopt;
   }
 
-  [[noreturn]] void lacks(std::string_view what) const { throw FileError({.file = place_.file}, fmt::format("captive tests need {}", what)); }
+  [[noreturn]] void lacks(std::string_view what) const {
+    throw FileError({.file = place_.file}, fmt::format("captive tests need {}", what));
+  }
 
  private:
-  std::size_t place_of(std::string_view name) const { return static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin()); }
+  std::size_t place_of(std::string_view name) const {
+    return static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
+  }
 
   const std::vector<std::string>& names_;
   std::vector<std::string> cells_;
@@ -95,7 +102,9 @@ PlanarMotion<double> motion_of(const Row& row, double L) {
 
 Controls<double> controls_of(const Row& row, const Units& units, const CaptiveFile& options) {
   const double delta = row.first_of({{"delta_rad", 1.0}, {"delta_deg", radians(1.0)}}).value_or(0.0);
-  const auto by_thrust = [&](double T) { return Controls<double>{.delta = delta, .thrust = {0.5 * T, 0.5 * T}, .by_thrust = true}; };
+  const auto by_thrust = [&](double T) {
+    return Controls<double>{.delta = delta, .thrust = {0.5 * T, 0.5 * T}, .by_thrust = true};
+  };
   if (row.has("R_N")) return by_thrust(0.0);
   if (const auto T = row.first_of({{"T_prime", units.prime}, {"thrust_N", units.newton}})) return by_thrust(*T);
   if (options.thrust_prime) return by_thrust(*options.thrust_prime * units.prime);
@@ -120,7 +129,9 @@ std::vector<std::string> tests_of(const Row& row, const CaptiveFile& options) {
 CaptivePoint steady_point(const Row& row, const CaptiveFile& options) {
   const auto motion = motion_of(row, options.L);
   const Units units(options, speed(motion));
-  return {.run = row.text("run"), .tests = tests_of(row, options), .moments = {{motion, {}, controls_of(row, units, options)}},
+  return {.run = row.text("run"),
+          .tests = tests_of(row, options),
+          .moments = {{motion, {}, controls_of(row, units, options)}},
           .measured = measured_of(row, units)};
 }
 
@@ -148,23 +159,29 @@ struct Oscillation {
 };
 
 Oscillation oscillation_of(const Row& row, const CaptiveFile& o, double U) {
-  if (row.has("r_prime_amp")) return {.r = row.number("r_prime_amp") * U / o.L, .dr = row.number("rdot_prime_amp") * U * U / (o.L * o.L)};
+  if (row.has("r_prime_amp"))
+    return {.r = row.number("r_prime_amp") * U / o.L, .dr = row.number("rdot_prime_amp") * U * U / (o.L * o.L)};
   // v' = v_a cos, dv'/ds' = −v_a ω' sin with ω' = 2π f L/U of the towed model
   const double omega = 2.0 * std::numbers::pi * row.number("freq_hz") * o.towed_L.value_or(o.L) / U;
   const double dv = row.number("vdot_prime_amp");
   return {.v = -dv / omega * U, .dv = dv * U * U / o.L};
 }
 
-std::vector<CaptiveMoment> cycle(const PlanarMotion<double>& mean, const Oscillation& a, const Controls<double>& controls, const Harmonic& harmonic) {
+std::vector<CaptiveMoment> cycle(const PlanarMotion<double>& mean, const Oscillation& a,
+                                 const Controls<double>& controls, const Harmonic& harmonic) {
   std::vector<CaptiveMoment> moments;
   for (int k = 0; k < phases; ++k) {
     const double phase = 2.0 * std::numbers::pi * k / phases, c = std::cos(phase), s = std::sin(phase);
-    moments.push_back({{mean.u, mean.v + a.v * c, mean.r + a.r * c}, {0.0, a.dv * s, a.dr * s}, controls, harmonic.weight(phase) / phases});
+    moments.push_back({{mean.u, mean.v + a.v * c, mean.r + a.r * c},
+                       {0.0, a.dv * s, a.dr * s},
+                       controls,
+                       harmonic.weight(phase) / phases});
   }
   return moments;
 }
 
-/// The T_prime of an oscillating test is an amplitude, so that the thrust of these tests is that of the options, or follows from the shaft.
+/// The T_prime of an oscillating test is an amplitude, so that the thrust of these tests is that of the options, or
+/// follows from the shaft.
 void add_oscillating_points(const Row& row, const CaptiveFile& options, std::vector<CaptivePoint>& points) {
   const auto mean = motion_of(row, options.L);
   const double U = speed(mean);
@@ -174,10 +191,12 @@ void add_oscillating_points(const Row& row, const CaptiveFile& options, std::vec
   for (const auto& h : harmonics) {
     const auto column = [&](const char* force) { return fmt::format("{}_{}_prime", force, h.column); };
     if (!row.has(column("Y"))) continue;
-    points.push_back({.run = row.text("run"), .tests = {fmt::format("{}:{}", tests_of(row, options).front(), h.name)},
-                      .moments = cycle(mean, a, controls, h),
-                      .measured = {missing, row.number(column("Y")) * units.prime, row.number(column("N")) * units.prime * units.L},
-                      .with_inertia = true});
+    points.push_back(
+        {.run = row.text("run"),
+         .tests = {fmt::format("{}:{}", tests_of(row, options).front(), h.name)},
+         .moments = cycle(mean, a, controls, h),
+         .measured = {missing, row.number(column("Y")) * units.prime, row.number(column("N")) * units.prime * units.L},
+         .with_inertia = true});
   }
 }
 

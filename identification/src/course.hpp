@@ -10,7 +10,8 @@
 #include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
-/// Stretches of recorded runs, simulated with exact derivatives by the state at their beginning and by numbers of the ship. Not installed.
+/// Stretches of recorded runs, simulated with exact derivatives by the state at their beginning and by numbers of the
+/// ship. Not installed.
 namespace swayaw {
 
 /// A number measured at a sample.
@@ -40,10 +41,10 @@ using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 
 /// A simulated stretch. Derivatives are by x, y, psi, u, v, r at its beginning and then by the numbers.
 struct Course {
-  Eigen::VectorXd residual;   ///< shown − measured
+  Eigen::VectorXd residual;  ///< shown − measured
   StateVector<double> end;
-  RowMatrix residual_slope;   ///< a row for each reading; empty if not asked for
-  RowMatrix end_slope;        ///< a row for each of x, y, psi, u, v, r
+  RowMatrix residual_slope;  ///< a row for each reading; empty if not asked for
+  RowMatrix end_slope;       ///< a row for each of x, y, psi, u, v, r
 };
 
 /// Simulates stretches with the classical Runge–Kutta step, which ends where the force model changes its branch.
@@ -52,15 +53,20 @@ class Sailor {
   virtual ~Sailor() = default;
 
   /// From a state at the first sample of the stretch, with these values of the numbers.
-  virtual Course sail(const Stretch& stretch, const StateVector<double>& start, std::span<const double> values, bool with_slopes) const = 0;
+  virtual Course sail(const Stretch& stretch, const StateVector<double>& start, std::span<const double> values,
+                      bool with_slopes) const = 0;
 };
 
 using NumberList = std::vector<ShipNumber>;
 
 /// One for each model; each is compiled in a file of its own.
-std::unique_ptr<Sailor> sailor_of(const MmgShip<double>& model, const Surroundings<double>& around, const NumberList& numbers);
-std::unique_ptr<Sailor> sailor_of(const PiShip<double>& model, const Surroundings<double>& around, const NumberList& numbers);
-std::unique_ptr<Sailor> sailor_of(const PuShip<double>& model, const Surroundings<double>& around, const NumberList& numbers);
-std::unique_ptr<Sailor> sailor_of(const AbkowitzShip<double>& model, const Surroundings<double>& around, const NumberList& numbers);
+std::unique_ptr<Sailor> sailor_of(const MmgShip<double>& model, const Surroundings<double>& around,
+                                  const NumberList& numbers);
+std::unique_ptr<Sailor> sailor_of(const PiShip<double>& model, const Surroundings<double>& around,
+                                  const NumberList& numbers);
+std::unique_ptr<Sailor> sailor_of(const PuShip<double>& model, const Surroundings<double>& around,
+                                  const NumberList& numbers);
+std::unique_ptr<Sailor> sailor_of(const AbkowitzShip<double>& model, const Surroundings<double>& around,
+                                  const NumberList& numbers);
 
 }  // namespace swayaw

@@ -23,7 +23,7 @@ double in(ForceComponent component, const PlanarForce<double>& f) {
 
 /// ½ρL²U² [N], and times L for the moment.
 double unit_of(ForceComponent component, const Ship& ship, double U) {
-  const double rho = std::visit([](const auto& model) { return model.water.rho; }, ship.model), L = length(ship);
+  const double rho = std::visit([](const auto&model) { return model.water.rho; }, ship.model), L = length(ship);
   const double q = 0.5 * rho * L * L * U * U;
   return component == ForceComponent::N ? q * L : q;
 }
@@ -35,14 +35,16 @@ struct ForceAndFeatures {
 };
 
 /// In portions of as many numbers as a dual has derivatives.
-ForceAndFeatures force_and_features(const Ship& ship, std::span<const ShipNumber> numbers, const PlanarMotion<double>& motion,
-                                    const Controls<double>& controls) {
+ForceAndFeatures force_and_features(const Ship& ship, std::span<const ShipNumber> numbers,
+                                    const PlanarMotion<double>& motion, const Controls<double>& controls) {
   constexpr int lanes = 8;
   using D = Dual<lanes>;
   ForceAndFeatures result{{}, Eigen::Matrix3Xd(3, static_cast<Eigen::Index>(numbers.size()))};
   const auto add_portion = [&](const auto& model, std::size_t from) {
     const auto portion = numbers.subspan(from, std::min<std::size_t>(lanes, numbers.size() - from));
-    const auto f = forces(seeded<lanes>(model, portion), PlanarMotion<D>{D(motion.u), D(motion.v), D(motion.r)}, cast<D>(controls)).total();
+    const auto f =
+        forces(seeded<lanes>(model, portion), PlanarMotion<D>{D(motion.u), D(motion.v), D(motion.r)}, cast<D>(controls))
+            .total();
     result.force = {f.X.a, f.Y.a, f.N.a};
     const auto columns = static_cast<Eigen::Index>(portion.size());
     auto block = result.by_number.middleCols(static_cast<Eigen::Index>(from), columns);
@@ -86,14 +88,17 @@ std::vector<ForceComponent> equations_of(const Ship& at_zero, std::span<const Sh
   const auto one = force_and_features(ones, numbers, motion, controls);
   std::vector<ForceComponent> result;
   for (std::size_t j = 0; j < numbers.size(); ++j) {
-    const Eigen::Vector3d slope = zero.by_number.col(static_cast<Eigen::Index>(j)), other = one.by_number.col(static_cast<Eigen::Index>(j));
+    const Eigen::Vector3d slope = zero.by_number.col(static_cast<Eigen::Index>(j)),
+                          other = one.by_number.col(static_cast<Eigen::Index>(j));
     const double scale = slope.cwiseAbs().maxCoeff() + other.cwiseAbs().maxCoeff();
     if (!(scale > 0.0)) throw Refusal(fmt::format("{} does not act on the force of {}", numbers[j].name, at_zero.name));
     if ((slope - other).cwiseAbs().maxCoeff() > 1e-9 * scale)
-      throw Refusal(fmt::format("the force is not linear in {}, which is found on trajectories only (--refine)", numbers[j].name));
+      throw Refusal(fmt::format("the force is not linear in {}, which is found on trajectories only (--refine)",
+                                numbers[j].name));
     const auto where = acts_in(slope, scale);
     if (where.size() > 1)
-      throw Refusal(fmt::format("{} acts in more than one force equation and is found on trajectories only (--refine)", numbers[j].name));
+      throw Refusal(fmt::format("{} acts in more than one force equation and is found on trajectories only (--refine)",
+                                numbers[j].name));
     result.push_back(where.front());
   }
   return result;
@@ -119,7 +124,8 @@ Rows rows_at(const Known& known, std::span<const ShipNumber> numbers, const Plan
   const auto damping = std::visit(
       [&](const auto& model) {
         const auto a = acceleration(model, motion, forces(model, motion, controls).total());
-        return force_of(model, motion, PlanarAcceleration<double>{a.u + unmodelled.u, a.v + unmodelled.v, a.r + unmodelled.r});
+        return force_of(model, motion,
+                        PlanarAcceleration<double>{a.u + unmodelled.u, a.v + unmodelled.v, a.r + unmodelled.r});
       },
       known.ship.model);
   Rows rows{by_number, {}};
@@ -136,14 +142,17 @@ Rows rows_at(const Known& known, std::span<const ShipNumber> numbers, const Plan
 /// Changes of (features, y) of an equation with u, v, r and the unmodelled acceleration.
 using Slopes = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
-std::array<Slopes, 3> slopes_at(const Known& known, std::span<const ShipNumber> numbers, const EstimatedState& s, const Controls<double>& controls) {
+std::array<Slopes, 3> slopes_at(const Known& known, std::span<const ShipNumber> numbers, const EstimatedState& s,
+                                const Controls<double>& controls) {
   const double U = speed(s.state.motion), L = length(known.ship);
-  const std::array<double, 6> step{1e-5 * U, 1e-5 * U, 1e-5 * U / L, 1e-5 * U * U / L, 1e-5 * U * U / L, 1e-5 * U * U / (L * L)};
+  const std::array<double, 6> step{1e-5 * U,         1e-5 * U,         1e-5 * U / L,
+                                   1e-5 * U * U / L, 1e-5 * U * U / L, 1e-5 * U * U / (L * L)};
   std::array<Slopes, 3> slopes;
   for (auto& slope : slopes) slope.resize(static_cast<Eigen::Index>(numbers.size()) + 1, 6);
   for (Eigen::Index k = 0; k < 6; ++k) {
     const auto moved = [&](double h) {
-      std::array<double, 6> z{s.state.motion.u, s.state.motion.v, s.state.motion.r, s.unmodelled.u, s.unmodelled.v, s.unmodelled.r};
+      std::array<double, 6> z{s.state.motion.u, s.state.motion.v, s.state.motion.r,
+                              s.unmodelled.u,   s.unmodelled.v,   s.unmodelled.r};
       z[static_cast<std::size_t>(k)] += h;
       return rows_at(known, numbers, {z[0], z[1], z[2]}, {z[3], z[4], z[5]}, controls);
     };
@@ -161,7 +170,8 @@ std::array<Slopes, 3> slopes_at(const Known& known, std::span<const ShipNumber> 
 Eigen::Matrix<double, 6, 6> covariance_of(const EstimatedState& s) {
   Eigen::Matrix<double, 6, 6> P;
   for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = 0; k < 6; ++k) P(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = s.covariance(3 + i, 3 + k);
+    for (std::size_t k = 0; k < 6; ++k)
+      P(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = s.covariance(3 + i, 3 + k);
   return P;
 }
 
@@ -171,7 +181,9 @@ Eigen::Matrix<double, 6, 6> covariance_of(const EstimatedState& s) {
 class Equations {
  public:
   Equations(const Ship& ship, std::span<const ShipNumber> numbers)
-      : numbers_(numbers), known_{ship, with_values(ship, numbers, std::vector<double>(numbers.size(), 0.0))}, acts_in_(equations_of(known_.at_zero, numbers)) {}
+      : numbers_(numbers),
+        known_{ship, with_values(ship, numbers, std::vector<double>(numbers.size(), 0.0))},
+        acts_in_(equations_of(known_.at_zero, numbers)) {}
 
   void add(const Recording& run, const StateEstimate& estimate) {
     const RecordedControls controls(known_.ship, run);
@@ -198,12 +210,15 @@ class Equations {
   Design design(ForceComponent component) const {
     const auto places = numbers_in(component);
     const auto i = static_cast<Eigen::Index>(component);
-    Design d{.names = {}, .X = Eigen::MatrixXd(static_cast<Eigen::Index>(rows_.size()), static_cast<Eigen::Index>(places.size())),
-             .y = Eigen::VectorXd(static_cast<Eigen::Index>(rows_.size())), .runs = run_starts_};
+    Design d{.names = {},
+             .X = Eigen::MatrixXd(static_cast<Eigen::Index>(rows_.size()), static_cast<Eigen::Index>(places.size())),
+             .y = Eigen::VectorXd(static_cast<Eigen::Index>(rows_.size())),
+             .runs = run_starts_};
     for (const auto j : places) d.names.push_back(numbers_[j].name);
     for (Eigen::Index k = 0; k < d.X.rows(); ++k) {
       const auto& row = rows_[static_cast<std::size_t>(k)];
-      for (Eigen::Index j = 0; j < d.X.cols(); ++j) d.X(k, j) = row.X(i, static_cast<Eigen::Index>(places[static_cast<std::size_t>(j)]));
+      for (Eigen::Index j = 0; j < d.X.cols(); ++j)
+        d.X(k, j) = row.X(i, static_cast<Eigen::Index>(places[static_cast<std::size_t>(j)]));
       d.y[k] = row.y[i];
     }
     return d;
@@ -217,7 +232,9 @@ class Equations {
       Eigen::MatrixXd c(static_cast<Eigen::Index>(kept.size()), static_cast<Eigen::Index>(kept.size()));
       for (Eigen::Index a = 0; a < c.rows(); ++a)
         for (Eigen::Index b = 0; b < c.cols(); ++b)
-          c(a, b) = e[static_cast<std::size_t>(component)](static_cast<Eigen::Index>(kept[static_cast<std::size_t>(a)]), static_cast<Eigen::Index>(kept[static_cast<std::size_t>(b)]));
+          c(a, b) =
+              e[static_cast<std::size_t>(component)](static_cast<Eigen::Index>(kept[static_cast<std::size_t>(a)]),
+                                                     static_cast<Eigen::Index>(kept[static_cast<std::size_t>(b)]));
       result.push_back(std::move(c));
     }
     return result;
@@ -248,7 +265,8 @@ MotionRange range_of(std::span<const Recording> runs, std::span<const StateEstim
 std::vector<Prior> priors_of(std::span<const ShipNumber> numbers, const Design& design) {
   std::vector<Prior> priors;
   for (const auto& n : numbers)
-    if (std::ranges::count(design.names, n.name) > 0 && n.deviation > 0.0) priors.push_back({n.name, n.value, n.deviation});
+    if (std::ranges::count(design.names, n.name) > 0 && n.deviation > 0.0)
+      priors.push_back({n.name, n.value, n.deviation});
   return priors;
 }
 
@@ -260,7 +278,8 @@ std::vector<double> attenuations(const Regression& fit) {
 
 }  // namespace
 
-ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, std::vector<StateEstimate> states, const ForceFitOptions& options) {
+ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, std::vector<StateEstimate> states,
+                    const ForceFitOptions& options) {
   if (options.numbers.empty()) throw Refusal("no coefficient is to be found");
   require_known_effects(ship, "force fit", true);
   const auto numbers = ship_numbers(ship, options.numbers);

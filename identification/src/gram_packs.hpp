@@ -21,7 +21,8 @@ double sum_of_lanes(const Pack& pack) {
   return sum;
 }
 
-/// Adds the products of columns j … j + 2 with columns i … i + 3 over some rows; a column that is not there is the last one.
+/// Adds the products of columns j … j + 2 with columns i … i + 3 over some rows; a column that is not there is the last
+/// one.
 template <class Arch>
 void add_tile(const GramJob& job, std::size_t i, std::size_t j, std::size_t first, std::size_t last) {
   using Pack = xsimd::batch<double, Arch>;
@@ -33,7 +34,8 @@ void add_tile(const GramJob& job, std::size_t i, std::size_t j, std::size_t firs
   for (std::size_t m = 0; m < few; ++m)
     for (std::size_t k = 0; k < many; ++k) sum[m][k] = Pack(0.0);
   for (std::size_t t = first; t < last; t += Pack::size) {
-    const Pack a0 = Pack::load_unaligned(a[0] + t), a1 = Pack::load_unaligned(a[1] + t), a2 = Pack::load_unaligned(a[2] + t);
+    const Pack a0 = Pack::load_unaligned(a[0] + t), a1 = Pack::load_unaligned(a[1] + t),
+               a2 = Pack::load_unaligned(a[2] + t);
     for (std::size_t k = 0; k < many; ++k) {
       const Pack bk = Pack::load_unaligned(b[k] + t);
       sum[0][k] = xsimd::fma(a0, bk, sum[0][k]);
@@ -42,7 +44,8 @@ void add_tile(const GramJob& job, std::size_t i, std::size_t j, std::size_t firs
     }
   }
   for (std::size_t m = 0; m < few && j + m <= end; ++m)
-    for (std::size_t k = 0; k < many && i + k <= end; ++k) job.products[i + k + job.count * (j + m)] += sum_of_lanes(sum[m][k]);
+    for (std::size_t k = 0; k < many && i + k <= end; ++k)
+      job.products[i + k + job.count * (j + m)] += sum_of_lanes(sum[m][k]);
 }
 
 /// All products on and below the diagonal, and a few above it.

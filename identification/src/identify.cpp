@@ -38,7 +38,8 @@ constexpr std::array<std::string_view, 4> model_names{"mmg", "pi", "pu", "abkowi
 
 /// Hull terms of the published form.
 std::vector<std::string> published_form(const Ship& ship) {
-  if (std::holds_alternative<MmgShip<double>>(ship.model)) return {"R_0", "X_vv", "X_vr", "X_rr", "Y_v", "Y_r", "N_v", "N_r"};
+  if (std::holds_alternative<MmgShip<double>>(ship.model))
+    return {"R_0", "X_vv", "X_vr", "X_rr", "Y_v", "Y_r", "N_v", "N_r"};
   return {"X_0", "X_u", "X_vv", "X_rr", "X_vr", "Y_v", "Y_r", "N_v", "N_r"};
 }
 
@@ -60,8 +61,9 @@ Ship in_model(const Ship& ship, std::string_view model) {
     result.model = with_parts_of<PuShip<double>>(*pi_ship);
     return result;
   }
-  throw Refusal(fmt::format("{}: a ship of model \"{}\" does not tell what model \"{}\" needs; give a ship file of that model", ship.name,
-                            model_names[ship.model.index()], model));
+  throw Refusal(
+      fmt::format("{}: a ship of model \"{}\" does not tell what model \"{}\" needs; give a ship file of that model",
+                  ship.name, model_names[ship.model.index()], model));
 }
 
 std::vector<std::string> usual_numbers(const Ship& ship) {
@@ -133,8 +135,12 @@ StabilityVerdict stability_verdict(const ForceFit& fit) {
   constexpr double small = 0.25;  // r' of motions for which a linear hull is one
   const double U = mean_speed(fit);
   const auto e0 = constant_term(fit.ship, U);
-  StabilityVerdict verdict{.straight_course = StraightCourse::not_told, .e0 = e0.value_or(std::nan("")), .standard_error = 0.0,
-                           .range = fit.range, .linear_hull = has_linear_hull(fit.ship), .words = {}};
+  StabilityVerdict verdict{.straight_course = StraightCourse::not_told,
+                           .e0 = e0.value_or(std::nan("")),
+                           .standard_error = 0.0,
+                           .range = fit.range,
+                           .linear_hull = has_linear_hull(fit.ship),
+                           .words = {}};
   if (!e0) {
     verdict.words = fmt::format("not told: the fitted ship does not propel herself at {:.3g} m/s", U);
     return verdict;
@@ -146,12 +152,15 @@ StabilityVerdict stability_verdict(const ForceFit& fit) {
   const auto numbers = fmt::format("1/(T1' T2') = {:.3g} +- {:.2g}", *e0, verdict.standard_error);
   const auto range = range_words(fit.range);
   if (*e0 > 0.0 && verdict.linear_hull && fit.range.omega > small)
-    verdict.words = fmt::format("not told: {}, but a linear hull fitted to {} is a mean over them, and small motions are damped less", numbers, range);
+    verdict.words = fmt::format(
+        "not told: {}, but a linear hull fitted to {} is a mean over them, and small motions are damped less", numbers,
+        range);
   else if (std::abs(*e0) < 2.0 * verdict.standard_error)
     verdict.words = fmt::format("not told: {}, from {}", numbers, range);
   else {
     verdict.straight_course = *e0 > 0.0 ? StraightCourse::stable : StraightCourse::unstable;
-    verdict.words = fmt::format("{} on a straight course: {}, from {}", *e0 > 0.0 ? "stable" : "unstable", numbers, range);
+    verdict.words =
+        fmt::format("{} on a straight course: {}, from {}", *e0 > 0.0 ? "stable" : "unstable", numbers, range);
   }
   return verdict;
 }
@@ -195,7 +204,8 @@ std::vector<Choice> choices(const Ship& ship, std::span<const Recording> runs) {
   std::map<int, Places> by_amplitude;
   for (const auto i : all) by_amplitude[rudder_amplitude(ship, runs[i])].push_back(i);
   for (const auto& [amplitude, places] : by_amplitude)
-    if (by_amplitude.size() > 1 && places.size() > 1) result.push_back({fmt::format("rudder {} deg alone", amplitude), places});
+    if (by_amplitude.size() > 1 && places.size() > 1)
+      result.push_back({fmt::format("rudder {} deg alone", amplitude), places});
   return result;
 }
 
@@ -208,7 +218,8 @@ int rudder_amplitude(const Ship& ship, const Recording& run) {
   return static_cast<int>(std::lround(degrees(most)));
 }
 
-std::vector<Resample> resample(const Ship& ship, std::span<const Recording> runs, const ForceFit& fit, const ForceFitOptions& options) {
+std::vector<Resample> resample(const Ship& ship, std::span<const Recording> runs, const ForceFit& fit,
+                               const ForceFitOptions& options) {
   std::vector<Resample> result;
   for (const auto& [name, places] : choices(ship, runs)) {
     std::vector<Recording> some;
@@ -232,9 +243,11 @@ std::optional<ZigzagOrder> zigzag_order(const Recording& run) {
   const auto* end = text.data() + text.size();
   const auto first = std::from_chars(text.data() + word.size(), end, rudder);
   if (first.ec != std::errc{} || first.ptr == end || *first.ptr != '/') return std::nullopt;
-  if (std::from_chars(first.ptr + 1, end, heading).ec != std::errc{} || !(rudder > 0.0) || !(heading > 0.0)) return std::nullopt;
+  if (std::from_chars(first.ptr + 1, end, heading).ec != std::errc{} || !(rudder > 0.0) || !(heading > 0.0))
+    return std::nullopt;
   const auto channel = run.has(Channel::delta) ? Channel::delta : Channel::delta_order;
-  const auto moved = std::ranges::find_if(run[channel], [&](double delta) { return std::abs(delta) > 0.5 * radians(rudder); });
+  const auto moved =
+      std::ranges::find_if(run[channel], [&](double delta) { return std::abs(delta) > 0.5 * radians(rudder); });
   if (moved == run[channel].end()) return std::nullopt;
   return ZigzagOrder{radians(rudder), radians(heading), *moved > 0.0 ? Side::port : Side::starboard};
 }
@@ -244,8 +257,9 @@ std::vector<double> recorded_overshoots(const Recording& run, const ZigzagOrder&
   const auto psi = run[Channel::psi];
   const double half = 0.5 * order.rudder, start = *std::ranges::find_if(psi, [](double p) { return std::isfinite(p); });
   std::vector<double> peaks;
-  double side = 0.0;                     // of the rudder, 0 before the first order
-  double farthest = -HUGE_VAL, end = 0;  // heading to the side that the ship is still turning to, and where the run leaves it
+  double side = 0.0;  // of the rudder, 0 before the first order
+  double farthest = -HUGE_VAL,
+         end = 0;  // heading to the side that the ship is still turning to, and where the run leaves it
   bool reversed = false;
   for (std::size_t i = 0; i < psi.size(); ++i) {
     if (std::isfinite(delta[i]) && std::abs(delta[i]) > half && delta[i] * side <= 0.0) {
@@ -254,7 +268,8 @@ std::vector<double> recorded_overshoots(const Recording& run, const ZigzagOrder&
       side = delta[i] > 0.0 ? 1.0 : -1.0;
       farthest = -HUGE_VAL;
     }
-    // after a reversal the ship goes on to the side of the rudder before it, which is that of the rudder now: + delta turns to port
+    // after a reversal the ship goes on to the side of the rudder before it, which is that of the rudder now: + delta
+    // turns to port
     if (!std::isfinite(psi[i])) continue;
     end = side * (psi[i] - start);
     farthest = std::max(farthest, end);
@@ -263,7 +278,8 @@ std::vector<double> recorded_overshoots(const Recording& run, const ZigzagOrder&
   return peaks;
 }
 
-std::optional<std::vector<double>> simulated_overshoots(const Ship& ship, const Recording& run, const ZigzagOrder& order, std::size_t most) {
+std::optional<std::vector<double>> simulated_overshoots(const Ship& ship, const Recording& run,
+                                                        const ZigzagOrder& order, std::size_t most) {
   const auto mean = [&](Channel channel) {
     double sum = 0.0;
     std::size_t count = 0;

@@ -26,7 +26,8 @@ Eigen::MatrixXd picked_slopes(const Indices& slopes, const MeasuredTrial& trial,
   Eigen::MatrixXd result = Eigen::MatrixXd::Constant(rows, columns, missing);
   for (std::size_t k = 0; k < trial.indices.size(); ++k) {
     const Slopes& row = slopes.*Indices::parameters()[trial.indices[k].place].member;
-    if (!row.empty()) result.row(static_cast<Eigen::Index>(k)) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), columns);
+    if (!row.empty())
+      result.row(static_cast<Eigen::Index>(k)) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), columns);
   }
   return result;
 }
@@ -49,21 +50,28 @@ std::string_view key_of(const MeasuredTrial& trial, const MeasuredIndex& index) 
 
 /// The way made needs samples.
 bool asks_for_way(const MeasuredTrial& trial) {
-  return std::ranges::any_of(trial.indices, [&](const MeasuredIndex& i) { return key_of(trial, i) == "initial_turning"; });
+  return std::ranges::any_of(trial.indices,
+                             [&](const MeasuredIndex& i) { return key_of(trial, i) == "initial_turning"; });
 }
 
 }  // namespace
 
 bool asks_for_steady_turn(const MeasuredTrial& trial) {
-  return std::ranges::any_of(trial.indices, [&](const MeasuredIndex& i) { return key_of(trial, i).starts_with("final_"); });
+  return std::ranges::any_of(trial.indices,
+                             [&](const MeasuredIndex& i) { return key_of(trial, i).starts_with("final_"); });
 }
 
 int IndexTrials::turns() const {
-  return static_cast<int>(std::ranges::count_if(trials(), [](const MeasuredTrial& t) { return std::holds_alternative<TurnOrder>(t.manoeuvre); }));
+  return static_cast<int>(std::ranges::count_if(
+      trials(), [](const MeasuredTrial& t) { return std::holds_alternative<TurnOrder>(t.manoeuvre); }));
 }
 
 ManoeuvreOptions IndexTrials::options_for(const MeasuredTrial& trial) const {
-  return {.speed = measured_.speed, .rev = measured_.rev, .thrust = measured_.thrust, .sampled = asks_for_way(trial), .traced = true};
+  return {.speed = measured_.speed,
+          .rev = measured_.rev,
+          .thrust = measured_.thrust,
+          .sampled = asks_for_way(trial),
+          .traced = true};
 }
 
 void IndexTrials::count(const MeasuredTrial& trial, std::size_t times) {
@@ -84,13 +92,16 @@ SailedTrial IndexTrials::sail(const Ship& ship, const MeasuredTrial& trial) {
   return {std::move(run), std::move(indices), missing};
 }
 
-Eigen::MatrixXd IndexTrials::slopes(const Ship& ship, const MeasuredTrial& trial, const SailedTrial& sailed, std::span<const ShipNumber> numbers) {
+Eigen::MatrixXd IndexTrials::slopes(const Ship& ship, const MeasuredTrial& trial, const SailedTrial& sailed,
+                                    std::span<const ShipNumber> numbers) {
   const auto options = options_for(trial);
   count(trial, (numbers.size() + slopes_at_once - 1) / slopes_at_once);
   if (const auto* order = std::get_if<TurnOrder>(&trial.manoeuvre))
-    return picked_slopes(index_slopes(ship, *order, options, std::get<TurningCircle>(sailed.run), numbers), trial, numbers.size());
+    return picked_slopes(index_slopes(ship, *order, options, std::get<TurningCircle>(sailed.run), numbers), trial,
+                         numbers.size());
   const auto& order = std::get<ZigzagOrder>(trial.manoeuvre);
-  return picked_slopes(index_slopes(ship, order, options, std::get<Zigzag>(sailed.run), numbers), trial, numbers.size());
+  return picked_slopes(index_slopes(ship, order, options, std::get<Zigzag>(sailed.run), numbers), trial,
+                       numbers.size());
 }
 
 }  // namespace swayaw

@@ -14,7 +14,8 @@ namespace swayaw {
 struct SailedTrial {
   std::variant<TurningCircle, Zigzag> run;
   Eigen::VectorXd indices;  ///< those measured [SI]; not a number for what does not exist
-  double decay;             ///< of the steady turn, if one of its indices was measured, per ship length; not a number if there is none
+  double decay;  ///< of the steady turn, if one of its indices was measured, per ship length; not a number if there is
+                 ///< none
 };
 
 class IndexTrials {
@@ -31,7 +32,8 @@ class IndexTrials {
   SailedTrial sail(const Ship& ship, const MeasuredTrial& trial);
 
   /// Derivatives of the indices by numbers of the ship.
-  Eigen::MatrixXd slopes(const Ship& ship, const MeasuredTrial& trial, const SailedTrial& sailed, std::span<const ShipNumber> numbers);
+  Eigen::MatrixXd slopes(const Ship& ship, const MeasuredTrial& trial, const SailedTrial& sailed,
+                         std::span<const ShipNumber> numbers);
 
  private:
   ManoeuvreOptions options_for(const MeasuredTrial& trial) const;

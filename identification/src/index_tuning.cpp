@@ -120,7 +120,8 @@ void require_all(const MeasuredIndices& measured, const Candidate& c) {
     const auto& trial = measured.trials[t];
     for (std::size_t k = 0; k < trial.indices.size(); ++k)
       if (std::isnan(c.sailed[t].indices[index(k)]))
-        throw Refusal(fmt::format("{} has no {} in the {} to begin with{}", c.ship.name, trial.indices[k].name, name_of(trial.manoeuvre),
+        throw Refusal(fmt::format("{} has no {} in the {} to begin with{}", c.ship.name, trial.indices[k].name,
+                                  name_of(trial.manoeuvre),
                                   asks_for_steady_turn(trial) ? ": no steady turn was found" : ""));
   }
 }
@@ -130,7 +131,12 @@ void require_all(const MeasuredIndices& measured, const Candidate& c) {
 class Tuner {
  public:
   Tuner(const Ship& ship, const MeasuredIndices& measured, const TuningOptions& options)
-      : start_(ship), measured_(measured), flat_(flat(measured)), options_(options), numbers_(tuned_numbers(ship, options)), trials_(measured) {
+      : start_(ship),
+        measured_(measured),
+        flat_(flat(measured)),
+        options_(options),
+        numbers_(tuned_numbers(ship, options)),
+        trials_(measured) {
     const auto n = index(numbers_.size());
     weight_ = Vector::Zero(n);
     low_ = Vector::Constant(n, -infinity);
@@ -152,7 +158,8 @@ class Tuner {
   /// Prior and bounds of a number.
   void bound(Eigen::Index j) {
     const auto& n = numbers_[at(j)];
-    const double prior = prior_of(n), most = prior > 0.0 ? options_.most_change.value_or(infinity) : 0.0, to_z = n.si / n.value;
+    const double prior = prior_of(n), most = prior > 0.0 ? options_.most_change.value_or(infinity) : 0.0,
+                 to_z = n.si / n.value;
     weight_[j] = prior > 0.0 ? 1.0 / (prior * prior) : 0.0;
     const double a = n.range.low * to_z - 1.0, b = n.range.high * to_z - 1.0;
     low_[j] = std::max(-most, std::min(a, b));
@@ -172,7 +179,9 @@ class Tuner {
     if (!c.indices.allFinite()) return false;
     for (std::size_t t = 0; t < c.sailed.size(); ++t) {
       const double decay = c.sailed[t].decay, before = from.sailed[t].decay;
-      if (asks_for_steady_turn(measured_.trials[t]) && !(decay >= std::max(0.1 * before, std::min(options_.least_decay, before)))) return false;
+      if (asks_for_steady_turn(measured_.trials[t]) &&
+          !(decay >= std::max(0.1 * before, std::min(options_.least_decay, before))))
+        return false;
     }
     return true;
   }
@@ -186,7 +195,9 @@ class Tuner {
     return std::nullopt;
   }
 
-  bool may_go_on(const Candidate& best) const { return !options_.watch || options_.watch({trials_.voyages(), error_of(flat_, best.indices)}); }
+  bool may_go_on(const Candidate& best) const {
+    return !options_.watch || options_.watch({trials_.voyages(), error_of(flat_, best.indices)});
+  }
 
   TuningStatus descend(Candidate& best, Matrix& J) {
     double radius = 0.5;
@@ -213,7 +224,8 @@ class Tuner {
 
   /// d ln I / d ln theta over the relative tolerance is dI/dz over the tolerance.
   std::vector<IndexCombination> combinations(const Matrix& J) const {
-    return determined_combinations(rows_of(J), {flat_.deviation.data(), flat_.deviation.data() + flat_.deviation.size()});
+    return determined_combinations(rows_of(J),
+                                   {flat_.deviation.data(), flat_.deviation.data() + flat_.deviation.size()});
   }
 
   /// Relative standard deviations from indices and prior together, the roots of the diagonal of (AᵀA + W)⁻¹.
@@ -232,7 +244,8 @@ class Tuner {
     return variance.cwiseSqrt();
   }
 
-  std::vector<TunedNumber> tuned(const Candidate& best, const Matrix& J, const std::vector<IndexCombination>& combinations) const {
+  std::vector<TunedNumber> tuned(const Candidate& best, const Matrix& J,
+                                 const std::vector<IndexCombination>& combinations) const {
     const auto values = values_at(numbers_, best.z);
     const Vector deviation = deviations(J);
     std::vector<TunedNumber> result;
@@ -242,15 +255,27 @@ class Tuner {
         if (c.determined) told += c.weights[j] * c.weights[j];
       const double z = best.z[index(j)], edge = 1e-9;
       const double prior = prior_of(numbers_[j]);
-      result.push_back({.number = numbers_[j], .value = values[j], .prior = prior, .deviation = std::min(deviation[index(j)], prior), .told = told,
+      result.push_back({.number = numbers_[j],
+                        .value = values[j],
+                        .prior = prior,
+                        .deviation = std::min(deviation[index(j)], prior),
+                        .told = told,
                         .at_bound = z <= low_[index(j)] + edge || z >= high_[index(j)] - edge});
     }
     return result;
   }
 
-  Tuning report(TuningStatus status, const Candidate& before, const Matrix& first, const Candidate& best, const Matrix& J) const {
-    Tuning t{.status = status, .ship = best.ship, .numbers = {}, .indices = {}, .before = error_of(flat_, before.indices),
-             .after = error_of(flat_, best.indices), .voyages = trials_.voyages(), .combinations = combinations(first), .decay = {}};
+  Tuning report(TuningStatus status, const Candidate& before, const Matrix& first, const Candidate& best,
+                const Matrix& J) const {
+    Tuning t{.status = status,
+             .ship = best.ship,
+             .numbers = {},
+             .indices = {},
+             .before = error_of(flat_, before.indices),
+             .after = error_of(flat_, best.indices),
+             .voyages = trials_.voyages(),
+             .combinations = combinations(first),
+             .decay = {}};
     t.numbers = tuned(best, J, t.combinations);
     Eigen::Index k = 0;
     for (std::size_t trial = 0; trial < measured_.trials.size(); ++trial)
@@ -268,17 +293,20 @@ class Tuner {
   const TuningOptions& options_;
   std::vector<ShipNumber> numbers_;
   IndexTrials trials_;
-  Vector weight_;       ///< 1/prior²
-  Vector low_, high_;   ///< of z
+  Vector weight_;      ///< 1/prior²
+  Vector low_, high_;  ///< of z
 };
 
-bool is_resistance(std::string_view key) { return key == "R_0" || key == "X_0" || key == "X_u" || key == "X_uu" || key == "X_uuu"; }
+bool is_resistance(std::string_view key) {
+  return key == "R_0" || key == "X_0" || key == "X_u" || key == "X_uu" || key == "X_uuu";
+}
 
 void require_options(const TuningOptions& options) {
   if (options.prior) require_positive(*options.prior, "prior");
   if (options.most_change) require_positive(*options.most_change, "largest change of a number");
   require_positive(options.least_decay, "least decay of a steady turn");
-  if (options.most_turns < 1) throw std::domain_error(fmt::format("turning circles to be sailed must be positive, got {}", options.most_turns));
+  if (options.most_turns < 1)
+    throw std::domain_error(fmt::format("turning circles to be sailed must be positive, got {}", options.most_turns));
 }
 
 }  // namespace
@@ -305,7 +333,8 @@ std::vector<ShipNumber> tuned_numbers(const Ship& ship, const TuningOptions& opt
   return numbers;
 }
 
-IndexSensitivity index_sensitivity(const Ship& ship, const MeasuredIndices& measured, const std::vector<ShipNumber>& numbers) {
+IndexSensitivity index_sensitivity(const Ship& ship, const MeasuredIndices& measured,
+                                   const std::vector<ShipNumber>& numbers) {
   IndexTrials trials(measured);
   const Vector zero = Vector::Zero(index(numbers.size()));
   const auto base = sailed(trials, ship, numbers, zero);
@@ -318,12 +347,16 @@ IndexSensitivity index_sensitivity(const Ship& ship, const MeasuredIndices& meas
     } catch (const Refusal&) {  // with that change she does not sail the manoeuvres
     }
   }
-  return {.indices = {base.indices.data(), base.indices.data() + base.indices.size()}, .exact = rows_of(base.indices.cwiseInverse().asDiagonal() * J),
-          .ten_per_cent = rows_of(finite), .voyages = trials.voyages()};
+  return {.indices = {base.indices.data(), base.indices.data() + base.indices.size()},
+          .exact = rows_of(base.indices.cwiseInverse().asDiagonal() * J),
+          .ten_per_cent = rows_of(finite),
+          .voyages = trials.voyages()};
 }
 
-std::vector<IndexCombination> determined_combinations(const std::vector<std::vector<double>>& sensitivity, const std::vector<double>& tolerance) {
-  if (sensitivity.empty() || sensitivity.size() != tolerance.size()) throw std::domain_error("as many tolerances are needed as there are indices");
+std::vector<IndexCombination> determined_combinations(const std::vector<std::vector<double>>& sensitivity,
+                                                      const std::vector<double>& tolerance) {
+  if (sensitivity.empty() || sensitivity.size() != tolerance.size())
+    throw std::domain_error("as many tolerances are needed as there are indices");
   Matrix A(index(sensitivity.size()), index(sensitivity.front().size()));
   for (Eigen::Index k = 0; k < A.rows(); ++k)
     for (Eigen::Index j = 0; j < A.cols(); ++j) A(k, j) = sensitivity[at(k)][at(j)] / tolerance[at(k)];
@@ -332,7 +365,10 @@ std::vector<IndexCombination> determined_combinations(const std::vector<std::vec
   for (Eigen::Index i = 0; i < A.cols(); ++i) {
     const double s = i < svd.singularValues().size() ? svd.singularValues()[i] : 0.0;
     const Vector w = svd.matrixV().col(i);
-    result.push_back({.singular_value = s, .standard_error = 1.0 / s, .determined = s >= 2.0, .weights = {w.data(), w.data() + w.size()}});
+    result.push_back({.singular_value = s,
+                      .standard_error = 1.0 / s,
+                      .determined = s >= 2.0,
+                      .weights = {w.data(), w.data() + w.size()}});
   }
   return result;
 }

@@ -14,7 +14,9 @@ using D = Dual<7>;  // of psi, u, v, r and the unmodelled accelerations
 
 constexpr std::size_t first = 2;  ///< place of psi in the covariance; u, v, r and the unmodelled accelerations follow
 
-ShipState<D> in_seven(const ShipState<double>& s) { return {D(s.x), D(s.y), D(s.psi, 0), {D(s.motion.u, 1), D(s.motion.v, 2), D(s.motion.r, 3)}}; }
+ShipState<D> in_seven(const ShipState<double>& s) {
+  return {D(s.x), D(s.y), D(s.psi, 0), {D(s.motion.u, 1), D(s.motion.v, 2), D(s.motion.r, 3)}};
+}
 
 PlanarForce<D> operator-(const PlanarForce<D>& a, const PlanarForce<D>& b) { return {a.X - b.X, a.Y - b.Y, a.N - b.N}; }
 
@@ -34,7 +36,8 @@ EstimatedForce estimated(const PlanarForce<D>& f, const StateCovariance& P) {
 template <class Model>
 class Dynamics {
  public:
-  Dynamics(const Model& model, const Surroundings<double>& around) : ship_(model), dual_(cast<D>(model)), around_(cast_around<D>(around)) {}
+  Dynamics(const Model& model, const Surroundings<double>& around)
+      : ship_(model), dual_(cast<D>(model)), around_(cast_around<D>(around)) {}
 
   InverseDynamics at(const EstimatedState& estimate, const Controls<double>& controls) const {
     const auto s = in_seven(estimate.state);
@@ -48,7 +51,9 @@ class Dynamics {
     auto hull = damping;
     for (const auto& part : parts.parts())
       if (part.name != "hull") hull = hull - part.force;
-    return {.time = estimate.time, .damping = estimated(damping, estimate.covariance), .hull = estimated(hull, estimate.covariance)};
+    return {.time = estimate.time,
+            .damping = estimated(damping, estimate.covariance),
+            .hull = estimated(hull, estimate.covariance)};
   }
 
  private:
@@ -61,7 +66,8 @@ class Dynamics {
 
 std::vector<InverseDynamics> inverse_dynamics(const Ship& ship, const Recording& run, const StateEstimate& estimate) {
   if (run.samples() != estimate.states.size())
-    throw Refusal(fmt::format("{}: {} samples, but {} in the estimate", run.name, run.samples(), estimate.states.size()));
+    throw Refusal(
+        fmt::format("{}: {} samples, but {} in the estimate", run.name, run.samples(), estimate.states.size()));
   const RecordedControls controls(ship, run);
   const auto acting = with_effects_applied(ship);
   std::vector<InverseDynamics> result;

@@ -26,10 +26,10 @@ constexpr double nothing_of_rows = 1e-11, nothing_of_moments = 1e-6;
 
 /// A symmetric matrix as D V λ Vᵀ D, D its columns' sizes.
 struct Spectrum {
-  VectorXd size;     ///< D
-  VectorXd lambda;   ///< ascending
+  VectorXd size;    ///< D
+  VectorXd lambda;  ///< ascending
   MatrixXd V;
-  double least;      ///< λ below which there is nothing
+  double least;  ///< λ below which there is nothing
 
   bool full() const { return lambda.size() == 0 || lambda[0] > least; }
   double condition_number() const { return full() ? std::sqrt(lambda[lambda.size() - 1] / lambda[0]) : infinite; }
@@ -48,7 +48,9 @@ struct Spectrum {
 /// Sizes of columns; one that is not there counts as 1.
 VectorXd sizes(const VectorXd& squares) { return (squares.array() > 0.0).select(squares.cwiseAbs().cwiseSqrt(), 1.0); }
 
-double threshold(const VectorXd& lambda, double nothing) { return lambda.size() == 0 ? 0.0 : nothing * nothing * lambda[lambda.size() - 1]; }
+double threshold(const VectorXd& lambda, double nothing) {
+  return lambda.size() == 0 ? 0.0 : nothing * nothing * lambda[lambda.size() - 1];
+}
 
 Spectrum spectrum_of_moments(const MatrixXd& G) {
   const VectorXd size = sizes(G.diagonal());
@@ -138,7 +140,8 @@ VectorXd variance_inflation(const Moments& moments, const MatrixXd& by_data, con
   return inflation;
 }
 
-Solution told(const Moments& moments, const Freedom& free, const Reduced& r, const Spectrum& data, const Spectrum& all, const VectorXd& c, Solver solver) {
+Solution told(const Moments& moments, const Freedom& free, const Reduced& r, const Spectrum& data, const Spectrum& all,
+              const VectorXd& c, Solver solver) {
   const MatrixXd inverse = all.inverse();
   const MatrixXd by_data = free.Z * data.inverse() * free.Z.transpose();
   const MatrixXd null_of_data = free.Z * data.null();
@@ -159,25 +162,29 @@ Freedom freedom(const MatrixXd& C, const VectorXd& d, Index count) {
   if (C.rows() == 0) return {VectorXd::Zero(count), MatrixXd::Identity(count, count)};
   const Eigen::JacobiSVD<MatrixXd> svd(C, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const VectorXd b_0 = svd.solve(d);
-  if ((C * b_0 - d).norm() > 1e-9 * (C.norm() * b_0.norm() + d.norm())) throw Refusal("the constraints of the regression contradict each other");
+  if ((C * b_0 - d).norm() > 1e-9 * (C.norm() * b_0.norm() + d.norm()))
+    throw Refusal("the constraints of the regression contradict each other");
   if (svd.rank() == count) throw Refusal("the constraints of the regression leave no coefficient to be found");
   return {b_0, svd.matrixV().rightCols(count - svd.rank())};
 }
 
-Solution solve(const MatrixXd& X, const VectorXd& y, const Moments& moments, const Freedom& free, const Penalty& penalty) {
+Solution solve(const MatrixXd& X, const VectorXd& y, const Moments& moments, const Freedom& free,
+               const Penalty& penalty) {
   const auto r = reduced(moments, free, penalty);
   const bool errors = moments.errors.size() > 0;
   const auto data = spectrum_of_moments(r.G);
   const auto all = penalty.none() ? data : spectrum_of_moments(r.G + r.P);
   const bool good = data.condition_number() <= well_conditioned && all.condition_number() <= well_conditioned;
-  if (good || (errors && all.full())) return told(moments, free, r, data, all, by_cholesky(r.G + r.P, r.h + r.g), Solver::normal_equations);
+  if (good || (errors && all.full()))
+    return told(moments, free, r, data, all, by_cholesky(r.G + r.P, r.h + r.g), Solver::normal_equations);
   if (errors) return told(moments, free, r, data, all, all.inverse() * (r.h + r.g), Solver::svd);
 
   const auto rows = triangle_of(X * free.Z, y - X * free.b_0);
   const auto both = penalty.none() ? rows : with_penalty(rows, free, penalty);
   const auto data_of_rows = spectrum_of_rows(rows.R), all_of_rows = spectrum_of_rows(both.R);
   const bool full = all_of_rows.full();
-  return told(moments, free, r, data_of_rows, all_of_rows, by_rows(both.R, both.z, full), full ? Solver::qr : Solver::svd);
+  return told(moments, free, r, data_of_rows, all_of_rows, by_rows(both.R, both.z, full),
+              full ? Solver::qr : Solver::svd);
 }
 
 double largest_errors(const Moments& moments, const Freedom& free) {

@@ -32,18 +32,19 @@ struct Moments {
 
 struct Solution {
   Eigen::VectorXd b;
-  Eigen::MatrixXd inverse;             ///< of what multiplies b, along all that is determined
-  Eigen::MatrixXd by_data;             ///< the same without the penalty
-  Eigen::MatrixXd null;                ///< changes of b that change nothing, in columns
-  Eigen::MatrixXd null_of_data;        ///< the same without the penalty
+  Eigen::MatrixXd inverse;       ///< of what multiplies b, along all that is determined
+  Eigen::MatrixXd by_data;       ///< the same without the penalty
+  Eigen::MatrixXd null;          ///< changes of b that change nothing, in columns
+  Eigen::MatrixXd null_of_data;  ///< the same without the penalty
   Eigen::VectorXd variance_inflation;
   double condition_number;
-  double used;                         ///< coefficients that the data determine, as a number
+  double used;  ///< coefficients that the data determine, as a number
   Solver solver;
 };
 
 /// Least squares with moments known; the rows themselves are looked at where the columns are nearly collinear.
-Solution solve(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Moments& moments, const Freedom& free, const Penalty& penalty);
+Solution solve(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Moments& moments, const Freedom& free,
+               const Penalty& penalty);
 
 /// The largest multiple of the errors that leaves the moments positive, on what the constraints leave free.
 double largest_errors(const Moments& moments, const Freedom& free);

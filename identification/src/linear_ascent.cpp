@@ -27,9 +27,12 @@ Parameters stepped(const LinearProblem& problem, const Parameters& p, const Like
 }
 
 /// Gain of log likelihood that an undamped step promises.
-double promise(const LinearProblem& problem, const Parameters& p, const LikelihoodSlope& at) { return std::abs(at.gradient.dot(stepped(problem, p, at, 0.0) - p)); }
+double promise(const LinearProblem& problem, const Parameters& p, const LikelihoodSlope& at) {
+  return std::abs(at.gradient.dot(stepped(problem, p, at, 0.0) - p));
+}
 
-/// Highest of half the step, the step and twice the step: where residuals are not white the expected curvature is not the true one.
+/// Highest of half the step, the step and twice the step: where residuals are not white the expected curvature is not
+/// the true one.
 LinearAscent highest_along(const LinearProblem& problem, const Parameters& from, const Parameters& step) {
   LinearAscent highest{from, -std::numeric_limits<double>::infinity()};
   for (const double share : {1.0, 0.5, 2.0}) {
@@ -41,7 +44,8 @@ LinearAscent highest_along(const LinearProblem& problem, const Parameters& from,
 }
 
 /// The first better place on the way from the undamped step to the gradient, with the damping that led there.
-std::optional<LinearAscent> climbed(const LinearProblem& problem, const LinearAscent& from, const LikelihoodSlope& at, double& mu) {
+std::optional<LinearAscent> climbed(const LinearProblem& problem, const LinearAscent& from, const LikelihoodSlope& at,
+                                    double& mu) {
   for (; mu < 1e10; mu *= 10.0) {
     const auto highest = highest_along(problem, from.p, stepped(problem, from.p, at, mu) - from.p);
     if (highest.log_likelihood > from.log_likelihood) return highest;

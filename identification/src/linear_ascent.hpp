@@ -12,7 +12,8 @@ struct LinearAscent {
 };
 
 /// Levenberg–Marquardt with the expected information as curvature. It ends where a step promises less than 1e-6 of log
-/// likelihood, that is 1e-3 standard errors, or where rounding allows no better place although it promises less than 1e-3.
+/// likelihood, that is 1e-3 standard errors, or where rounding allows no better place although it promises less than
+/// 1e-3.
 LinearAscent climb(const LinearProblem& problem, const Parameters& start);
 
 }  // namespace swayaw

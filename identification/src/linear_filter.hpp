@@ -24,7 +24,8 @@ struct LinearModel {
 template <class S>
 class BasisAt {
  public:
-  explicit BasisAt(const SwayYawCoefficients<S>& m) : tr_(trace(m)), det_(determinant(m)), poles_(poles(base(tr_, 0), base(det_, 1))) {}
+  explicit BasisAt(const SwayYawCoefficients<S>& m)
+      : tr_(trace(m)), det_(determinant(m)), poles_(poles(base(tr_, 0), base(det_, 1))) {}
 
   ResponseBasis<S> operator()(double s) const {
     const auto b = response_basis(poles_, Base(s));
@@ -63,7 +64,8 @@ class LinearFilter {
   using Matrix = Eigen::Matrix<S, 3, 3>;
   enum Index { beta, omega, psi };
 
-  /// Knows nothing of the start but that drift, omega' and the distance from the first heading are of the order of 1 or less.
+  /// Knows nothing of the start but that drift, omega' and the distance from the first heading are of the order of 1 or
+  /// less.
   LinearFilter(const LinearModel<S>& model, double first_heading) : model_(model), basis_(model.ship) {
     x_ << S(0.0), S(0.0), S(first_heading);
     P_ = Matrix::Identity();
@@ -75,8 +77,8 @@ class LinearFilter {
     const auto& m = model_.ship;
     const auto b = basis_(s);
     const S zero(0.0), one(1.0);
-    Phi_ << b.h_1 - b.h0 * m.b2, b.h0 * m.b1, zero,    //
-        b.h0 * m.a2, b.h_1 - b.h0 * m.a1, zero,        //
+    Phi_ << b.h_1 - b.h0 * m.b2, b.h0 * m.b1, zero,  //
+        b.h0 * m.a2, b.h_1 - b.h0 * m.a1, zero,      //
         b.h1 * m.a2, b.h0 - b.h1 * m.a1, one;
     const S nb0 = m.b1 * m.c2 - m.b2 * m.c1, nw0 = m.a2 * m.c1 - m.a1 * m.c2;
     const S delta = from.delta + model_.rudder_offset;
@@ -109,7 +111,8 @@ class LinearFilter {
   template <class Seen>
   void update(Index i, double factor, const S& measured, const S& variance, Seen&& seen) {
     const LinearInnovation<S> now{measured - factor * x_[i], factor * factor * P_(i, i) + variance};
-    // The plain form does: P ≤ 1 to start with, and measurement variances of 1e-12 are far above its rounding errors of 1e-16.
+    // The plain form does: P ≤ 1 to start with, and measurement variances of 1e-12 are far above its rounding errors of
+    // 1e-16.
     K_ = P_.col(i) * (factor / now.variance);
     x_ += K_ * now.error;
     P_ -= Matrix(Vector(K_ * now.variance) * K_.transpose());

@@ -24,12 +24,14 @@ bool measured(const LinearProblem& problem, double LinearSample::*channel) {
 }
 
 /// ln of the noise of a channel, known or guessed from second differences; 0 for a channel that was not measured.
-double log_noise(const LinearProblem& problem, double LinearSample::*channel, std::optional<double> known, double floor) {
+double log_noise(const LinearProblem& problem, double LinearSample::*channel, std::optional<double> known,
+                 double floor) {
   if (!measured(problem, channel)) return 0.0;
   return std::log(known ? require_positive(*known, "known noise") : noise_of(problem.runs, channel) + floor);
 }
 
-/// Regressed constants, noise known or guessed, and disturbances large enough for the filter to follow the measurements.
+/// Regressed constants, noise known or guessed, and disturbances large enough for the filter to follow the
+/// measurements.
 Parameters start(const LinearProblem& problem, const LinearFitOptions& options, double width) {
   Parameters p = Parameters::Zero();
   if (problem.with_drift) {
@@ -39,7 +41,9 @@ Parameters start(const LinearProblem& problem, const LinearFitOptions& options, 
     const auto h = regressed_yaw(problem.runs, width);
     p.head<4>() << h.e0, h.e1, h.nw0, h.nw1;
   }
-  const auto known = [&](double ChannelNoise::*channel) { return options.noise ? std::optional((*options.noise).*channel) : std::nullopt; };
+  const auto known = [&](double ChannelNoise::*channel) {
+    return options.noise ? std::optional((*options.noise).*channel) : std::nullopt;
+  };
   p[noise_psi] = log_noise(problem, &LinearSample::psi, known(&ChannelNoise::psi), 1e-5);
   p[noise_r] = log_noise(problem, &LinearSample::r, known(&ChannelNoise::r), 1e-5 * problem.mean_rate);
   p[noise_beta] = log_noise(problem, &LinearSample::beta, known(&ChannelNoise::beta), 1e-5);
@@ -76,7 +80,9 @@ std::size_t measurements(const LinearProblem& problem) {
 
 std::size_t samples_used(const LinearProblem& problem) {
   std::size_t count = 0;
-  for (const auto& run : problem.runs) count += static_cast<std::size_t>(std::ranges::count_if(run, [](const LinearSample& x) { return measurements(x) > 0; }));
+  for (const auto& run : problem.runs)
+    count +=
+        static_cast<std::size_t>(std::ranges::count_if(run, [](const LinearSample& x) { return measurements(x) > 0; }));
   return count;
 }
 
@@ -89,7 +95,8 @@ LinearProblem problem_of(std::span<const Recording> runs, const LinearFitOptions
   }
   if (!measured(problem, &LinearSample::psi) && !measured(problem, &LinearSample::r))
     throw Refusal(fmt::format("{}: neither heading nor yaw rate to fit to", runs.front().name));
-  if (measurements(problem) < 20) throw Refusal(fmt::format("{}: fewer than 20 measurements to fit to", runs.front().name));
+  if (measurements(problem) < 20)
+    throw Refusal(fmt::format("{}: fewer than 20 measurements to fit to", runs.front().name));
   double sum = 0.0, count = 0.0;
   for (const auto& run : problem.runs)
     for (const auto& x : run) sum += x.rate, count += 1.0;
@@ -100,8 +107,8 @@ LinearProblem problem_of(std::span<const Recording> runs, const LinearFitOptions
   return problem;
 }
 
-/// From the better of two regressions. Disturbances are always allowed at first: with them the filter follows the measurements
-/// and the likelihood has one hill, also for an unstable ship and poor starting values.
+/// From the better of two regressions. Disturbances are always allowed at first: with them the filter follows the
+/// measurements and the likelihood has one hill, also for an unstable ship and poor starting values.
 LinearAscent best_ascent(const LinearProblem& problem, const LinearFitOptions& options) {
   LinearProblem forgiving = problem;
   if (!options.disturbances) {
@@ -122,8 +129,10 @@ LinearAscent best_ascent(const LinearProblem& problem, const LinearFitOptions& o
 // ---------------------------------------------------------------- standard errors
 
 /// Covariance of the sum of correlated scores: Σ over moving sums over `length` samples, divided by their length.
-Eigen::MatrixXd score_covariance(const LinearProblem& problem, const std::vector<Parameters>& scores, std::size_t length) {
-  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(problem.free.size()), static_cast<Eigen::Index>(problem.free.size()));
+Eigen::MatrixXd score_covariance(const LinearProblem& problem, const std::vector<Parameters>& scores,
+                                 std::size_t length) {
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(problem.free.size()),
+                                            static_cast<Eigen::Index>(problem.free.size()));
   Parameters sum = Parameters::Zero();
   for (std::size_t k = 0; k < scores.size() + length - 1; ++k) {
     if (k < scores.size()) sum += scores[k];
@@ -157,8 +166,9 @@ void drop_what_vanished(LinearProblem& problem, const LikelihoodSlope& at) {
 /// Residuals count as correlated over this time, in ship lengths.
 constexpr double correlation_length = 1.0;
 
-/// I⁻¹, with the standard errors enlarged to those of I⁻¹ B I⁻¹ where correlated residuals make them larger. B is enlarged for the
-/// degrees of freedom that the constants and the rudder offset took from the independent pieces of the run.
+/// I⁻¹, with the standard errors enlarged to those of I⁻¹ B I⁻¹ where correlated residuals make them larger. B is
+/// enlarged for the degrees of freedom that the constants and the rudder offset took from the independent pieces of the
+/// run.
 Covariance covariance(const LinearProblem& problem, const LikelihoodSlope& at) {
   auto result = inverse_information(problem, at);
   auto& C = result.of_free;
@@ -222,7 +232,8 @@ LinearResiduals one_step_residuals(const LinearProblem& problem, const Parameter
 }
 
 /// The run simulated from its start without looking at the measurements again.
-LinearResiduals whole_run_residuals(const LinearProblem& problem, const Parameters& p, std::span<const LinearState<Estimate>> starts) {
+LinearResiduals whole_run_residuals(const LinearProblem& problem, const Parameters& p,
+                                    std::span<const LinearState<Estimate>> starts) {
   const auto model = model_of(problem, p);
   const LinearResponse<double> ship(model.ship);
   MeanSquare psi, r, beta;
@@ -256,7 +267,8 @@ LinearAmplitude amplitude(const LinearProblem& problem) {
 
 // ---------------------------------------------------------------- report
 
-Estimate estimate_at(const LinearProblem& problem, const Covariance& covariance, const Parameters& p, int place, bool asked) {
+Estimate estimate_at(const LinearProblem& problem, const Covariance& covariance, const Parameters& p, int place,
+                     bool asked) {
   const auto found = std::ranges::find(problem.free, place);
   if (found == problem.free.end()) return asked ? Estimate{} : Estimate{0.0, 0.0};
   const auto k = found - problem.free.begin();
@@ -270,14 +282,19 @@ LinearFit report(LinearProblem problem, const LinearFitOptions& options, const L
   const auto model = model_of(problem, end.p);
   const int n = problem.constant_count();
   LinearFit fit{};
-  fit.status = !C.full_rank ? FitStatus::rank_deficient : end.converged ? FitStatus::converged : FitStatus::iteration_limit;
+  fit.status = !C.full_rank    ? FitStatus::rank_deficient
+               : end.converged ? FitStatus::converged
+                               : FitStatus::iteration_limit;
   fit.scale = {options.L, problem.mean_rate * options.L};
   tell_constants({end.p.head(n), C.of_free.topLeftCorner(n, n)}, fit);
   fit.rudder_offset = estimate_at(problem, C, end.p, rudder_offset, options.rudder_offset);
   fit.yaw_rate_offset = estimate_at(problem, C, end.p, yaw_rate_offset, options.yaw_rate_offset);
   fit.drift_offset = estimate_at(problem, C, end.p, drift_offset, options.drift_offset);
-  const auto noise_if = [&](double LinearSample::*channel, double variance) { return measured(problem, channel) ? std::sqrt(variance) : missing; };
-  fit.noise = {noise_if(&LinearSample::psi, model.var_psi), noise_if(&LinearSample::r, model.var_r), noise_if(&LinearSample::beta, model.var_beta)};
+  const auto noise_if = [&](double LinearSample::*channel, double variance) {
+    return measured(problem, channel) ? std::sqrt(variance) : missing;
+  };
+  fit.noise = {noise_if(&LinearSample::psi, model.var_psi), noise_if(&LinearSample::r, model.var_r),
+               noise_if(&LinearSample::beta, model.var_beta)};
   fit.disturbance = {problem.with_drift ? std::sqrt(model.q_beta) : missing, std::sqrt(model.q_omega)};
   std::vector<LinearState<Estimate>> starts;
   for (const auto& run : problem.runs) starts.push_back(smoothed_start(model, run));
@@ -298,6 +315,8 @@ LinearFit fit_linear(std::span<const Recording> runs, const LinearFitOptions& op
   return report(problem, options, best_ascent(problem, options));
 }
 
-LinearFit fit_linear(const Recording& run, const LinearFitOptions& options) { return fit_linear(std::span(&run, 1), options); }
+LinearFit fit_linear(const Recording& run, const LinearFitOptions& options) {
+  return fit_linear(std::span(&run, 1), options);
+}
 
 }  // namespace swayaw

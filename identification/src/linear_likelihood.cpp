@@ -11,7 +11,9 @@ double first_heading(const LinearRun& run) {
 
 double log_likelihood(const LinearProblem& problem, const Parameters& p) {
   double sum = 0.0;
-  const auto seen = [&](const LinearInnovation<double>& e, int, double) { sum -= 0.5 * (e.error * e.error / e.variance + std::log(e.variance)); };
+  const auto seen = [&](const LinearInnovation<double>& e, int, double) {
+    sum -= 0.5 * (e.error * e.error / e.variance + std::log(e.variance));
+  };
   filter_all(problem, p, seen, [] {});
   return sum;
 }

@@ -48,7 +48,8 @@ LinearModel<S> model_of(const LinearProblem& problem, const Eigen::Matrix<S, pla
   const auto variance = [&](int place, double floor) { return S(exp(2.0 * p[place]) + floor * floor); };
   const auto growth = [&](int place) { return problem.with_disturbances ? S(exp(2.0 * p[place])) : S(0.0); };
   return {
-      .ship = problem.with_drift ? SwayYawCoefficients<S>{p[0], p[1], p[2], p[3], p[4], p[5]} : yaw_only_ship(p[0], p[1], p[2], p[3]),
+      .ship = problem.with_drift ? SwayYawCoefficients<S>{p[0], p[1], p[2], p[3], p[4], p[5]}
+                                 : yaw_only_ship(p[0], p[1], p[2], p[3]),
       .rudder_offset = p[rudder_offset],
       .yaw_rate_offset = p[yaw_rate_offset],
       .drift_offset = p[drift_offset],
@@ -87,6 +88,8 @@ struct LikelihoodSlope {
 LikelihoodSlope slope(const LinearProblem& problem, const Parameters& p);
 
 inline Eigen::VectorXd of_free(const LinearProblem& problem, const Parameters& p) { return p(problem.free); }
-inline Eigen::MatrixXd of_free(const LinearProblem& problem, const Information& m) { return m(problem.free, problem.free); }
+inline Eigen::MatrixXd of_free(const LinearProblem& problem, const Information& m) {
+  return m(problem.free, problem.free);
+}
 
 }  // namespace swayaw

@@ -17,10 +17,13 @@ using OverTime = std::function<double(double)>;
 /// Speed of midship: given, from u and v, or from log or ground speed.
 OverTime speed_over_time(const Recording& run, const LinearFitOptions& options) {
   if (options.U) return [U = require_positive(*options.U, "ship speed U [m/s]")](double) { return U; };
-  for (const auto& [forward, sideways] : {std::pair{Channel::u, Channel::v}, std::pair{Channel::u_ground, Channel::v_ground}})
+  for (const auto& [forward, sideways] :
+       {std::pair{Channel::u, Channel::v}, std::pair{Channel::u_ground, Channel::v_ground}})
     if (run.has(forward) && run.has(sideways))
-      return [u = Interpolant(run, forward), v = Interpolant(run, sideways)](double t) { return std::hypot(u(t), v(t)); };
-  for (const Channel channel : {Channel::speed_through_water, Channel::u, Channel::speed_over_ground, Channel::u_ground})
+      return
+          [u = Interpolant(run, forward), v = Interpolant(run, sideways)](double t) { return std::hypot(u(t), v(t)); };
+  for (const Channel channel :
+       {Channel::speed_through_water, Channel::u, Channel::speed_over_ground, Channel::u_ground})
     if (run.has(channel)) return Interpolant(run, channel);
   throw Refusal(fmt::format("{}: no channel tells the speed of the ship, and none was given", run.name));
 }
@@ -50,7 +53,8 @@ LinearRun linear_run(const Recording& run, const LinearFitOptions& options) {
       used = now.s;
       if (options.use_heading) now.psi = sample_of(run, Channel::psi, i);
       if (options.use_yaw_rate) now.r = sample_of(run, Channel::r, i);
-      if (options.use_drift) now.beta = drift_angle(PlanarMotion<double>{sample_of(run, Channel::u, i), sample_of(run, Channel::v, i), 0.0});
+      if (options.use_drift)
+        now.beta = drift_angle(PlanarMotion<double>{sample_of(run, Channel::u, i), sample_of(run, Channel::v, i), 0.0});
     }
     result.push_back(now);
   }

@@ -72,7 +72,8 @@ PieceIntegrals integrals(std::span<const GridPoint> piece) {
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const double tau = static_cast<double>(i) / n, p = tau * (1.0 - tau), dp = 1.0 - 2.0 * tau;
     // φ = p³, φ' = 3 p² p', φ'' = 6 p p'² + 3 p² p'', p'' = −2
-    const std::array<double, 3> phi{p * p * p, 3.0 * p * p * dp / width, (6.0 * p * dp * dp - 6.0 * p * p) / (width * width)};
+    const std::array<double, 3> phi{p * p * p, 3.0 * p * p * dp / width,
+                                    (6.0 * p * dp * dp - 6.0 * p * p) / (width * width)};
     for (std::size_t k = 0; k < 3; ++k) {
       sum.beta[k] += phi[k] * piece[i].beta;
       sum.omega[k] += phi[k] * piece[i].omega;
@@ -89,7 +90,8 @@ std::vector<PieceIntegrals> pieces(const std::vector<LinearRun>& runs, double wi
     const auto grid = on_grid(run);
     const auto points = std::min(grid.size(), static_cast<std::size_t>(width / grid_step) + 1);
     const auto stride = std::max<std::size_t>(1, points / 10);
-    for (std::size_t first = 0; first + points <= grid.size(); first += stride) result.push_back(integrals(std::span(grid).subspan(first, points)));
+    for (std::size_t first = 0; first + points <= grid.size(); first += stride)
+      result.push_back(integrals(std::span(grid).subspan(first, points)));
   }
   return result;
 }
@@ -122,7 +124,8 @@ SwayYawTransfer<double> regressed_yaw(const std::vector<LinearRun>& runs, double
   // ∫φ'' omega = e1 ∫φ' omega − e0 ∫φ omega − nw1 ∫φ' delta + nw0 ∫φ delta + k ∫φ
   std::vector<std::pair<Eigen::Matrix<double, 5, 1>, double>> equations;
   for (const auto& p : pieces(runs, width))
-    equations.emplace_back(Eigen::Matrix<double, 5, 1>{-p.omega[0], p.omega[1], p.delta[0], -p.delta[1], p.one}, p.omega[2]);
+    equations.emplace_back(Eigen::Matrix<double, 5, 1>{-p.omega[0], p.omega[1], p.delta[0], -p.delta[1], p.one},
+                           p.omega[2]);
   const auto x = regressed<5>(equations);
   return {.e0 = x[0], .e1 = x[1], .nb0 = 0.0, .nb1 = 0.0, .nw0 = x[2], .nw1 = x[3]};
 }

@@ -5,8 +5,8 @@
 
 /// Starting values by linear regression. Not installed.
 ///
-/// With φ = (τ (1 − τ))³ over a piece of `width` ship lengths, zero with two derivatives at both ends, partial integration
-/// moves every derivative from the data to φ:
+/// With φ = (τ (1 − τ))³ over a piece of `width` ship lengths, zero with two derivatives at both ends, partial
+/// integration moves every derivative from the data to φ:
 ///
 ///     −∫φ' beta ds = a1 ∫φ beta ds + b1 ∫φ omega' ds + c1 ∫φ delta ds + k ∫φ ds
 ///
@@ -19,7 +19,8 @@ SwayYawCoefficients<double> regressed_coefficients(const std::vector<LinearRun>&
 /// e0, e1, nw0, nw1 from yaw rate alone; nb0 and nb1 are 0.
 SwayYawTransfer<double> regressed_yaw(const std::vector<LinearRun>& runs, double width);
 
-/// Guess of the white noise of a channel: from second differences, whose median is that of noise where the motion is smooth.
+/// Guess of the white noise of a channel: from second differences, whose median is that of noise where the motion is
+/// smooth.
 double noise_of(const std::vector<LinearRun>& runs, double LinearSample::*channel);
 
 }  // namespace swayaw

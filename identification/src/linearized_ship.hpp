@@ -10,8 +10,10 @@ namespace swayaw {
 
 template <class D>
 Surroundings<D> cast_around(const Surroundings<double>& around) {
-  return {.windage = cast_part<D>(around.windage), .wind = {D(around.wind.speed), D(around.wind.from)},
-          .current = {D(around.current.speed), D(around.current.to)}, .windy = around.windy};
+  return {.windage = cast_part<D>(around.windage),
+          .wind = {D(around.wind.speed), D(around.wind.from)},
+          .current = {D(around.current.speed), D(around.current.to)},
+          .windy = around.windy};
 }
 
 /// The state with derivatives by psi, u, v and r, on which alone rates and forces depend.
@@ -24,7 +26,8 @@ inline ShipState<Dual<4>> in_duals(const ShipState<double>& s) {
 template <class Model>
 class LinearizedShip {
  public:
-  LinearizedShip(const Model& ship, const Surroundings<double>& around) : ship_(ship), dual_(cast<D>(ship)), around_(cast_around<D>(around)) {}
+  LinearizedShip(const Model& ship, const Surroundings<double>& around)
+      : ship_(ship), dual_(cast<D>(ship)), around_(cast_around<D>(around)) {}
 
   struct At {
     Eigen::Matrix<double, 6, 1> rate;  ///< of x, y, psi, u, v, r
@@ -42,7 +45,8 @@ class LinearizedShip {
 };
 
 template <class Model>
-[[gnu::flatten]] auto LinearizedShip<Model>::at(const ShipState<double>& state, const Controls<double>& controls) const -> At {
+[[gnu::flatten]] auto LinearizedShip<Model>::at(const ShipState<double>& state, const Controls<double>& controls) const
+    -> At {
   const auto f = rates_of(dual_, around_, in_duals(state), cast<D>(controls), branch_at(ship_, state.motion, controls));
   At at;
   for (int i = 0; i < 6; ++i) {

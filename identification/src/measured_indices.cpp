@@ -49,7 +49,8 @@ std::vector<IndexKey> index_keys(double L) {
     const bool list = bracket != std::string_view::npos;
     if (list && parameters[i].key.substr(bracket) != "[0]") continue;
     for (const auto& u : units_of(parameters[i].unit, L))
-      keys.push_back({std::string(parameters[i].key.substr(0, bracket)) + std::string(u.suffix), i, u.si, parameters[i].range, list});
+      keys.push_back({std::string(parameters[i].key.substr(0, bracket)) + std::string(u.suffix), i, u.si,
+                      parameters[i].range, list});
   }
   return keys;
 }
@@ -61,11 +62,15 @@ class IndexFile {
   IndexFile(const toml::table& root, const std::filesystem::path& file, double L) : root_(root), file_(file), L_(L) {}
 
   MeasuredIndices read() const {
-    require_known(root_, std::array<std::string_view, 6>{"speed_m_s", "rev_s", "thrust_N", "tolerance", "turn", "zigzag"}, {}, "");
+    require_known(root_,
+                  std::array<std::string_view, 6>{"speed_m_s", "rev_s", "thrust_N", "tolerance", "turn", "zigzag"}, {},
+                  "");
     if (root_.contains("rev_s") && root_.contains("thrust_N"))
       fail(*root_.get("thrust_N"), "thrust_N is given beside rev_s; one of them drives the ship");
-    MeasuredIndices measured{
-        .speed = positive_at(root_, "speed_m_s"), .rev = positive_at(root_, "rev_s"), .thrust = positive_at(root_, "thrust_N"), .trials = {}};
+    MeasuredIndices measured{.speed = positive_at(root_, "speed_m_s"),
+                             .rev = positive_at(root_, "rev_s"),
+                             .thrust = positive_at(root_, "thrust_N"),
+                             .trials = {}};
     const double tolerance = positive_at(root_, "tolerance").value_or(default_index_tolerance);
     for (const auto* table : tables("turn")) measured.trials.push_back(turn(*table, tolerance));
     for (const auto* table : tables("zigzag")) measured.trials.push_back(zigzag(*table, tolerance));
@@ -79,11 +84,13 @@ class IndexFile {
   }
   [[noreturn]] void fail(const toml::node& node, std::string_view what) const { fail(node.source().begin, what); }
 
-  void require_known(const toml::table& table, std::span<const std::string_view> known, std::span<const IndexKey> indices,
-                     std::string_view where) const {
+  void require_known(const toml::table& table, std::span<const std::string_view> known,
+                     std::span<const IndexKey> indices, std::string_view where) const {
     for (auto&& [key, value] : table) {
       const auto name = key.str();
-      if (std::ranges::find(known, name) != known.end() || std::ranges::find(indices, name, &IndexKey::key) != indices.end()) continue;
+      if (std::ranges::find(known, name) != known.end() ||
+          std::ranges::find(indices, name, &IndexKey::key) != indices.end())
+        continue;
       fail(key.source().begin, fmt::format("{}{} is not known", name, where));
     }
   }
@@ -96,7 +103,8 @@ class IndexFile {
 
   double number_in(const toml::node& node, std::string_view key, const Range& range) const {
     const double value = number(node, key);
-    if (!range.contains(value)) fail(node, fmt::format("{} must {}, got {}", key, range.not_zero ? "not be 0" : "be positive", value));
+    if (!range.contains(value))
+      fail(node, fmt::format("{} must {}, got {}", key, range.not_zero ? "not be 0" : "be positive", value));
     return value;
   }
 
@@ -125,7 +133,8 @@ class IndexFile {
     const auto* node = root_.get(key);
     if (!node) return result;
     const auto* list = node->as_array();
-    if (!list || !list->is_homogeneous<toml::table>()) fail(*node, fmt::format("{0}s are written as [[{0}]] tables", key));
+    if (!list || !list->is_homogeneous<toml::table>())
+      fail(*node, fmt::format("{0}s are written as [[{0}]] tables", key));
     for (const auto& element : *list) result.push_back(element.as_table());
     return result;
   }
@@ -133,27 +142,34 @@ class IndexFile {
   // ---------------------------------------------------------------- an index
 
   /// A number, or { value = …, sd = … }.
-  MeasuredIndex index(const toml::node& node, const IndexKey& key, std::size_t place, const std::string& name, double tolerance) const {
+  MeasuredIndex index(const toml::node& node, const IndexKey& key, std::size_t place, const std::string& name,
+                      double tolerance) const {
     const auto* table = node.as_table();
-    if (table) require_known(*table, std::array<std::string_view, 2>{"value", "sd"}, {}, fmt::format(" in {}", key.key));
+    if (table)
+      require_known(*table, std::array<std::string_view, 2>{"value", "sd"}, {}, fmt::format(" in {}", key.key));
     if (table && !table->contains("value")) fail(*table, fmt::format("value is missing in {}", key.key));
     const double value = number_in(table ? *table->get("value") : node, key.key, key.range);
     const auto deviation = table ? positive_at(*table, "sd") : std::nullopt;
-    return {.name = name, .place = place, .value = value * key.si, .deviation = deviation.value_or(tolerance * std::abs(value)) * key.si,
+    return {.name = name,
+            .place = place,
+            .value = value * key.si,
+            .deviation = deviation.value_or(tolerance * std::abs(value)) * key.si,
             .si = key.si};
   }
 
-  void add_list(std::vector<MeasuredIndex>& indices, const toml::node& node, const IndexKey& key, std::size_t first, double tolerance) const {
+  void add_list(std::vector<MeasuredIndex>& indices, const toml::node& node, const IndexKey& key, std::size_t first,
+                double tolerance) const {
     const auto* list = node.as_array();
     if (!list || list->empty()) fail(node, fmt::format("{} must be a list of numbers", key.key));
     if (first + list->size() > most_overshoots)
       fail(node, fmt::format("{} goes beyond the {} heading peaks that are sailed", key.key, most_overshoots));
     for (std::size_t i = 0; i < list->size(); ++i)
-      indices.push_back(index(*list->get(i), key, key.place + first + i, fmt::format("{} {}", key.key, first + i + 1), tolerance));
+      indices.push_back(
+          index(*list->get(i), key, key.place + first + i, fmt::format("{} {}", key.key, first + i + 1), tolerance));
   }
 
-  std::vector<MeasuredIndex> indices_of(const toml::table& table, std::span<const IndexKey> keys, std::size_t first_peak, double tolerance,
-                                        std::string_view where) const {
+  std::vector<MeasuredIndex> indices_of(const toml::table& table, std::span<const IndexKey> keys,
+                                        std::size_t first_peak, double tolerance, std::string_view where) const {
     std::vector<MeasuredIndex> indices;
     for (const auto& key : keys) {
       const auto* node = table.get(key.key);
@@ -178,11 +194,14 @@ class IndexFile {
 
   MeasuredTrial zigzag(const toml::table& table, double tolerance) const {
     const auto keys = index_keys<ZigzagIndices<>>(L_);
-    require_known(table, std::array<std::string_view, 5>{"rudder_deg", "heading_deg", "first", "first_peak", "tolerance"}, keys, " in [[zigzag]]");
+    require_known(table,
+                  std::array<std::string_view, 5>{"rudder_deg", "heading_deg", "first", "first_peak", "tolerance"},
+                  keys, " in [[zigzag]]");
     const ZigzagOrder order{.rudder = radians(needed(table, "rudder_deg", "[[zigzag]]")),
                             .heading = radians(needed(table, "heading_deg", "[[zigzag]]")),
                             .first = side(table, "first")};
-    return {order, indices_of(table, keys, first_peak(table) - 1, positive_at(table, "tolerance").value_or(tolerance), "[[zigzag]]")};
+    return {order, indices_of(table, keys, first_peak(table) - 1, positive_at(table, "tolerance").value_or(tolerance),
+                              "[[zigzag]]")};
   }
 
   std::size_t first_peak(const toml::table& table) const {
@@ -211,7 +230,8 @@ toml::table parsed(std::string_view text, const std::filesystem::path& name) {
 }  // namespace
 
 std::string name_of(const MeasuredManoeuvre& manoeuvre) {
-  if (const auto* turn = std::get_if<TurnOrder>(&manoeuvre)) return fmt::format("turn {:.6g} to {}", degrees(turn->rudder), name_of(turn->side));
+  if (const auto* turn = std::get_if<TurnOrder>(&manoeuvre))
+    return fmt::format("turn {:.6g} to {}", degrees(turn->rudder), name_of(turn->side));
   const auto& z = std::get<ZigzagOrder>(manoeuvre);
   return fmt::format("zigzag {:.6g}/{:.6g} first {}", degrees(z.rudder), degrees(z.heading), name_of(z.first));
 }
@@ -221,6 +241,8 @@ MeasuredIndices parse_indices(std::string_view text, const std::filesystem::path
   return IndexFile(root, name, L).read();
 }
 
-MeasuredIndices read_indices(const std::filesystem::path& file, double L) { return parse_indices(read_text(file), file, L); }
+MeasuredIndices read_indices(const std::filesystem::path& file, double L) {
+  return parse_indices(read_text(file), file, L);
+}
 
 }  // namespace swayaw

@@ -32,8 +32,10 @@ inline bool is_direction(Channel channel) { return channel == Channel::psi || ch
 /// Least noise that a channel is credited with: rounding of numbers.
 inline double floor_of(Channel channel, double L, double U) {
   switch (channel) {
-    case Channel::x: case Channel::y: return 1e-7 * L;
-    case Channel::psi: case Channel::course_over_ground: return 1e-7;
+    case Channel::x:
+    case Channel::y: return 1e-7 * L;
+    case Channel::psi:
+    case Channel::course_over_ground: return 1e-7;
     case Channel::r: return 1e-7 * U / L;
     default: return 1e-7 * U;
   }

@@ -11,7 +11,8 @@ struct Place {
 };
 
 /// The first place on the way that keeps a part of the promise: the whole way, half of it, …
-std::optional<Place> climbed(const std::function<Slope(const Eigen::VectorXd&)>& at, const Place& from, const Eigen::VectorXd& way) {
+std::optional<Place> climbed(const std::function<Slope(const Eigen::VectorXd&)>& at, const Place& from,
+                             const Eigen::VectorXd& way) {
   const double promise = way.dot(from.slope.by_place);
   for (double share = 1.0; share > 1e-3; share *= 0.5) {
     const Eigen::VectorXd p = from.p + share * way;
@@ -31,7 +32,8 @@ void learn(Eigen::MatrixXd& H, const Place& from, const Place& to) {
 
 }  // namespace
 
-NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const Eigen::VectorXd& start, const Eigen::VectorXd& curvature, int most_iterations) {
+NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const Eigen::VectorXd& start,
+                  const Eigen::VectorXd& curvature, int most_iterations) {
   const Eigen::MatrixXd first = curvature.cwiseInverse().asDiagonal();
   Eigen::MatrixXd H = first;
   Place here{start, at(start)};

@@ -58,7 +58,8 @@ std::vector<std::size_t> passages(const std::vector<Moment>& run, double mean, c
   std::vector<std::size_t> result;
   const auto distance = [&](const Moment& m) { return std::abs(m.psi - mean); };
   for (std::size_t k = 1; k < peaks.size(); ++k) {
-    const auto from = run.begin() + static_cast<std::ptrdiff_t>(peaks[k - 1]), to = run.begin() + static_cast<std::ptrdiff_t>(peaks[k]);
+    const auto from = run.begin() + static_cast<std::ptrdiff_t>(peaks[k - 1]),
+               to = run.begin() + static_cast<std::ptrdiff_t>(peaks[k]);
     result.push_back(static_cast<std::size_t>(std::ranges::min_element(from, to, {}, distance) - run.begin()));
   }
   return result;
@@ -71,7 +72,8 @@ NomotoZigzag nomoto_zigzag_analysis(const Recording& run) {
   const auto [low, high] = std::ranges::minmax(all, {}, &Moment::psi);
   const double start = all.front().psi, largest = std::max(high.psi - start, start - low.psi);
   const auto tops = peaks(all, start, largest), zeros = passages(all, start, tops);
-  if (tops.size() < 3) throw Refusal(fmt::format("{}: a zigzag with three heading peaks is needed, found {}", run.name, tops.size()));
+  if (tops.size() < 3)
+    throw Refusal(fmt::format("{}: a zigzag with three heading peaks is needed, found {}", run.name, tops.size()));
   // −T [r] + K ∫ delta dt + K delta_r (t2 − t1) = [psi]
   const auto equations = static_cast<Eigen::Index>(tops.size() + zeros.size() - 2);
   Eigen::MatrixX3d A(equations, 3);
@@ -86,7 +88,11 @@ NomotoZigzag nomoto_zigzag_analysis(const Recording& run) {
   }
   const Eigen::Vector3d x = A.colPivHouseholderQr().solve(b);
   const double residual = std::sqrt((A * x - b).squaredNorm() / static_cast<double>(equations));
-  return {.K = x[1], .T = x[0], .delta_r = x[2] / x[1], .intervals = static_cast<std::size_t>(equations), .residual = residual};
+  return {.K = x[1],
+          .T = x[0],
+          .delta_r = x[2] / x[1],
+          .intervals = static_cast<std::size_t>(equations),
+          .residual = residual};
 }
 
 }  // namespace swayaw

@@ -42,14 +42,19 @@ void check(const Design& d, const RegressionOptions& options) {
   require(d.y.size() == n, "a regression needs a y for each row");
   require(d.variance.size() == 0 || d.variance.size() == n, "a regression needs a variance for each row, or none");
   require(d.variance.size() == 0 || d.variance.minCoeff() > 0.0, "variances must be positive");
-  require(d.runs.empty() || (d.runs.front() == 0 && std::ranges::adjacent_find(d.runs, std::greater_equal<>{}) == d.runs.end() && d.runs.back() < n),
+  require(d.runs.empty() ||
+              (d.runs.front() == 0 && std::ranges::adjacent_find(d.runs, std::greater_equal<>{}) == d.runs.end() &&
+               d.runs.back() < n),
           "runs begin at row 0 and ascend");
   for (const auto& prior : options.priors) require_positive(prior.deviation, "standard deviation of a prior");
   require(options.order > 0 && options.ridge >= 0.0, "order of autoregression must be positive, ridge not negative");
   const auto& covariance = options.feature_errors.covariance;
-  require(covariance.size() <= 1 || static_cast<Index>(covariance.size()) == n, "covariances of features are one, or one for each row");
-  for (const auto& c : covariance) require(c.rows() == p + 1 && c.cols() == p + 1, "covariances of features are of (x, y)");
-  require(covariance.empty() || options.residuals == Residuals::independent, "errors in features go with independent residuals");
+  require(covariance.size() <= 1 || static_cast<Index>(covariance.size()) == n,
+          "covariances of features are one, or one for each row");
+  for (const auto& c : covariance)
+    require(c.rows() == p + 1 && c.cols() == p + 1, "covariances of features are of (x, y)");
+  require(covariance.empty() || options.residuals == Residuals::independent,
+          "errors in features go with independent residuals");
 }
 
 std::vector<RowRange> runs_of(const Design& design) {
@@ -92,14 +97,17 @@ struct Rows {
 /// Sum of the covariances of (x, y), weighted as the rows are.
 MatrixXd sum_of_errors(const FeatureErrors& errors, const VectorXd& weights, Index n) {
   if (errors.covariance.empty()) return {};
-  if (errors.covariance.size() == 1) return errors.covariance[0] * (weights.size() > 0 ? weights.sum() : static_cast<double>(n));
+  if (errors.covariance.size() == 1)
+    return errors.covariance[0] * (weights.size() > 0 ? weights.sum() : static_cast<double>(n));
   MatrixXd sum = MatrixXd::Zero(errors.covariance[0].rows(), errors.covariance[0].cols());
-  for (Index i = 0; i < n; ++i) sum += (weights.size() > 0 ? weights[i] : 1.0) * errors.covariance[static_cast<std::size_t>(i)];
+  for (Index i = 0; i < n; ++i)
+    sum += (weights.size() > 0 ? weights[i] : 1.0) * errors.covariance[static_cast<std::size_t>(i)];
   return sum;
 }
 
 /// Ridge and priors as a penalty on the sum of squares: a prior counts as noise variance over its own.
-Penalty penalty_of(const Design& design, const RegressionOptions& options, const VectorXd& squares, double noise_variance) {
+Penalty penalty_of(const Design& design, const RegressionOptions& options, const VectorXd& squares,
+                   double noise_variance) {
   Penalty penalty{options.ridge / static_cast<double>(design.X.rows()) * squares, VectorXd::Zero(squares.size())};
   for (const auto& prior : options.priors) {
     const Index j = place_of(design, prior.name);
@@ -123,8 +131,10 @@ struct Found {
   int iterations = 1;
 };
 
-/// Least squares of rows with equal and independent residuals. Priors need the size of the noise, so that both are found in turns.
-Found found(const Design& design, const RegressionOptions& options, const MatrixXd& X, const VectorXd& y, const MatrixXd& errors, const Freedom& free) {
+/// Least squares of rows with equal and independent residuals. Priors need the size of the noise, so that both are
+/// found in turns.
+Found found(const Design& design, const RegressionOptions& options, const MatrixXd& X, const VectorXd& y,
+            const MatrixXd& errors, const Freedom& free) {
   Moments moments{gram_of(X, y), errors};
   if (!moments.rows.diagonal().allFinite()) throw Refusal("the regression has numbers that are not finite");
   Found f{};
@@ -139,7 +149,8 @@ Found found(const Design& design, const RegressionOptions& options, const Matrix
     f.white = y - X * f.solution.b;
     f.freedom = static_cast<double>(X.rows()) - f.solution.used;
     if (options.variance_known) return f;
-    if (f.freedom <= 0.5) throw Refusal(fmt::format("{} samples do not tell {} coefficients and the noise", X.rows(), X.cols()));
+    if (f.freedom <= 0.5)
+      throw Refusal(fmt::format("{} samples do not tell {} coefficients and the noise", X.rows(), X.cols()));
     const double before = std::exchange(f.noise_variance, f.white.squaredNorm() / f.freedom);
     f.settled = options.priors.empty() || std::abs(f.noise_variance - before) <= 1e-9 * before;
     if (f.settled || f.iterations == most_iterations) return f;
@@ -152,8 +163,8 @@ struct Correlated {
   Autoregression noise;
 };
 
-Correlated found_with_autoregression(const Design& design, const RegressionOptions& options, const Rows& rows, const std::vector<RowRange>& runs,
-                                     const Freedom& free) {
+Correlated found_with_autoregression(const Design& design, const RegressionOptions& options, const Rows& rows,
+                                     const std::vector<RowRange>& runs, const Freedom& free) {
   Correlated c{found(design, options, rows.X, rows.y, {}, free), {}};
   VectorXd phi = VectorXd::Zero(options.order);
   for (int i = 1;; ++i) {
@@ -183,8 +194,8 @@ MatrixXd scores(const MatrixXd& X, const Found& f, const RegressionOptions& opti
 }
 
 /// Of the model, s² A⁻¹; else A⁻¹ cov(Σ scores) A⁻¹, enlarged for the coefficients found.
-MatrixXd covariance_of(const MatrixXd& inverse, const MatrixXd& X, const Found& f, const RegressionOptions& options, const VectorXd& weights,
-                       const std::vector<RowRange>& runs) {
+MatrixXd covariance_of(const MatrixXd& inverse, const MatrixXd& X, const Found& f, const RegressionOptions& options,
+                       const VectorXd& weights, const std::vector<RowRange>& runs) {
   const bool correlated = options.standard_errors == StandardErrors::newey_west;
   if (!correlated && options.feature_errors.covariance.empty()) return f.noise_variance * inverse;
   const MatrixXd g = scores(X, f, options, weights);
@@ -205,15 +216,18 @@ Combination combination(const Design& design, const VectorXd& weights, double er
   weights.cwiseAbs().maxCoeff(&largest);
   Combination c{{}, error};
   for (Index j = 0; j < weights.size(); ++j)
-    if (const double w = weights[j] / weights[largest]; std::abs(w) >= 0.1) c.terms.emplace_back(design.names[static_cast<std::size_t>(j)], w);
+    if (const double w = weights[j] / weights[largest]; std::abs(w) >= 0.1)
+      c.terms.emplace_back(design.names[static_cast<std::size_t>(j)], w);
   return c;
 }
 
-/// Combinations whose own force may be half of all measured force: standard error of Σ weight b × rms beyond half the rms of y.
+/// Combinations whose own force may be half of all measured force: standard error of Σ weight b × rms beyond half the
+/// rms of y.
 constexpr double half_of_all = 0.5;
 
 /// First those that change nothing at all, then the principal axes of what the data tell of the contributions.
-std::vector<Combination> undetermined(const Design& design, const VectorXd& size, const MatrixXd& null, const MatrixXd& covariance) {
+std::vector<Combination> undetermined(const Design& design, const VectorXd& size, const MatrixXd& null,
+                                      const MatrixXd& covariance) {
   std::vector<Combination> list;
   for (Index k = 0; k < null.cols(); ++k) list.push_back(combination(design, size.cwiseProduct(null.col(k)), infinite));
   const auto axes = principal_axes(size.asDiagonal() * covariance * size.asDiagonal());
@@ -224,22 +238,29 @@ std::vector<Combination> undetermined(const Design& design, const VectorXd& size
   return list;
 }
 
-double R2(const VectorXd& y, const VectorXd& residuals) { return 1.0 - residuals.squaredNorm() / (y.array() - y.mean()).square().sum(); }
+double R2(const VectorXd& y, const VectorXd& residuals) {
+  return 1.0 - residuals.squaredNorm() / (y.array() - y.mean()).square().sum();
+}
 
 bool in_null(const MatrixXd& null, Index j) { return null.cols() > 0 && null.row(j).norm() > 1e-7 * null.norm(); }
 
-void tell_coefficients(const Design& design, const Found& f, const VectorXd& size, const MatrixXd& by_data, const VectorXd& naive, Regression& fit) {
+void tell_coefficients(const Design& design, const Found& f, const VectorXd& size, const MatrixXd& by_data,
+                       const VectorXd& naive, Regression& fit) {
   const double t = student(fit.degrees_of_freedom);
   const double rms_y = std::sqrt(design.y.squaredNorm() / static_cast<double>(design.y.size()));
   for (Index j = 0; j < size.size(); ++j) {
     const bool told = !in_null(f.solution.null, j);
     const double error = std::sqrt(fit.covariance(j, j));
     const Estimate e = told ? Estimate{f.solution.b[j], error} : Estimate{};
-    const bool by_data_told = !in_null(f.solution.null_of_data, j) && std::sqrt(by_data(j, j)) * size[j] <= half_of_all * rms_y;
-    fit.coefficients.push_back({.name = design.names[static_cast<std::size_t>(j)], .estimate = e,
-                                .low = told ? e.value - t * error : -infinite, .high = told ? e.value + t * error : infinite,
+    const bool by_data_told =
+        !in_null(f.solution.null_of_data, j) && std::sqrt(by_data(j, j)) * size[j] <= half_of_all * rms_y;
+    fit.coefficients.push_back({.name = design.names[static_cast<std::size_t>(j)],
+                                .estimate = e,
+                                .low = told ? e.value - t * error : -infinite,
+                                .high = told ? e.value + t * error : infinite,
                                 .variance_inflation = f.solution.variance_inflation[j],
-                                .attenuation = naive.size() > 0 ? naive[j] - e.value : 0.0, .undetermined = !by_data_told});
+                                .attenuation = naive.size() > 0 ? naive[j] - e.value : 0.0,
+                                .undetermined = !by_data_told});
     if (!told) fit.covariance.row(j).setConstant(missing), fit.covariance.col(j).setConstant(missing);
   }
 }
@@ -259,7 +280,8 @@ std::string in_words(const Combination& combination) {
   std::string text;
   for (const auto& [name, weight] : combination.terms) {
     const auto sign = weight < 0.0 ? (text.empty() ? "-" : " - ") : text.empty() ? "" : " + ";
-    text += std::abs(weight) > 0.995 ? fmt::format("{}{}", sign, name) : fmt::format("{}{:.2f} {}", sign, std::abs(weight), name);
+    text += std::abs(weight) > 0.995 ? fmt::format("{}{}", sign, name)
+                                     : fmt::format("{}{:.2f} {}", sign, std::abs(weight), name);
   }
   return text;
 }
@@ -301,14 +323,17 @@ Regression regress(const Design& design, const RegressionOptions& options) {
   }
   const auto& X = as_given ? design.X : rows.X;
   const auto& s = f.solution;
-  fit.status = s.null.cols() > 0 ? FitStatus::rank_deficient : f.settled ? FitStatus::converged : FitStatus::iteration_limit;
+  fit.status = s.null.cols() > 0 ? FitStatus::rank_deficient
+               : f.settled       ? FitStatus::converged
+                                 : FitStatus::iteration_limit;
   fit.solver = s.solver;
   fit.covariance = covariance_of(s.inverse, X, f, options, weights, runs);
   fit.residuals = as_given ? f.white : VectorXd(design.y - design.X * s.b);
   fit.residual_rms = std::sqrt(fit.residuals.squaredNorm() / static_cast<double>(design.y.size()));
   fit.R2 = R2(design.y, fit.residuals);
   fit.degrees_of_freedom = options.variance_known ? infinite : f.freedom;
-  if (options.standard_errors == StandardErrors::newey_west) fit.degrees_of_freedom = std::min(fit.degrees_of_freedom, fit.samples - s.used);
+  if (options.standard_errors == StandardErrors::newey_west)
+    fit.degrees_of_freedom = std::min(fit.degrees_of_freedom, fit.samples - s.used);
   fit.condition_number = s.condition_number;
   fit.error_size = f.error_size;
   fit.iterations = f.iterations;

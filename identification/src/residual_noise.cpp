@@ -26,8 +26,8 @@ MatrixXd lagged_products(const MatrixXd& g, const std::vector<RowRange>& runs, I
   return sum;
 }
 
-/// Lags with a Bartlett weight for a sum of rows: 1.1447 ((s_1/s_0)² n)^(1/3), s_j = Σ |k|^j covariance at lag k up to `look`.
-/// Source: [Newey1994] table II
+/// Lags with a Bartlett weight for a sum of rows: 1.1447 ((s_1/s_0)² n)^(1/3), s_j = Σ |k|^j covariance at lag k up to
+/// `look`. Source: [Newey1994] table II
 double bandwidth(const VectorXd& f, const std::vector<RowRange>& runs, Index look) {
   double s_0 = lagged_product(f, runs, 0), s_1 = 0.0;
   for (Index k = 1; k <= look; ++k) {
@@ -59,7 +59,8 @@ Differenced differenced(const MatrixXd& g, const VectorXd& a, const std::vector<
   Index row = 0;
   for (const auto& [first, count] : runs) {
     result.runs.push_back({row, count - 1});
-    result.rows.middleRows(row, count - 1) = g.middleRows(first + 1, count - 1) - g.middleRows(first, count - 1) * a.asDiagonal();
+    result.rows.middleRows(row, count - 1) =
+        g.middleRows(first + 1, count - 1) - g.middleRows(first, count - 1) * a.asDiagonal();
     row += count - 1;
   }
   return result;
@@ -106,7 +107,8 @@ MatrixXd whitened(const Autoregression& noise, const MatrixXd& rows, const std::
       if (noise.variance[order] > 0.0) white.row(first + t) *= std::sqrt(noise.variance[order] / noise.variance[t]);
     }
     for (Index k = 1; k <= order && count > order; ++k)
-      white.middleRows(first + order, count - order) -= noise.of_full_order()[k - 1] * rows.middleRows(first + order - k, count - order);
+      white.middleRows(first + order, count - order) -=
+          noise.of_full_order()[k - 1] * rows.middleRows(first + order - k, count - order);
   }
   return white;
 }
@@ -132,7 +134,8 @@ double effective_samples(const VectorXd& e, const std::vector<RowRange>& runs) {
   if (!(zero > 0.0)) return n;
   const double width = bandwidth(e, runs, lags_to_look_at(e.size(), 4.0));
   double rows_for_one = 1.0;
-  for (Index k = 1; k <= static_cast<Index>(width); ++k) rows_for_one += 2.0 * bartlett(k, width) * lagged_product(e, runs, k) / zero;
+  for (Index k = 1; k <= static_cast<Index>(width); ++k)
+    rows_for_one += 2.0 * bartlett(k, width) * lagged_product(e, runs, k) / zero;
   return std::clamp(n / std::max(rows_for_one, 1.0 / n), 1.0, n);
 }
 

@@ -25,8 +25,8 @@ struct Autoregression {
 /// Yule–Walker equations of the residuals of all runs, solved by Levinson and Durbin.
 Autoregression autoregression_of(const Eigen::VectorXd& e, const std::vector<RowRange>& runs, Eigen::Index order);
 
-/// Rows whose residuals are white and of the variance that the full order leaves; the first ones of a run are predicted from
-/// as many as there are. Source: [Prais1954]
+/// Rows whose residuals are white and of the variance that the full order leaves; the first ones of a run are predicted
+/// from as many as there are. Source: [Prais1954]
 Eigen::MatrixXd whitened(const Autoregression& noise, const Eigen::MatrixXd& rows, const std::vector<RowRange>& runs);
 
 /// Covariance of the sum of all rows, rows of a run being correlated; Bartlett weights and an automatic bandwidth, the

@@ -37,8 +37,14 @@ template <class Model, int N>
 class RunFilter {
  public:
   RunFilter(const Ship& ship, const Model& model, const Recording& run, std::span<const Channel> channels, double tau)
-      : run_(run), channels_(channels), current_(ship.surroundings.current), predictor_(model, ship.surroundings, tau), tau_(tau),
-        start_(recorded_state(ship, run, run.time.front())), L_(model.particulars.L), passed_(run.samples()) {
+      : run_(run),
+        channels_(channels),
+        current_(ship.surroundings.current),
+        predictor_(model, ship.surroundings, tau),
+        tau_(tau),
+        start_(recorded_state(ship, run, run.time.front())),
+        L_(model.particulars.L),
+        passed_(run.samples()) {
     const RecordedControls controls(ship, run);
     controls_.reserve(run.samples());
     for (const double time : run.time) controls_.push_back(controls.at(time));
@@ -78,7 +84,8 @@ class RunFilter {
       for (std::size_t i = passed_[k].sightings; i-- > first_sighting;) {
         const auto& seen = sightings_[i];
         const bool plain = plain_state(seen.channel) >= 0;
-        slope[place_of(seen.channel)] += noise[place_of(seen.channel)] * future.step_back(seen, plain ? ChannelSlope() : slopes_[--slope_count]);
+        slope[place_of(seen.channel)] +=
+            noise[place_of(seen.channel)] * future.step_back(seen, plain ? ChannelSlope() : slopes_[--slope_count]);
       }
       for (std::size_t i = passed_[k].steps; i-- > first_step;) {
         add_slope(slope, noise, steps_[i].share, future);
@@ -120,12 +127,14 @@ class RunFilter {
     const double h = run_.time[k] - run_.time[k - 1];
     const int count = predictor_.steps(speed(ship_state<N>(belief.mean).motion), h);
     for (int i = 0; i < count; ++i) {
-      const auto& t = steps_.emplace_back(predictor_.sail(belief.mean, between(controls_[k - 1], controls_[k], (i + 0.5) / count), h / count));
+      const auto& t = steps_.emplace_back(
+          predictor_.sail(belief.mean, between(controls_[k - 1], controls_[k], (i + 0.5) / count), h / count));
       belief.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
       belief.P = carried<N>(belief.P, t);
       belief.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
     }
-    if (!std::isfinite(belief.mean.sum())) throw Refusal(fmt::format("{}: the ship loses her way at {:.6g} s", run_.name, run_.time[k]));
+    if (!std::isfinite(belief.mean.sum()))
+      throw Refusal(fmt::format("{}: the ship loses her way at {:.6g} s", run_.name, run_.time[k]));
   }
 
   void measure(Belief<N>& belief, std::size_t k, const FilterNoise& noise) {
@@ -134,7 +143,8 @@ class RunFilter {
       const double value = run_[channel][k], R = noise[place_of(channel)];
       if (std::isnan(value)) continue;
       const int state = plain_state(channel);
-      sightings_.push_back(state >= 0 ? taken_in<N>(belief, channel, state, value, R) : taken_in<N>(belief, channel, current_, value, R, slopes_.emplace_back()));
+      sightings_.push_back(state >= 0 ? taken_in<N>(belief, channel, state, value, R)
+                                      : taken_in<N>(belief, channel, current_, value, R, slopes_.emplace_back()));
       const auto& seen = sightings_.back();
       const double square = seen.error * seen.error / seen.variance;
       log_likelihood_ -= 0.5 * square;
@@ -145,7 +155,8 @@ class RunFilter {
   }
 
   static void add_slope(FilterNoise& slope, const FilterNoise& noise, double share, const Future<N>& future) {
-    for (int i = 0; i < 3; ++i) slope[place_of_imperfection(i)] += share * noise[place_of_imperfection(i)] * future.slope(random + i);
+    for (int i = 0; i < 3; ++i)
+      slope[place_of_imperfection(i)] += share * noise[place_of_imperfection(i)] * future.slope(random + i);
   }
 
   const Recording& run_;

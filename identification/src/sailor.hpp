@@ -14,7 +14,8 @@ class ModelSailor : public Sailor {
   ModelSailor(const Model<double>& model, const Surroundings<double>& around, const NumberList& numbers)
       : model_(model), around_(around), numbers_(numbers) {}
 
-  Course sail(const Stretch& stretch, const StateVector<double>& start, std::span<const double> values, bool with_slopes) const override {
+  Course sail(const Stretch& stretch, const StateVector<double>& start, std::span<const double> values,
+              bool with_slopes) const override {
     Model<double> ship = model_;
     set_values(ship, std::span<const ShipNumber>(numbers_), values);
     Course course;
@@ -26,16 +27,19 @@ class ModelSailor : public Sailor {
   }
 
  private:
-  void sail_values(const Model<double>& ship, const Stretch& stretch, const StateVector<double>& start, Course& course) const {
+  void sail_values(const Model<double>& ship, const Stretch& stretch, const StateVector<double>& start,
+                   Course& course) const {
     Helmsman<Model, double> helmsman(ship, ship, around_);
-    course.end = along(helmsman, stretch, start, [&](Eigen::Index i, const Reading& reading, const StateVector<double>& s) {
-      course.residual[i] = residual(reading, shown(reading.channel, state_of(s), around_.current));
-    });
+    course.end =
+        along(helmsman, stretch, start, [&](Eigen::Index i, const Reading& reading, const StateVector<double>& s) {
+          course.residual[i] = residual(reading, shown(reading.channel, state_of(s), around_.current));
+        });
   }
 
   /// In passes of N derivatives; the first four are those by psi, u, v, r at the start. Those by x and y are 1 or 0.
   template <int N>
-  void sail_slopes(const Model<double>& ship, const Stretch& stretch, const StateVector<double>& start, Course& course) const {
+  void sail_slopes(const Model<double>& ship, const Stretch& stretch, const StateVector<double>& start,
+                   Course& course) const {
     const auto lanes = static_cast<Eigen::Index>(6 + numbers_.size());
     course.residual_slope.setZero(course.residual.size(), lanes);
     course.end_slope.setZero(6, lanes);
@@ -55,21 +59,25 @@ class ModelSailor : public Sailor {
   }
 
   template <int N>
-  void pass(const Model<double>& ship, const Stretch& stretch, const StateVector<double>& start, std::span<const ShipNumber> numbers,
-            bool first, Eigen::Index column, Course& course) const {
+  void pass(const Model<double>& ship, const Stretch& stretch, const StateVector<double>& start,
+            std::span<const ShipNumber> numbers, bool first, Eigen::Index column, Course& course) const {
     using S = Dual<N>;
     const int states = first ? 4 : 0;
     const auto lanes = static_cast<Eigen::Index>(numbers.size()) + states;
     StateVector<S> s;
-    for (int i = 0; i < 6; ++i) s[static_cast<std::size_t>(i)] = first && i >= 2 ? S(start[static_cast<std::size_t>(i)], i - 2) : S(start[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < 6; ++i)
+      s[static_cast<std::size_t>(i)] =
+          first && i >= 2 ? S(start[static_cast<std::size_t>(i)], i - 2) : S(start[static_cast<std::size_t>(i)]);
     const auto current = cast<S>(around_).current;
     Helmsman<Model, S> helmsman(ship, seeded<N>(ship, numbers, states), around_);
-    const auto end = along(helmsman, stretch, s, [&](Eigen::Index i, const Reading& reading, const StateVector<S>& now) {
-      const S value = shown(reading.channel, state_of(now), current);
-      course.residual[i] = residual(reading, value.a);
-      course.residual_slope.row(i).segment(column, lanes) = value.v.head(lanes).transpose();
-    });
-    for (std::size_t i = 0; i < 6; ++i) course.end_slope.row(static_cast<Eigen::Index>(i)).segment(column, lanes) = end[i].v.head(lanes).transpose();
+    const auto end =
+        along(helmsman, stretch, s, [&](Eigen::Index i, const Reading& reading, const StateVector<S>& now) {
+          const S value = shown(reading.channel, state_of(now), current);
+          course.residual[i] = residual(reading, value.a);
+          course.residual_slope.row(i).segment(column, lanes) = value.v.head(lanes).transpose();
+        });
+    for (std::size_t i = 0; i < 6; ++i)
+      course.end_slope.row(static_cast<Eigen::Index>(i)).segment(column, lanes) = end[i].v.head(lanes).transpose();
     course.end = values_of(end);
   }
 
@@ -83,7 +91,8 @@ class ModelSailor : public Sailor {
     const auto& run = *stretch.run;
     auto reading = stretch.readings.begin();
     const auto see = [&](std::size_t sample) {
-      for (; reading != stretch.readings.end() && reading->sample == sample; ++reading) seen(reading - stretch.readings.begin(), *reading, s);
+      for (; reading != stretch.readings.end() && reading->sample == sample; ++reading)
+        seen(reading - stretch.readings.begin(), *reading, s);
     };
     helmsman.begin(values_of(s), run.controls[stretch.from]);
     see(stretch.from);

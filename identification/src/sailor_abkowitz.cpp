@@ -2,7 +2,8 @@
 
 namespace swayaw {
 
-std::unique_ptr<Sailor> sailor_of(const AbkowitzShip<double>& model, const Surroundings<double>& around, const NumberList& numbers) {
+std::unique_ptr<Sailor> sailor_of(const AbkowitzShip<double>& model, const Surroundings<double>& around,
+                                  const NumberList& numbers) {
   return std::make_unique<ModelSailor<AbkowitzShip>>(model, around, numbers);
 }
 

@@ -18,7 +18,8 @@ inline int plain_state(Channel channel) {
     case Channel::x: return 0;
     case Channel::y: return 1;
     case Channel::psi: return 2;
-    case Channel::u: case Channel::speed_through_water: return 3;
+    case Channel::u:
+    case Channel::speed_through_water: return 3;
     case Channel::v: return 4;
     case Channel::r: return 5;
     default: return -1;
@@ -68,7 +69,8 @@ Sighting<N> taken_in(Belief<N>& belief, Channel channel, int state, double measu
 
 /// The same for a nonlinear channel, linearized again where the first update leads.
 template <int N>
-Sighting<N> taken_in(Belief<N>& belief, Channel channel, const Current<double>& current, double measured, double R, ChannelSlope& slope) {
+Sighting<N> taken_in(Belief<N>& belief, Channel channel, const Current<double>& current, double measured, double R,
+                     ChannelSlope& slope) {
   using D = Dual<4>;
   Sighting<N> seen{.channel = channel};
   FilterVector<N> x = belief.mean;
@@ -90,8 +92,8 @@ Sighting<N> taken_in(Belief<N>& belief, Channel channel, const Current<double>& 
 
 /// What the future tells of a moment: the smoothed state is x + P r, its covariance P − P M P.
 ///
-/// The form of Rauch, Tung and Striebel's smoother that inverts no covariance, so that a ship without any imperfection is
-/// nothing special. Sources: [Rauch1965], [DeJong1989]
+/// The form of Rauch, Tung and Striebel's smoother that inverts no covariance, so that a ship without any imperfection
+/// is nothing special. Sources: [Rauch1965], [DeJong1989]
 template <int N>
 struct Future {
   FilterVector<N> r = FilterVector<N>::Zero();

@@ -6,8 +6,8 @@
 
 #include "linearized_ship.hpp"
 
-/// Prediction of a ship and of small deviations from her way, over N = 6 states (x, y, psi, u, v, r) or 9 (and unmodelled
-/// accelerations). Not installed.
+/// Prediction of a ship and of small deviations from her way, over N = 6 states (x, y, psi, u, v, r) or 9 (and
+/// unmodelled accelerations). Not installed.
 namespace swayaw {
 
 template <int N>
@@ -22,8 +22,8 @@ ShipState<double> ship_state(const FilterVector<N>& s) {
 
 /// How small deviations grow over a step, Φ, and the share of the imperfection that they gain.
 ///
-/// Rows x … r of Φ are those of 1 with B added in the columns of psi, u, v, r and of the unmodelled accelerations a; the
-/// rows of a are `keep`. Random accelerations of size σ add σ² share before the step and as much after it.
+/// Rows x … r of Φ are those of 1 with B added in the columns of psi, u, v, r and of the unmodelled accelerations a;
+/// the rows of a are `keep`. Random accelerations of size σ add σ² share before the step and as much after it.
 template <int N>
 struct Transition {
   Eigen::Matrix<double, 6, N - 2> B;
@@ -37,7 +37,8 @@ FilterMatrix<N> carried(const FilterMatrix<N>& P, const Transition<N>& t) {
   Eigen::Matrix<double, 6, N> top = P.template topRows<6>();
   top.noalias() += t.B.lazyProduct(P.template bottomRows<N - 2>());
   FilterMatrix<N> next;
-  next.template topLeftCorner<6, 6>() = top.template leftCols<6>() + top.template rightCols<N - 2>().lazyProduct(t.B.transpose());
+  next.template topLeftCorner<6, 6>() =
+      top.template leftCols<6>() + top.template rightCols<N - 2>().lazyProduct(t.B.transpose());
   if constexpr (N == 9) {
     next.template topRightCorner<6, 3>() = t.keep * top.template rightCols<3>();
     next.template bottomLeftCorner<3, 6>() = next.template topRightCorner<6, 3>().transpose();
@@ -69,7 +70,10 @@ FilterVector<N> carried_back(const FilterVector<N>& r, const Transition<N>& t) {
 
 inline Controls<double> between(const Controls<double>& a, const Controls<double>& b, double share) {
   const auto mix = [share](double x, double y) { return x + share * (y - x); };
-  return {mix(a.delta, b.delta), mix(a.rev, b.rev), {mix(a.thrust.port, b.thrust.port), mix(a.thrust.starboard, b.thrust.starboard)}, a.by_thrust};
+  return {mix(a.delta, b.delta),
+          mix(a.rev, b.rev),
+          {mix(a.thrust.port, b.thrust.port), mix(a.thrust.starboard, b.thrust.starboard)},
+          a.by_thrust};
 }
 
 /// Predicts a ship between samples.
@@ -81,7 +85,9 @@ class ShipPredictor {
       : ship_(model, around), tau_(tau), longest_(0.02 * model.particulars.L) {}
 
   /// Into how many steps a time between samples is cut: one is 0.02 ship lengths and a fifth of the memory, or less.
-  int steps(double speed, double h) const { return std::max(1, static_cast<int>(std::ceil(h * std::max(speed / longest_, 5.0 / tau_)))); }
+  int steps(double speed, double h) const {
+    return std::max(1, static_cast<int>(std::ceil(h * std::max(speed / longest_, 5.0 / tau_))));
+  }
 
   /// Moves a state over h seconds. With f and its derivatives A at the state and the mean of the controls,
   ///

@@ -14,25 +14,34 @@ namespace {
 
 std::vector<Channel> channels_of(std::span<const Recording> runs, const EstimationOptions& options) {
   std::vector<Channel> used;
-  const auto wanted = [&](Channel c) { return options.channels.empty() || std::ranges::count(options.channels, c) > 0; };
-  const auto recorded = [&](Channel c) { return std::ranges::any_of(runs, [c](const Recording& run) { return run.has(c); }); };
-  std::ranges::copy_if(measured_channels, std::back_inserter(used), [&](Channel c) { return recorded(c) && wanted(c); });
+  const auto wanted = [&](Channel c) {
+    return options.channels.empty() || std::ranges::count(options.channels, c) > 0;
+  };
+  const auto recorded = [&](Channel c) {
+    return std::ranges::any_of(runs, [c](const Recording& run) { return run.has(c); });
+  };
+  std::ranges::copy_if(measured_channels, std::back_inserter(used),
+                       [&](Channel c) { return recorded(c) && wanted(c); });
   return used;
 }
 
 void require_position_or_speed(const Recording& run, std::span<const Channel> used) {
   const auto told = [&](Channel c) { return run.has(c) && std::ranges::count(used, c) > 0; };
   const bool position = told(Channel::x) && told(Channel::y);
-  const bool speed = told(Channel::u) || told(Channel::u_ground) || told(Channel::speed_through_water) || told(Channel::speed_over_ground);
-  if (!position && !speed) throw Refusal(fmt::format("{}: neither position nor speed is among the channels used", run.name));
+  const bool speed = told(Channel::u) || told(Channel::u_ground) || told(Channel::speed_through_water) ||
+                     told(Channel::speed_over_ground);
+  if (!position && !speed)
+    throw Refusal(fmt::format("{}: neither position nor speed is among the channels used", run.name));
   if (run.samples() < 3) throw Refusal(fmt::format("{}: too few samples to estimate states", run.name));
 }
 
 /// Least noise that a channel is credited with: rounding of files.
 double least_noise(Channel channel, double L, double U) {
   switch (channel) {
-    case Channel::x: case Channel::y: return 1e-5 * L;
-    case Channel::psi: case Channel::course_over_ground: return 1e-5;
+    case Channel::x:
+    case Channel::y: return 1e-5 * L;
+    case Channel::psi:
+    case Channel::course_over_ground: return 1e-5;
     case Channel::r: return 1e-5 * U / L;
     default: return 1e-5 * U;
   }
@@ -59,23 +68,28 @@ double rough_noise(std::span<const Recording> runs, Channel channel) {
 /// The variances that are to be found, as σ² = least² + exp(2 p): no p makes a noise so small that rounding matters.
 class NoisePlaces {
  public:
-  NoisePlaces(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels, const EstimationOptions& options) {
+  NoisePlaces(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels,
+              const EstimationOptions& options) {
     const double L = length(ship), U = service_speed(ship);
     for (const Channel c : channels) {
       const double least = least_noise(c, L, U);
-      if (const auto& known = options.noise[index_of(c)]) noise_[place_of(c)] = std::pow(require_positive(*known, fmt::format("noise of {}", column_name(c))), 2);
+      if (const auto& known = options.noise[index_of(c)])
+        noise_[place_of(c)] = std::pow(require_positive(*known, fmt::format("noise of {}", column_name(c))), 2);
       else set_free(place_of(c), least, std::max(rough_noise(runs, c), 2.0 * least));
     }
     // U²/L and U²/L²; of white accelerations what they make of a velocity in L/U
     const double unit = options.coloured ? U * U / L : U * std::sqrt(U / L);
     for (int i = 0; i < 3; ++i)
-      if (!options.imperfection) set_free(place_of_imperfection(i), 1e-6 * unit / (i < 2 ? 1.0 : L), 0.01 * unit / (i < 2 ? 1.0 : L));
+      if (!options.imperfection)
+        set_free(place_of_imperfection(i), 1e-6 * unit / (i < 2 ? 1.0 : L), 0.01 * unit / (i < 2 ? 1.0 : L));
     if (options.imperfection) noise_.tail<3>() = of(*options.imperfection).array().square();
   }
 
   Eigen::Index free() const { return static_cast<Eigen::Index>(free_.size()); }
 
-  Eigen::VectorXd start() const { return at([&](const Free& f) { return 0.5 * std::log(noise_[f.place] - f.least); }); }
+  Eigen::VectorXd start() const {
+    return at([&](const Free& f) { return 0.5 * std::log(noise_[f.place] - f.least); });
+  }
 
   FilterNoise noise(const Eigen::VectorXd& p) const {
     FilterNoise noise = noise_;
@@ -124,7 +138,8 @@ class Estimator {
  public:
   Estimator(const Ship& ship, const Model& model, std::span<const Recording> runs, const EstimationOptions& options)
       : options_(options), channels_(channels_of(runs, options)), places_(ship, runs, channels_, options) {
-    const double tau = require_positive(options.memory, "memory of the imperfection") * length(ship) / service_speed(ship);
+    const double tau =
+        require_positive(options.memory, "memory of the imperfection") * length(ship) / service_speed(ship);
     for (const auto& run : runs) {
       require_position_or_speed(run, channels_);
       filters_.emplace_back(ship, model, run, channels_, tau);
@@ -142,12 +157,18 @@ class Estimator {
     StateEstimate result{.states = {}, .innovations = {}, .noise = search()};
     result.states.reserve(run.samples());
     auto& filter = filters_.front();
-    result.noise.log_likelihood = filter.forward(noise_, [&](std::size_t k, const Belief<N>& belief) { result.states.push_back(filtered(run.time, k, belief)); });
-    if (options_.smooth) filter.backward(noise_, [&](std::size_t k, const Future<N>& future) { smooth(result.states[k], future); });
+    result.noise.log_likelihood = filter.forward(noise_, [&](std::size_t k, const Belief<N>& belief) {
+      result.states.push_back(filtered(run.time, k, belief));
+    });
+    if (options_.smooth)
+      filter.backward(noise_, [&](std::size_t k, const Future<N>& future) { smooth(result.states[k], future); });
     for (const Channel c : channels_) {
       const auto& sums = filter.sums(c);
-      result.innovations.push_back({.channel = c, .noise = deviation(place_of(c)), .rms = std::sqrt(sums.square / static_cast<double>(sums.count)),
-                                    .autocorrelation = sums.product / sums.square, .count = sums.count});
+      result.innovations.push_back({.channel = c,
+                                    .noise = deviation(place_of(c)),
+                                    .rms = std::sqrt(sums.square / static_cast<double>(sums.count)),
+                                    .autocorrelation = sums.product / sums.square,
+                                    .count = sums.count});
     }
     return result;
   }
@@ -160,11 +181,16 @@ class Estimator {
     NoiseAscent found{.place = start, .value = 0.0, .iterations = 0, .converged = true};
     if (places_.free() > 0) {
       forward();
-      found = climb([&](const Eigen::VectorXd& p) { return slope(p); }, start, places_.curvature(counts()), options_.most_iterations);
+      found = climb([&](const Eigen::VectorXd& p) { return slope(p); }, start, places_.curvature(counts()),
+                    options_.most_iterations);
     }
     noise_ = places_.noise(found.place);
     const auto size = [&](int i) { return deviation(place_of_imperfection(i)); };
-    NoiseEstimate result{.noise = {}, .imperfection = {{size(0), size(1), size(2)}}, .log_likelihood = found.value, .iterations = found.iterations, .converged = found.converged};
+    NoiseEstimate result{.noise = {},
+                         .imperfection = {{size(0), size(1), size(2)}},
+                         .log_likelihood = found.value,
+                         .iterations = found.iterations,
+                         .converged = found.converged};
     for (const Channel c : channels_) result.noise[index_of(c)] = deviation(place_of(c));
     return result;
   }
@@ -203,12 +229,13 @@ class Estimator {
       for (int j = 0; j <= i; ++j) at(result.covariance, i, j) = belief.P(i, j);
     const double h = k + 1 < time.size() ? time[k + 1] - time[k] : time[k] - time[k - 1];
     if constexpr (N == 9) result.unmodelled = {x[6], x[7], x[8]};
-    else for (int i = 0; i < 3; ++i) at(result.covariance, 6 + i, 6 + i) = noise_[place_of_imperfection(i)] / h;
+    else
+      for (int i = 0; i < 3; ++i) at(result.covariance, 6 + i, 6 + i) = noise_[place_of_imperfection(i)] / h;
     return result;
   }
 
-  /// x + P r and P − P M P. A white acceleration is seen through the velocity: its mean σ² r, its covariance −P M σ² with the
-  /// state and σ²/h − σ² M σ² of its own.
+  /// x + P r and P − P M P. A white acceleration is seen through the velocity: its mean σ² r, its covariance −P M σ²
+  /// with the state and σ²/h − σ² M σ² of its own.
   void smooth(EstimatedState& estimate, const Future<N>& future) const {
     auto& P_s = estimate.covariance;
     FilterMatrix<N> P;
@@ -219,7 +246,10 @@ class Estimator {
     for (int i = 0; i < N; ++i)
       for (int j = 0; j <= i; ++j) at(P_s, i, j) -= P.col(i).dot(MP.col(j));
     auto& [time, s, a, covariance] = estimate;
-    s = {s.x + gain[0], s.y + gain[1], s.psi + gain[2], {s.motion.u + gain[3], s.motion.v + gain[4], s.motion.r + gain[5]}};
+    s = {s.x + gain[0],
+         s.y + gain[1],
+         s.psi + gain[2],
+         {s.motion.u + gain[3], s.motion.v + gain[4], s.motion.r + gain[5]}};
     if constexpr (N == 9) a = {a.u + gain[6], a.v + gain[7], a.r + gain[8]};
     else {
       const Eigen::Vector3d W = noise_.template tail<3>(), mean = W.cwiseProduct(future.r.template tail<3>());
@@ -231,7 +261,9 @@ class Estimator {
     }
   }
 
-  static double& at(StateCovariance& covariance, int i, int k) { return covariance(static_cast<std::size_t>(i), static_cast<std::size_t>(k)); }
+  static double& at(StateCovariance& covariance, int i, int k) {
+    return covariance(static_cast<std::size_t>(i), static_cast<std::size_t>(k));
+  }
 
   const EstimationOptions& options_;
   std::vector<Channel> channels_;
@@ -242,7 +274,8 @@ class Estimator {
 
 /// ask(estimator) of the filter that the options want.
 template <class Ask>
-auto with_estimator(const Ship& given, std::span<const Recording> recorded, const EstimationOptions& options, Ask&& ask) {
+auto with_estimator(const Ship& given, std::span<const Recording> recorded, const EstimationOptions& options,
+                    Ask&& ask) {
   const auto sensors = sensor_effects(given);
   const auto ship = with_effects_applied(without_sensor_effects(given));
   std::vector<Recording> truth;
@@ -259,7 +292,8 @@ auto with_estimator(const Ship& given, std::span<const Recording> recorded, cons
 }  // namespace
 
 StateEstimate estimate_states(const Ship& ship, const Recording& run, const EstimationOptions& options) {
-  return with_estimator(ship, {&run, 1}, options, [](auto&& estimator, auto runs) { return estimator.states(runs.front()); });
+  return with_estimator(ship, {&run, 1}, options,
+                        [](auto&& estimator, auto runs) { return estimator.states(runs.front()); });
 }
 
 NoiseEstimate estimate_noise(const Ship& ship, std::span<const Recording> runs, const EstimationOptions& options) {

@@ -20,20 +20,28 @@ struct ControlLine {
 
   static ControlLine through(const Controls<double>& a, const Controls<double>& b, double duration) {
     const auto rate = [&](double from, double to) { return (to - from) / duration; };
-    return {a, {rate(a.delta, b.delta), rate(a.rev, b.rev), {rate(a.thrust.port, b.thrust.port), rate(a.thrust.starboard, b.thrust.starboard)}, a.by_thrust}};
+    return {a,
+            {rate(a.delta, b.delta),
+             rate(a.rev, b.rev),
+             {rate(a.thrust.port, b.thrust.port), rate(a.thrust.starboard, b.thrust.starboard)},
+             a.by_thrust}};
   }
 
   template <class T>
   Controls<T> at(const T& t) const {
-    return {begin.delta + slope.delta * t, begin.rev + slope.rev * t,
-            {begin.thrust.port + slope.thrust.port * t, begin.thrust.starboard + slope.thrust.starboard * t}, begin.by_thrust};
+    return {begin.delta + slope.delta * t,
+            begin.rev + slope.rev * t,
+            {begin.thrust.port + slope.thrust.port * t, begin.thrust.starboard + slope.thrust.starboard * t},
+            begin.by_thrust};
   }
 };
 
 template <class To, class From>
 Surroundings<To> cast(const Surroundings<From>& around) {
-  return {.windage = cast_part<To>(around.windage), .wind = {To(around.wind.speed), To(around.wind.from)},
-          .current = {To(around.current.speed), To(around.current.to)}, .windy = around.windy};
+  return {.windage = cast_part<To>(around.windage),
+          .wind = {To(around.wind.speed), To(around.wind.from)},
+          .current = {To(around.current.speed), To(around.current.to)},
+          .windy = around.windy};
 }
 
 template <class S>
@@ -53,8 +61,11 @@ class Stepper {
 
   /// x⁺ = x + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄). Times may be numbers or duals.
   template <class T>
-  StateVector<S> step(const StateVector<S>& s, const ControlLine& line, const T& t, const T& h, const ShipBranch& branch) const {
-    const auto rates = [&](const StateVector<S>& at, const Controls<S>& c) { return rates_of(ship_, around_, state_of(at), c, branch); };
+  StateVector<S> step(const StateVector<S>& s, const ControlLine& line, const T& t, const T& h,
+                      const ShipBranch& branch) const {
+    const auto rates = [&](const StateVector<S>& at, const Controls<S>& c) {
+      return rates_of(ship_, around_, state_of(at), c, branch);
+    };
     const auto middle = cast<S>(line.at(T(t + 0.5 * h)));
     const auto k1 = rates(s, cast<S>(line.at(t)));
     const auto k2 = rates(ahead(s, T(0.5 * h), k1), middle);
@@ -67,7 +78,9 @@ class Stepper {
   }
 
   /// Branch functions at a state.
-  auto functions(const StateVector<S>& s, const Controls<S>& c) const { return branch_functions(ship_, state_of(s).motion, c); }
+  auto functions(const StateVector<S>& s, const Controls<S>& c) const {
+    return branch_functions(ship_, state_of(s).motion, c);
+  }
 
   /// Rates of the state, for the speed of branch functions.
   StateVector<S> rates(const StateVector<S>& s, const Controls<S>& c, const ShipBranch& branch) const {
@@ -141,7 +154,8 @@ class Helmsman {
   }
 
   /// The first branch function that passes zero in a step.
-  std::optional<BranchEvent> first_event(const StateVector<double>& s, const ControlLine& line, double t, double h) const {
+  std::optional<BranchEvent> first_event(const StateVector<double>& s, const ControlLine& line, double t,
+                                         double h) const {
     const auto at_end = branch_of(plain_.step(s, line, t, h, branch_), line.at(t + h));
     std::optional<BranchEvent> first;
     for (std::size_t i = 0; i < branch_.size(); ++i) {
@@ -153,10 +167,12 @@ class Helmsman {
   }
 
   double root(std::size_t which, const StateVector<double>& s, const ControlLine& line, double t, double h) const {
-    const auto g = [&](double after) { return plain_.functions(plain_.step(s, line, t, after, branch_), line.at(t + after))[which]; };
+    const auto g = [&](double after) {
+      return plain_.functions(plain_.step(s, line, t, after, branch_), line.at(t + after))[which];
+    };
     const double g0 = plain_.functions(s, line.at(t))[which], g1 = g(h);
     if ((g0 > 0.0) != branch_[which] || g0 == 0.0) return 0.0;  // has just passed zero
-    if (!(g0 * g1 < 0.0)) return h;  // at the end, or not a number
+    if (!(g0 * g1 < 0.0)) return h;                             // at the end, or not a number
     std::uintmax_t iterations = 60;
     const auto close = [&](double a, double b) { return b - a < 1e-13 * h; };
     const auto bracket = boost::math::tools::toms748_solve(g, 0.0, h, g0, g1, close, iterations);

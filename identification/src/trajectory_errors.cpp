@@ -36,7 +36,8 @@ NumberErrors number_errors(const TrajectoryProblem& problem, const Linearization
   for (std::size_t j = 0; j < scores.size(); ++j) {
     const auto& time = problem.runs[j].time;
     const double pieces = std::max((time.back() - time.front()) / problem.unit[j] / correlation_length, 8.0);
-    B += score_covariance(scores[j], static_cast<std::size_t>(std::max(static_cast<double>(scores[j].size()) / pieces, 1.0)), n);
+    B += score_covariance(scores[j],
+                          static_cast<std::size_t>(std::max(static_cast<double>(scores[j].size()) / pieces, 1.0)), n);
     all_pieces += pieces;
   }
   auto& C = result.covariance;
@@ -62,14 +63,15 @@ namespace {
 std::string combination(const NumberList& numbers, const Eigen::VectorXd& powers, double relative_error) {
   std::string text;
   for (Eigen::Index i = 0; i < powers.size(); ++i)
-    if (std::abs(powers[i]) > 0.2) text += fmt::format("|{}|^{:.2f} ", numbers[static_cast<std::size_t>(i)].name, powers[i]);
+    if (std::abs(powers[i]) > 0.2)
+      text += fmt::format("|{}|^{:.2f} ", numbers[static_cast<std::size_t>(i)].name, powers[i]);
   return text + (std::isfinite(relative_error) ? fmt::format("to {:.2g} %", 100.0 * relative_error) : "not at all");
 }
 
 }  // namespace
 
-/// Principal axes of the information of the logarithms, x_i x_k I_ik; enlarged errors enlarge it back. A number that may be zero counts
-/// as its standard error.
+/// Principal axes of the information of the logarithms, x_i x_k I_ik; enlarged errors enlarge it back. A number that
+/// may be zero counts as its standard error.
 Combinations combinations_of(const NumberList& numbers, std::span<const double> values, const NumberErrors& errors) {
   const auto n = static_cast<Eigen::Index>(values.size());
   Eigen::VectorXd size(n);
@@ -79,10 +81,12 @@ Combinations combinations_of(const NumberList& numbers, std::span<const double> 
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(size.asDiagonal() * errors.information * size.asDiagonal());
   const double longest = axes.eigenvalues()[n - 1];
-  Combinations result{.condition_number = std::sqrt(longest / std::max(axes.eigenvalues()[0], 0.0)), .best = {}, .undetermined = {}};
+  Combinations result{
+      .condition_number = std::sqrt(longest / std::max(axes.eigenvalues()[0], 0.0)), .best = {}, .undetermined = {}};
   result.best = combination(numbers, axes.eigenvectors().col(n - 1), 1.0 / std::sqrt(longest));
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double length = axes.eigenvalues()[i], error = length > 1e-13 * longest ? 1.0 / std::sqrt(length) : std::numeric_limits<double>::infinity();
+    const double length = axes.eigenvalues()[i],
+                 error = length > 1e-13 * longest ? 1.0 / std::sqrt(length) : std::numeric_limits<double>::infinity();
     if (error >= 0.5) result.undetermined.push_back(combination(numbers, axes.eigenvectors().col(i), error));
   }
   return result;

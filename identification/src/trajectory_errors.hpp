@@ -6,8 +6,8 @@
 namespace swayaw {
 
 struct NumberErrors {
-  Eigen::MatrixXd covariance;     ///< infinite on the diagonal for a number that is not told
-  Eigen::MatrixXd information;    ///< of the numbers, the starts being unknown
+  Eigen::MatrixXd covariance;   ///< infinite on the diagonal for a number that is not told
+  Eigen::MatrixXd information;  ///< of the numbers, the starts being unknown
   bool full_rank;
 };
 

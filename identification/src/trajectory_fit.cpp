@@ -17,7 +17,8 @@ namespace {
 // ---------------------------------------------------------------- report
 
 /// Residuals of a channel in one run, in the order of time.
-std::vector<double> residuals_of(std::size_t run, Channel channel, const std::vector<Leg>& legs, const std::vector<Course>& courses) {
+std::vector<double> residuals_of(std::size_t run, Channel channel, const std::vector<Leg>& legs,
+                                 const std::vector<Course>& courses) {
   std::vector<double> residuals;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const auto& readings = legs[i].stretch.readings;
@@ -27,7 +28,9 @@ std::vector<double> residuals_of(std::size_t run, Channel channel, const std::ve
   return residuals;
 }
 
-double rms(const std::vector<double>& e) { return std::sqrt(std::inner_product(e.begin(), e.end(), e.begin(), 0.0) / static_cast<double>(e.size())); }
+double rms(const std::vector<double>& e) {
+  return std::sqrt(std::inner_product(e.begin(), e.end(), e.begin(), 0.0) / static_cast<double>(e.size()));
+}
 
 /// Σ e_k e_{k+1} / Σ e_k²
 double autocorrelation(const std::vector<double>& e) {
@@ -35,20 +38,27 @@ double autocorrelation(const std::vector<double>& e) {
   return e.size() < 2 || squares == 0.0 ? 0.0 : std::inner_product(e.begin() + 1, e.end(), e.begin(), 0.0) / squares;
 }
 
-ChannelResiduals channel_residuals(Channel channel, const std::vector<double>& before, const std::vector<double>& after) {
+ChannelResiduals channel_residuals(Channel channel, const std::vector<double>& before,
+                                   const std::vector<double>& after) {
   const double rho = autocorrelation(after), count = static_cast<double>(after.size()), positive = std::max(rho, 0.0);
-  return {.channel = channel, .count = after.size(), .before = rms(before), .after = rms(after), .autocorrelation = rho,
+  return {.channel = channel,
+          .count = after.size(),
+          .before = rms(before),
+          .after = rms(after),
+          .autocorrelation = rho,
           .effective_count = std::max(1.0, count * (1.0 - positive) / (1.0 + positive))};
 }
 
-std::vector<FittedRun> fitted_runs(const TrajectoryProblem& problem, std::span<const Recording> runs, const std::vector<Leg>& legs,
-                                   const std::vector<Course>& before, const std::vector<Course>& after) {
+std::vector<FittedRun> fitted_runs(const TrajectoryProblem& problem, std::span<const Recording> runs,
+                                   const std::vector<Leg>& legs, const std::vector<Course>& before,
+                                   const std::vector<Course>& after) {
   std::vector<FittedRun> result;
   for (std::size_t j = 0; j < runs.size(); ++j) {
     FittedRun run{.name = runs[j].name, .start = {}, .channels = {}};
     for (const Channel channel : problem.channels) {
       const auto left = residuals_of(j, channel, legs, after);
-      if (!left.empty()) run.channels.push_back(channel_residuals(channel, residuals_of(j, channel, legs, before), left));
+      if (!left.empty())
+        run.channels.push_back(channel_residuals(channel, residuals_of(j, channel, legs, before), left));
     }
     result.push_back(std::move(run));
   }
@@ -64,19 +74,24 @@ std::vector<std::vector<double>> listed(const Eigen::MatrixXd& A) {
   return rows;
 }
 
-std::vector<FittedNumber> fitted_numbers(const TrajectoryProblem& problem, std::span<const double> values, const Eigen::MatrixXd& covariance) {
+std::vector<FittedNumber> fitted_numbers(const TrajectoryProblem& problem, std::span<const double> values,
+                                         const Eigen::MatrixXd& covariance) {
   std::vector<FittedNumber> numbers;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto place = static_cast<Eigen::Index>(i);
-    numbers.push_back({.name = problem.numbers[i].name, .before = problem.numbers[i].value, .estimate = {values[i], std::sqrt(covariance(place, place))},
+    numbers.push_back({.name = problem.numbers[i].name,
+                       .before = problem.numbers[i].value,
+                       .estimate = {values[i], std::sqrt(covariance(place, place))},
                        .at_bound = values[i] == problem.low[i] || values[i] == problem.high[i]});
   }
   return numbers;
 }
 
-void tell_numbers(const TrajectoryProblem& problem, const Found& found, const NumberErrors& errors, TrajectoryFit& fit) {
+void tell_numbers(const TrajectoryProblem& problem, const Found& found, const NumberErrors& errors,
+                  TrajectoryFit& fit) {
   const auto& C = errors.covariance;
-  const bool ended = found.status == TrajectoryFitStatus::converged || found.status == TrajectoryFitStatus::iteration_limit;
+  const bool ended =
+      found.status == TrajectoryFitStatus::converged || found.status == TrajectoryFitStatus::iteration_limit;
   fit.status = ended && !errors.full_rank ? TrajectoryFitStatus::rank_deficient : found.status;
   fit.numbers = fitted_numbers(problem, found.place.values, C);
   fit.covariance = listed(C);
@@ -98,7 +113,8 @@ Eigen::VectorXd prior_of(const NumberList& numbers, bool wanted) {
   return weight;
 }
 
-/// Sizes of large changes: the number itself, or a fiftieth of the largest in its table where it is smaller; 1 where all are 0.
+/// Sizes of large changes: the number itself, or a fiftieth of the largest in its table where it is smaller; 1 where
+/// all are 0.
 Eigen::VectorXd units_of(const NumberList& numbers) {
   Eigen::VectorXd unit(static_cast<Eigen::Index>(numbers.size()));
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -111,8 +127,11 @@ Eigen::VectorXd units_of(const NumberList& numbers) {
 }
 
 Place first_place(const TrajectoryProblem& problem, const std::vector<Leg>& legs) {
-  Place place{.values = {}, .starts = {}, .pushes = std::vector<Eigen::Vector<double, 6>>(legs.size(), Eigen::Vector<double, 6>::Zero())};
-  for (std::size_t i = 0; i < problem.numbers.size(); ++i) place.values.push_back(std::clamp(problem.numbers[i].value, problem.low[i], problem.high[i]));
+  Place place{.values = {},
+              .starts = {},
+              .pushes = std::vector<Eigen::Vector<double, 6>>(legs.size(), Eigen::Vector<double, 6>::Zero())};
+  for (std::size_t i = 0; i < problem.numbers.size(); ++i)
+    place.values.push_back(std::clamp(problem.numbers[i].value, problem.low[i], problem.high[i]));
   for (const auto& leg : legs) place.starts.push_back(leg.start);
   return place;
 }
@@ -129,15 +148,18 @@ struct FirstTry {
     constexpr double far = 0.3;
     if (lost(i) || !legs[i].joined) return lost(i);
     double gap = 0.0;
-    for (std::size_t k = 0; k < 6; ++k) gap = std::max(gap, std::abs(courses[i].end[k] - legs[i + 1].start[k]) / unit[static_cast<Eigen::Index>(k)]);
+    for (std::size_t k = 0; k < 6; ++k)
+      gap = std::max(gap, std::abs(courses[i].end[k] - legs[i + 1].start[k]) / unit[static_cast<Eigen::Index>(k)]);
     return gap > far;
   }
 };
 
 constexpr double shortest_leg = 0.1;  ///< ship lengths
 
-/// Legs as long as `lengths`, or shorter, and then `lengths` too, where the ship that was given does not stay near the recording so long.
-std::vector<Leg> sailable_legs(const TrajectoryProblem& problem, const Ship& ship, std::span<const Recording> runs, double& lengths) {
+/// Legs as long as `lengths`, or shorter, and then `lengths` too, where the ship that was given does not stay near the
+/// recording so long.
+std::vector<Leg> sailable_legs(const TrajectoryProblem& problem, const Ship& ship, std::span<const Recording> runs,
+                               double& lengths) {
   FirstTry first;
   for (bool again = true; again;) {
     first.legs = legs_of(problem, ship, runs, lengths);
@@ -149,15 +171,20 @@ std::vector<Leg> sailable_legs(const TrajectoryProblem& problem, const Ship& shi
   }
   for (std::size_t i = 0; i < first.legs.size(); ++i)
     if (first.lost(i))
-      throw Refusal(fmt::format("{}: {} cannot be simulated from the recorded state at {:.6g} s", runs[first.legs[i].run].name, ship.name,
+      throw Refusal(fmt::format("{}: {} cannot be simulated from the recorded state at {:.6g} s",
+                                runs[first.legs[i].run].name, ship.name,
                                 first.legs[i].stretch.run->time[first.legs[i].stretch.from]));
   return first.legs;
 }
 
 /// Starts of the whole runs in place of those of their legs.
 Place of_whole_runs(const Place& place, const std::vector<Leg>& legs, const std::vector<Leg>& whole) {
-  Place result{.values = place.values, .starts = {}, .pushes = std::vector<Eigen::Vector<double, 6>>(whole.size(), Eigen::Vector<double, 6>::Zero())};
-  for (const auto& run : whole) result.starts.push_back(place.starts[static_cast<std::size_t>(std::ranges::find(legs, run.run, &Leg::run) - legs.begin())]);
+  Place result{.values = place.values,
+               .starts = {},
+               .pushes = std::vector<Eigen::Vector<double, 6>>(whole.size(), Eigen::Vector<double, 6>::Zero())};
+  for (const auto& run : whole)
+    result.starts.push_back(
+        place.starts[static_cast<std::size_t>(std::ranges::find(legs, run.run, &Leg::run) - legs.begin())]);
   return result;
 }
 
@@ -178,14 +205,17 @@ TrajectoryFit fit_trajectories(const Ship& ship, std::span<const Recording> runs
   // what is left is that of whole runs, unless disturbances part the legs
   const auto whole = options.disturbance ? legs : legs_of(problem, ship, runs, std::numeric_limits<double>::infinity());
   const auto before = sail_legs(problem, whole, first_place(problem, whole), false);
-  const auto after = sail_legs(problem, whole, options.disturbance ? found.place : of_whole_runs(found.place, legs, whole), false);
+  const auto after =
+      sail_legs(problem, whole, options.disturbance ? found.place : of_whole_runs(found.place, legs, whole), false);
   TrajectoryFit fit{};
   fit.ship = with_values(ship, problem.numbers, found.place.values);
   tell_numbers(problem, found, number_errors(problem, found.at, task.prior), fit);
   for (const Channel channel : problem.channels) fit.noise[index_of(channel)] = found.weights.noise[index_of(channel)];
   fit.log_likelihood = log_likelihood(whole, after, found.weights);
   fit.runs = fitted_runs(problem, runs, whole, before, after);
-  for (std::size_t j = 0; j < runs.size(); ++j) fit.runs[j].start = state_of(found.place.starts[static_cast<std::size_t>(std::ranges::find(legs, j, &Leg::run) - legs.begin())]);
+  for (std::size_t j = 0; j < runs.size(); ++j)
+    fit.runs[j].start =
+        state_of(found.place.starts[static_cast<std::size_t>(std::ranges::find(legs, j, &Leg::run) - legs.begin())]);
   fit.iterations = found.iterations;
   fit.sensitivities = found.sensitivities;
   return fit;

@@ -24,19 +24,25 @@ std::vector<Reading> readings_of(const Recording& run, const TrajectoryFitOption
   std::vector<Reading> readings;
   for (std::size_t k = 0; k < run.samples(); ++k)
     for (const Channel channel : measured_channels)
-      if (wanted(options, channel) && !run[channel].empty() && !std::isnan(run[channel][k])) readings.push_back({k, channel, run[channel][k]});
+      if (wanted(options, channel) && !run[channel].empty() && !std::isnan(run[channel][k]))
+        readings.push_back({k, channel, run[channel][k]});
   return readings;
 }
 
 /// Steps no longer than `longest` [s] between the samples.
 std::vector<int> steps_between(std::span<const double> time, double longest) {
   std::vector<int> steps;
-  for (std::size_t k = 1; k < time.size(); ++k) steps.push_back(std::max(1, static_cast<int>(std::ceil((time[k] - time[k - 1]) / longest - 1e-6))));
+  for (std::size_t k = 1; k < time.size(); ++k)
+    steps.push_back(std::max(1, static_cast<int>(std::ceil((time[k] - time[k - 1]) / longest - 1e-6))));
   return steps;
 }
 
-CourseRun course_run(const Recording& run, const RecordedControls& controls, const TrajectoryFitOptions& options, double unit) {
-  CourseRun result{.time = run.time, .controls = {}, .steps = steps_between(run.time, options.step * unit), .readings = readings_of(run, options)};
+CourseRun course_run(const Recording& run, const RecordedControls& controls, const TrajectoryFitOptions& options,
+                     double unit) {
+  CourseRun result{.time = run.time,
+                   .controls = {},
+                   .steps = steps_between(run.time, options.step * unit),
+                   .readings = readings_of(run, options)};
   for (const double time : run.time) result.controls.push_back(controls.at(time));
   if (result.readings.empty()) throw Refusal(fmt::format("{}: none of the channels to fit to was recorded", run.name));
   return result;
@@ -50,8 +56,12 @@ double time_unit(const Ship& ship, const Recording& run) {
 
 std::vector<Channel> channels_of(const std::vector<CourseRun>& runs) {
   std::vector<Channel> used;
-  const auto measures = [](const CourseRun& run, Channel c) { return std::ranges::count(run.readings, c, &Reading::channel) > 0; };
-  std::ranges::copy_if(measured_channels, std::back_inserter(used), [&](Channel c) { return std::ranges::any_of(runs, [&](const auto& run) { return measures(run, c); }); });
+  const auto measures = [](const CourseRun& run, Channel c) {
+    return std::ranges::count(run.readings, c, &Reading::channel) > 0;
+  };
+  std::ranges::copy_if(measured_channels, std::back_inserter(used), [&](Channel c) {
+    return std::ranges::any_of(runs, [&](const auto& run) { return measures(run, c); });
+  });
   return used;
 }
 
@@ -62,7 +72,8 @@ NumberList numbers_of(const Ship& ship, const TrajectoryFitOptions& options) {
   const auto numbers = ship_numbers(ship, options.numbers);
   for (std::size_t i = 0; i < numbers.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
-      if (numbers[i].index == numbers[k].index) throw Refusal(fmt::format("{}: {} is to be fitted twice", ship.name, numbers[i].name));
+      if (numbers[i].index == numbers[k].index)
+        throw Refusal(fmt::format("{}: {} is to be fitted twice", ship.name, numbers[i].name));
   return numbers;
 }
 
@@ -78,7 +89,8 @@ void check(const TrajectoryFitOptions& options) {
   require_positive(options.step, "step [ship lengths]");
   if (options.robust) require_positive(*options.robust, "robust [standard deviations]");
   for (const Channel channel : measured_channels)
-    if (const auto& noise = options.noise[index_of(channel)]) require_positive(*noise, fmt::format("noise of {}", column_name(channel)));
+    if (const auto& noise = options.noise[index_of(channel)])
+      require_positive(*noise, fmt::format("noise of {}", column_name(channel)));
 }
 
 }  // namespace
@@ -87,7 +99,8 @@ TrajectoryProblem problem_of(const Ship& ship, std::span<const Recording> runs, 
   check(options);
   require_known_effects(ship, "trajectory fit", false);
   if (runs.empty()) throw Refusal("no recording to fit to");
-  TrajectoryProblem problem{.numbers = numbers_of(ship, options), .L = length(ship), .U = service_speed(ship), .threads = options.threads};
+  TrajectoryProblem problem{
+      .numbers = numbers_of(ship, options), .L = length(ship), .U = service_speed(ship), .threads = options.threads};
   for (const auto& run : runs) {
     if (run.samples() < 3) throw Refusal(fmt::format("{}: fewer than 3 samples to fit to", run.name));
     const RecordedControls controls(ship, run);
@@ -96,7 +109,8 @@ TrajectoryProblem problem_of(const Ship& ship, std::span<const Recording> runs, 
   }
   problem.channels = channels_of(problem.runs);
   for (const auto& number : problem.numbers) add_bounds(problem, number);
-  problem.sailor = std::visit([&](const auto& model) { return sailor_of(model, surroundings_at(ship, 0.0), problem.numbers); }, ship.model);
+  problem.sailor = std::visit(
+      [&](const auto& model) { return sailor_of(model, surroundings_at(ship, 0.0), problem.numbers); }, ship.model);
   return problem;
 }
 
@@ -110,7 +124,8 @@ std::vector<std::size_t> cuts(const CourseRun& run, int count) {
   const double from = run.time.front(), duration = run.time.back() - from;
   for (int i = 1; i < count; ++i) {
     const auto there = std::ranges::lower_bound(run.time, from + duration * i / count) - run.time.begin();
-    if (static_cast<std::size_t>(there) > cut.back() && static_cast<std::size_t>(there) + 1 < run.time.size()) cut.push_back(static_cast<std::size_t>(there));
+    if (static_cast<std::size_t>(there) > cut.back() && static_cast<std::size_t>(there) + 1 < run.time.size())
+      cut.push_back(static_cast<std::size_t>(there));
   }
   cut.push_back(run.time.size() - 1);
   return cut;
@@ -119,13 +134,15 @@ std::vector<std::size_t> cuts(const CourseRun& run, int count) {
 /// Readings from a sample up to another, which counts if it is the last of the run.
 std::span<const Reading> readings_between(const CourseRun& run, std::size_t from, std::size_t to) {
   const std::size_t beyond = to + 1 == run.time.size() ? to + 1 : to;
-  const auto first = std::ranges::lower_bound(run.readings, from, {}, &Reading::sample), last = std::ranges::lower_bound(run.readings, beyond, {}, &Reading::sample);
+  const auto first = std::ranges::lower_bound(run.readings, from, {}, &Reading::sample),
+             last = std::ranges::lower_bound(run.readings, beyond, {}, &Reading::sample);
   return {first, last};
 }
 
 }  // namespace
 
-std::vector<Leg> legs_of(const TrajectoryProblem& problem, const Ship& ship, std::span<const Recording> runs, double lengths) {
+std::vector<Leg> legs_of(const TrajectoryProblem& problem, const Ship& ship, std::span<const Recording> runs,
+                         double lengths) {
   std::vector<Leg> legs;
   for (std::size_t j = 0; j < runs.size(); ++j) {
     const auto& run = problem.runs[j];
@@ -133,7 +150,8 @@ std::vector<Leg> legs_of(const TrajectoryProblem& problem, const Ship& ship, std
     const auto cut = cuts(run, std::max(1, static_cast<int>(std::lround(whole / lengths))));
     for (std::size_t i = 0; i + 1 < cut.size(); ++i) {
       const auto start = vector_of(recorded_state(ship, runs[j], run.time[cut[i]]));
-      legs.push_back({{&run, cut[i], cut[i + 1], readings_between(run, cut[i], cut[i + 1])}, j, start, i + 2 < cut.size()});
+      legs.push_back(
+          {{&run, cut[i], cut[i + 1], readings_between(run, cut[i], cut[i + 1])}, j, start, i + 2 < cut.size()});
     }
   }
   return legs;
@@ -161,7 +179,8 @@ Eigen::Vector<double, 6> state_units(const TrajectoryProblem& problem) {
   return {problem.L, problem.L, 1.0, problem.U, problem.U, problem.U / problem.L};
 }
 
-Matrix6 disturbance_factor(const TrajectoryProblem& problem, const Leg& leg, std::span<const double> values, const PlanarAcceleration<double>& size) {
+Matrix6 disturbance_factor(const TrajectoryProblem& problem, const Leg& leg, std::span<const double> values,
+                           const PlanarAcceleration<double>& size) {
   const auto& run = *leg.stretch.run;
   const Eigen::Vector<double, 6> q(0.0, 0.0, 0.0, size.u * size.u, size.v * size.v, size.r * size.r);
   Matrix6 P = Matrix6::Zero();

@@ -14,12 +14,12 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 struct TrajectoryProblem {
   std::vector<CourseRun> runs;
-  std::vector<double> unit;        ///< time in which each run makes one ship length [s]
-  std::vector<Channel> channels;   ///< measured in some run and used
+  std::vector<double> unit;       ///< time in which each run makes one ship length [s]
+  std::vector<Channel> channels;  ///< measured in some run and used
   NumberList numbers;
-  std::vector<double> low, high;   ///< of the numbers, SI
+  std::vector<double> low, high;  ///< of the numbers, SI
   std::unique_ptr<Sailor> sailor;
-  double L, U;                     ///< of the ship
+  double L, U;  ///< of the ship
   unsigned threads;
 };
 
@@ -41,7 +41,8 @@ struct Weights {
 TrajectoryProblem problem_of(const Ship& ship, std::span<const Recording> runs, const TrajectoryFitOptions& options);
 
 /// The runs cut into legs of about that many ship lengths, each beginning at its recorded state.
-std::vector<Leg> legs_of(const TrajectoryProblem& problem, const Ship& ship, std::span<const Recording> runs, double lengths);
+std::vector<Leg> legs_of(const TrajectoryProblem& problem, const Ship& ship, std::span<const Recording> runs,
+                         double lengths);
 
 /// Residuals over their noise, and in the robust case
 ///
@@ -55,7 +56,9 @@ Weighted weighted(const Course& course, const Stretch& stretch, const Weights& w
 /// Ship units of x, y, psi, u, v, r: L, 1, U and U/L.
 Eigen::Vector<double, 6> state_units(const TrajectoryProblem& problem);
 
-/// F with F Fᵀ the covariance that white random accelerations add along a leg, P⁺ = Φ P Φᵀ + Q Δt from sample to sample.
-Matrix6 disturbance_factor(const TrajectoryProblem& problem, const Leg& leg, std::span<const double> values, const PlanarAcceleration<double>& size);
+/// F with F Fᵀ the covariance that white random accelerations add along a leg, P⁺ = Φ P Φᵀ + Q Δt from sample to
+/// sample.
+Matrix6 disturbance_factor(const TrajectoryProblem& problem, const Leg& leg, std::span<const double> values,
+                           const PlanarAcceleration<double>& size);
 
 }  // namespace swayaw

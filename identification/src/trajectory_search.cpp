@@ -24,7 +24,8 @@ double clipped_square(double k) {
   return 1.0 - outside - 2.0 * k * density + k * k * outside;
 }
 
-/// Sums over all legs; in the robust case of residuals that are clipped at k standard deviations, made up for the clipping.
+/// Sums over all legs; in the robust case of residuals that are clipped at k standard deviations, made up for the
+/// clipping.
 ChannelSums channel_sums(const std::vector<Leg>& legs, const std::vector<Course>& courses, const Weights& weights) {
   ChannelSums sums;
   for (std::size_t i = 0; i < legs.size(); ++i) {
@@ -48,7 +49,8 @@ std::array<double, channel_count> noise_of(const TrajectoryProblem& problem, con
   std::array<double, channel_count> noise{};
   for (const Channel channel : problem.channels) {
     const auto& sum = sums[index_of(channel)];
-    noise[index_of(channel)] = std::max(std::sqrt(sum.square / (sum.count * freedom)), floor_of(channel, problem.L, problem.U));
+    noise[index_of(channel)] =
+        std::max(std::sqrt(sum.square / (sum.count * freedom)), floor_of(channel, problem.L, problem.U));
   }
   return noise;
 }
@@ -60,9 +62,11 @@ std::array<double, channel_count> with_known(std::array<double, channel_count> n
   return noise;
 }
 
-double largest_change(const TrajectoryProblem& problem, const std::array<double, channel_count>& a, const std::array<double, channel_count>& b) {
+double largest_change(const TrajectoryProblem& problem, const std::array<double, channel_count>& a,
+                      const std::array<double, channel_count>& b) {
   double largest = 0.0;
-  for (const Channel channel : problem.channels) largest = std::max(largest, std::abs(std::log(b[index_of(channel)] / a[index_of(channel)])));
+  for (const Channel channel : problem.channels)
+    largest = std::max(largest, std::abs(std::log(b[index_of(channel)] / a[index_of(channel)])));
   return largest;
 }
 
@@ -73,7 +77,8 @@ double log_likelihood(const std::vector<Leg>& legs, const std::vector<Course>& c
   double sum = 0.0;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     sum -= 0.5 * weighted({courses[i].residual, {}, {}, {}}, legs[i].stretch, weights).residual.squaredNorm();
-    for (const auto& reading : legs[i].stretch.readings) sum -= 0.5 * std::log(2.0 * pi) + std::log(weights.noise[index_of(reading.channel)]);
+    for (const auto& reading : legs[i].stretch.readings)
+      sum -= 0.5 * std::log(2.0 * pi) + std::log(weights.noise[index_of(reading.channel)]);
   }
   return sum;
 }
@@ -82,7 +87,8 @@ double log_likelihood(const std::vector<Leg>& legs, const std::vector<Course>& c
 
 namespace {
 
-/// A step of Gauss and Newton, and the numbers that it leads to the end of their range: `held` of `Linearization::step`.
+/// A step of Gauss and Newton, and the numbers that it leads to the end of their range: `held` of
+/// `Linearization::step`.
 struct Step {
   Move move;
   Eigen::VectorXd held;
@@ -98,14 +104,16 @@ struct Situation {
 
 class Searcher {
  public:
-  Searcher(const SearchTask& task, const Place& start) : task_(task), now_{start, sail_legs(task.problem, task.legs, start, true), {}} {
+  Searcher(const SearchTask& task, const Place& start)
+      : task_(task), now_{start, sail_legs(task.problem, task.legs, start, true), {}} {
     now_.weights.robust = task.options.robust;
     now_.weights.noise = noise_here({});
   }
 
   Found run() {
     for (int iteration = 0;; ++iteration) {
-      Linearization at(task_.problem, task_.legs, now_.place, now_.courses, now_.weights, disturbances(now_.place), task_.prior);
+      Linearization at(task_.problem, task_.legs, now_.place, now_.courses, now_.weights, disturbances(now_.place),
+                       task_.prior);
       const auto step = bounded_step(at);
       const bool there = arrives(at, step);
       const bool stuck = mu_ > 1e12;
@@ -129,7 +137,8 @@ class Searcher {
   Place moved_within(const Place& from, const Move& move, double share) const {
     auto to = moved(from, move, share);
     for (std::size_t i = 0; i < to.values.size(); ++i) {
-      const double slack = 1e-12 * task_.unit[static_cast<Eigen::Index>(i)], low = task_.problem.low[i], high = task_.problem.high[i];
+      const double slack = 1e-12 * task_.unit[static_cast<Eigen::Index>(i)], low = task_.problem.low[i],
+                   high = task_.problem.high[i];
       to.values[i] = to.values[i] < low + slack ? low : to.values[i] > high - slack ? high : to.values[i];
     }
     return to;
@@ -137,8 +146,10 @@ class Searcher {
 
   /// Estimated and known noise.
   std::array<double, channel_count> noise_here(const Weights& weights) const {
-    const double unknowns = 6.0 * static_cast<double>(task_.problem.runs.size()) + static_cast<double>(task_.problem.numbers.size());
-    return with_known(noise_of(task_.problem, channel_sums(task_.legs, now_.courses, weights), unknowns), task_.options.noise);
+    const double unknowns =
+        6.0 * static_cast<double>(task_.problem.runs.size()) + static_cast<double>(task_.problem.numbers.size());
+    return with_known(noise_of(task_.problem, channel_sums(task_.legs, now_.courses, weights), unknowns),
+                      task_.options.noise);
   }
 
   std::vector<Matrix6> disturbances(const Place& place) const {
@@ -147,7 +158,8 @@ class Searcher {
     for (std::size_t i = 0; i < task_.legs.size(); ++i) {
       auto leg = task_.legs[i];
       leg.start = place.starts[i];
-      factors.push_back(leg.joined ? disturbance_factor(task_.problem, leg, place.values, *task_.options.disturbance) : Matrix6(Matrix6::Zero()));
+      factors.push_back(leg.joined ? disturbance_factor(task_.problem, leg, place.values, *task_.options.disturbance)
+                                   : Matrix6(Matrix6::Zero()));
     }
     return factors;
   }
@@ -157,7 +169,8 @@ class Searcher {
   /// Root mean square of the changes, numbers in their units, starts in those of the ship.
   double size_of(const Move& move) const {
     double sum = move.values.cwiseQuotient(task_.unit).squaredNorm() / static_cast<double>(move.values.size());
-    for (const auto& start : move.starts) sum += start.cwiseQuotient(state_unit_).squaredNorm() / (6.0 * static_cast<double>(move.starts.size()));
+    for (const auto& start : move.starts)
+      sum += start.cwiseQuotient(state_unit_).squaredNorm() / (6.0 * static_cast<double>(move.starts.size()));
     return std::sqrt(sum);
   }
 
@@ -170,7 +183,8 @@ class Searcher {
       inside = true;
       for (std::size_t i = 0; i < values.size(); ++i) {
         const auto place = static_cast<Eigen::Index>(i);
-        const double there = values[i] + step.move.values[place], kept = std::clamp(there, task_.problem.low[i], task_.problem.high[i]);
+        const double there = values[i] + step.move.values[place],
+                     kept = std::clamp(there, task_.problem.low[i], task_.problem.high[i]);
         if (kept == there || std::isfinite(step.held[place])) continue;
         step.held[place] = kept - values[i];
         inside = false;
@@ -187,8 +201,8 @@ class Searcher {
     return at.gain(move) < nothing && std::ranges::none_of(move.starts, far);
   }
 
-  /// Whether the step gains next to nothing and closes no gaps, or so does the one that would follow a small step, by the
-  /// same derivatives. Takes what is left of the way.
+  /// Whether the step gains next to nothing and closes no gaps, or so does the one that would follow a small step, by
+  /// the same derivatives. Takes what is left of the way.
   bool arrives(const Linearization& at, const Step& step) {
     if (change_ > 0.1) return false;
     auto next = moved_within(now_.place, step.move, 1.0);
@@ -213,8 +227,8 @@ class Searcher {
     return step.held.unaryExpr([](double x) { return std::isfinite(x) ? 0.0 : x; });
   }
 
-  /// Takes the step, its half or its quarter: the longest after which the same derivatives ask for less of a move than before
-  /// (Deuflhard's natural test). The sum of squares may rise on the way, as it must where a narrow valley bends.
+  /// Takes the step, its half or its quarter: the longest after which the same derivatives ask for less of a move than
+  /// before (Deuflhard's natural test). The sum of squares may rise on the way, as it must where a narrow valley bends.
   /// Source: [Deuflhard2011] sections 3.3, 4.3
   bool take(const Linearization& at, const Step& step) {
     const double whole = size_of(step.move);
@@ -222,7 +236,8 @@ class Searcher {
       auto place = moved_within(at.place(), step.move, share);
       auto courses = sail_legs(task_.problem, task_.legs, place, true);
       sensitivities_ += 1.0;
-      if (!finite(courses) || size_of(at.step(place, courses, damping(), stay(step))) > (1.0 - 0.25 * share) * whole) continue;
+      if (!finite(courses) || size_of(at.step(place, courses, damping(), stay(step))) > (1.0 - 0.25 * share) * whole)
+        continue;
       now_.place = std::move(place);
       now_.courses = std::move(courses);
       mu_ = std::max(least_damping, 0.1 * mu_);
@@ -248,15 +263,16 @@ class Searcher {
     for (std::size_t i = 0; i < task_.legs.size(); ++i) {
       if (!task_.legs[i].joined) continue;
       Eigen::Vector<double, 6> gap;
-      for (std::size_t k = 0; k < 6; ++k) gap[static_cast<Eigen::Index>(k)] = now_.courses[i].end[k] - now_.place.starts[i + 1][k];
+      for (std::size_t k = 0; k < 6; ++k)
+        gap[static_cast<Eigen::Index>(k)] = now_.courses[i].end[k] - now_.place.starts[i + 1][k];
       if (!factors.empty()) gap += factors[i] * now_.place.pushes[i];
       largest = std::max(largest, gap.cwiseQuotient(state_unit_).cwiseAbs().maxCoeff());
     }
     return largest;
   }
 
-  /// Keeps the most likely place whose legs fit together; a robust fit, whose noise is not that of largest likelihood, the last one. A search that has not found a better one for some steps, or
-  /// that takes no more, goes back to it.
+  /// Keeps the most likely place whose legs fit together; a robust fit, whose noise is not that of largest likelihood,
+  /// the last one. A search that has not found a better one for some steps, or that takes no more, goes back to it.
   void watch(bool last) {
     constexpr int patience = 4;
     if (task_.options.robust || (now_.log_likelihood > best_.log_likelihood && largest_gap() < 1e-3)) {
@@ -273,13 +289,14 @@ class Searcher {
     worst_mu_ = mu_;
   }
 
-  static constexpr double least_damping = 0.01;  ///< a number that nothing tells of moves as if it were known to ten times its size
+  static constexpr double least_damping =
+      0.01;  ///< a number that nothing tells of moves as if it were known to ten times its size
 
   const SearchTask& task_;
   Eigen::Vector<double, 6> state_unit_ = state_units(task_.problem);
   Situation now_, best_;
   int since_best_ = 0;
-  double change_ = 1.0;      ///< of the noise in the last step
+  double change_ = 1.0;  ///< of the noise in the last step
   double mu_ = least_damping, worst_mu_ = least_damping;
   double sensitivities_ = 1.0;
   bool stopped_ = false;

@@ -20,9 +20,9 @@ struct Found {
   Weights weights;
   Place place;
   TrajectoryFitStatus status;
-  bool stuck;             ///< no step led nearer to a place where legs fit together
+  bool stuck;  ///< no step led nearer to a place where legs fit together
   int iterations;
-  double sensitivities;   ///< how often all runs were simulated with derivatives
+  double sensitivities;  ///< how often all runs were simulated with derivatives
 };
 
 Found search_from(const SearchTask& task, const Place& start);

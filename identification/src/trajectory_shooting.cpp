@@ -43,9 +43,12 @@ Place moved(const Place& from, const Move& move, double share) {
   return to;
 }
 
-std::vector<Course> sail_legs(const TrajectoryProblem& problem, const std::vector<Leg>& legs, const Place& place, bool with_slopes) {
+std::vector<Course> sail_legs(const TrajectoryProblem& problem, const std::vector<Leg>& legs, const Place& place,
+                              bool with_slopes) {
   std::vector<Course> courses(legs.size());
-  in_parallel(legs.size(), problem.threads, [&](std::size_t i) { courses[i] = problem.sailor->sail(legs[i].stretch, place.starts[i], place.values, with_slopes); });
+  in_parallel(legs.size(), problem.threads, [&](std::size_t i) {
+    courses[i] = problem.sailor->sail(legs[i].stretch, place.starts[i], place.values, with_slopes);
+  });
   return courses;
 }
 
@@ -69,10 +72,18 @@ Vector6 difference(const StateVector<double>& a, const StateVector<double>& b) {
 
 }  // namespace
 
-Linearization::Linearization(const TrajectoryProblem& problem, const std::vector<Leg>& legs, Place place, std::vector<Course> courses,
-                             const Weights& weights, std::vector<Matrix6> disturbance, const Eigen::VectorXd& prior)
-    : problem_(problem), legs_(legs), place_(std::move(place)), courses_(std::move(courses)), weights_(weights),
-      disturbance_(std::move(disturbance)), prior_(prior), n_(prior.size()), information_(prior.asDiagonal()) {
+Linearization::Linearization(const TrajectoryProblem& problem, const std::vector<Leg>& legs, Place place,
+                             std::vector<Course> courses, const Weights& weights, std::vector<Matrix6> disturbance,
+                             const Eigen::VectorXd& prior)
+    : problem_(problem),
+      legs_(legs),
+      place_(std::move(place)),
+      courses_(std::move(courses)),
+      weights_(weights),
+      disturbance_(std::move(disturbance)),
+      prior_(prior),
+      n_(prior.size()),
+      information_(prior.asDiagonal()) {
   for (std::size_t first = 0, beyond = 0; first < legs.size(); first = beyond) {
     while (beyond < legs.size() && legs[beyond].run == legs[first].run) ++beyond;
     runs_.push_back(run_of(first, beyond));
@@ -83,10 +94,19 @@ Linearization::Linearization(const TrajectoryProblem& problem, const std::vector
 }
 
 /// How many unknowns a run has besides the numbers.
-Eigen::Index Linearization::own(const Run& run) const { return pushed() ? static_cast<Eigen::Index>(6 * (run.beyond - run.first)) : 6; }
+Eigen::Index Linearization::own(const Run& run) const {
+  return pushed() ? static_cast<Eigen::Index>(6 * (run.beyond - run.first)) : 6;
+}
 
 Linearization::Run Linearization::run_of(std::size_t first, std::size_t beyond) const {
-  Run run{.first = first, .beyond = beyond, .rows = {}, .A = {}, .by_start = {}, .own_inverse = {}, .mixed = {}, .taken = {}};
+  Run run{.first = first,
+          .beyond = beyond,
+          .rows = {},
+          .A = {},
+          .by_start = {},
+          .own_inverse = {},
+          .mixed = {},
+          .taken = {}};
   const Eigen::Index own = this->own(run), all = own + n_;
   Eigen::Index count = 0, row = 0;
   for (std::size_t i = first; i < beyond; ++i) count += courses_[i].residual.size();
@@ -115,7 +135,8 @@ Linearization::Run Linearization::run_of(std::size_t first, std::size_t beyond) 
 }
 
 /// a_i: how far the start of each leg must move for the legs to fit together.
-std::vector<Eigen::Vector<double, 6>> Linearization::drifts(const Run& run, const Place& place, const std::vector<Course>& courses) const {
+std::vector<Eigen::Vector<double, 6>> Linearization::drifts(const Run& run, const Place& place,
+                                                            const std::vector<Course>& courses) const {
   std::vector<Vector6> a{Vector6::Zero()};
   for (std::size_t i = run.first; i + 1 < run.beyond; ++i) {
     Vector6 defect = difference(courses[i].end, place.starts[i + 1]);
@@ -139,15 +160,20 @@ Eigen::VectorXd Linearization::residual(const Run& run, const Place& place, cons
 }
 
 /// Adds the pushes, which are measured to be 0, to a gradient.
-Eigen::VectorXd Linearization::push_gradient(const Run& run, const Place& place, const Eigen::VectorXd& gradient) const {
+Eigen::VectorXd Linearization::push_gradient(const Run& run, const Place& place,
+                                             const Eigen::VectorXd& gradient) const {
   Eigen::VectorXd result = gradient;
-  for (std::size_t i = run.first; pushed() && i + 1 < run.beyond; ++i) result.segment<6>(static_cast<Eigen::Index>(6 * (i + 1 - run.first))) += place.pushes[i];
+  for (std::size_t i = run.first; pushed() && i + 1 < run.beyond; ++i)
+    result.segment<6>(static_cast<Eigen::Index>(6 * (i + 1 - run.first))) += place.pushes[i];
   return result;
 }
 
-Move Linearization::step(const Place& place, const std::vector<Course>& courses, const Eigen::VectorXd& damping, const Eigen::VectorXd& held) const {
+Move Linearization::step(const Place& place, const std::vector<Course>& courses, const Eigen::VectorXd& damping,
+                         const Eigen::VectorXd& held) const {
   Eigen::VectorXd gradient(n_);
-  for (Eigen::Index i = 0; i < n_; ++i) gradient[i] = prior_[i] * (place.values[static_cast<std::size_t>(i)] - problem_.numbers[static_cast<std::size_t>(i)].value);
+  for (Eigen::Index i = 0; i < n_; ++i)
+    gradient[i] =
+        prior_[i] * (place.values[static_cast<std::size_t>(i)] - problem_.numbers[static_cast<std::size_t>(i)].value);
   std::vector<Eigen::VectorXd> own_gradient;
   for (const auto& run : runs_) {
     const Eigen::VectorXd r = residual(run, place, courses);
@@ -173,7 +199,8 @@ Move Linearization::step(const Place& place, const std::vector<Course>& courses,
     for (std::size_t i = 0; i < run.A.size(); ++i) {
       move.starts.push_back(run.A[i] * z + a[i]);
       const bool push = pushed() && i + 1 < run.A.size();
-      move.pushes.push_back(push ? Vector6(z.segment<6>(static_cast<Eigen::Index>(6 * (i + 1)))) : Vector6(Vector6::Zero()));
+      move.pushes.push_back(push ? Vector6(z.segment<6>(static_cast<Eigen::Index>(6 * (i + 1))))
+                                 : Vector6(Vector6::Zero()));
     }
   }
   return move;
@@ -184,7 +211,8 @@ double Linearization::gain(const Move& move) const {
   for (const auto& run : runs_) {
     Eigen::VectorXd z(own(run) + n_);
     z.head<6>() = move.starts[run.first];
-    for (std::size_t i = run.first; pushed() && i + 1 < run.beyond; ++i) z.segment<6>(static_cast<Eigen::Index>(6 * (i + 1 - run.first))) = move.pushes[i];
+    for (std::size_t i = run.first; pushed() && i + 1 < run.beyond; ++i)
+      z.segment<6>(static_cast<Eigen::Index>(6 * (i + 1 - run.first))) = move.pushes[i];
     z.tail(n_) = move.values;
     sum += (run.rows * z).squaredNorm() + z.segment(6, own(run) - 6).squaredNorm();
   }
@@ -202,7 +230,8 @@ std::vector<std::vector<Eigen::VectorXd>> Linearization::scores() const {
       for (const auto& reading : legs_[i].stretch.readings) {
         if (scores.empty() || reading.sample != sample) scores.push_back(Eigen::VectorXd::Zero(n_));
         sample = reading.sample;
-        scores.back() += r[row] * (run.rows.row(row).tail(n_).transpose() - run.taken * run.rows.row(row).head(own(run)).transpose());
+        scores.back() += r[row] * (run.rows.row(row).tail(n_).transpose() -
+                                   run.taken * run.rows.row(row).head(own(run)).transpose());
         ++row;
       }
       if (!pushed() || i + 1 == run.beyond) continue;

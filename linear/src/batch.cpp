@@ -20,8 +20,8 @@ bool processor_has(InstructionSet set) {
 #ifdef SWAYAW_X86_KERNELS
   if (set == InstructionSet::avx2) return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   if (set == InstructionSet::avx512)
-    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
-           __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("fma");
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512cd") &&
+           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("fma");
 #endif
   return set == InstructionSet::numbers || (set == InstructionSet::baseline && batch::baseline_zigzags());
 }
@@ -71,10 +71,23 @@ void forget_unreached(ZigzagTable& table, std::size_t ship) {
 }
 
 batch::ZigzagJob job_of(const ShipColumns& s, const LinearZigzagOrder& order, ZigzagTable& t) {
-  return {.a1 = s.a1.data(), .b1 = s.b1.data(), .c1 = s.c1.data(), .a2 = s.a2.data(), .b2 = s.b2.data(), .c2 = s.c2.data(),
-          .rudder = order.rudder, .heading = order.heading, .rate = order.rate, .turn = yaw_sign(order.first), .longest = order.longest,
-          .ships = t.ships, .reversals = t.reversals,
-          .execute = t.execute.data(), .peak = t.peak.data(), .overshoot = t.overshoot.data(), .count = t.count.data()};
+  return {.a1 = s.a1.data(),
+          .b1 = s.b1.data(),
+          .c1 = s.c1.data(),
+          .a2 = s.a2.data(),
+          .b2 = s.b2.data(),
+          .c2 = s.c2.data(),
+          .rudder = order.rudder,
+          .heading = order.heading,
+          .rate = order.rate,
+          .turn = yaw_sign(order.first),
+          .longest = order.longest,
+          .ships = t.ships,
+          .reversals = t.reversals,
+          .execute = t.execute.data(),
+          .peak = t.peak.data(),
+          .overshoot = t.overshoot.data(),
+          .count = t.count.data()};
 }
 
 }  // namespace
@@ -94,7 +107,8 @@ ZigzagTable zigzag_batch(const ShipColumns& ships, const LinearZigzagOrder& orde
   return table;
 }
 
-void zigzag_batch(const ShipColumns& ships, const LinearZigzagOrder& order, ZigzagTable& table, const BatchOptions& options) {
+void zigzag_batch(const ShipColumns& ships, const LinearZigzagOrder& order, ZigzagTable& table,
+                  const BatchOptions& options) {
   require_same_length(ships);
   require_positive(order.rudder, "rudder angle [rad]");
   require_positive(order.heading, "heading angle [rad]");

@@ -33,10 +33,11 @@ ZigzagKernel avx512_zigzags();    ///< AVX-512 F, CD, DQ and BW
 /// States that are sampled at once.
 inline constexpr std::size_t block = 16;
 
-/// What beta, omega, psi and the rudder angle at the first of a block are to (beta, omega, psi) of the block and of the next one's
-/// first, [3 · state + number]; `by_turn` is what the turn of the rudder from state to state adds.
+/// What beta, omega, psi and the rudder angle at the first of a block are to (beta, omega, psi) of the block and of the
+/// next one's first, [3 · state + number]; `by_turn` is what the turn of the rudder from state to state adds.
 struct BlockMap {
-  double by_beta[3 * block + 3], by_omega[3 * block + 3], by_psi[3 * block + 3], by_angle[3 * block + 3], by_turn[3 * block + 3];
+  double by_beta[3 * block + 3], by_omega[3 * block + 3], by_psi[3 * block + 3], by_angle[3 * block + 3],
+      by_turn[3 * block + 3];
 };
 
 /// Blocks that follow each other on a leg.
@@ -44,7 +45,7 @@ struct SampleJob {
   double beta, omega, psi, angle;  ///< at the first state; at the end, at the first state thereafter
   double turn;                     ///< of the rudder from state to state
   std::size_t blocks;
-  double* states;                  ///< beta, omega, psi, beta, …
+  double* states;  ///< beta, omega, psi, beta, …
 };
 
 using SampleKernel = void (*)(const BlockMap&, SampleJob&);

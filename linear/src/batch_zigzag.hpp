@@ -12,7 +12,8 @@
 ///
 /// and with B_i = l_i y_i + g_i delta0, r_i = g_i rho, C_i = l_i B_i + r_i and the moments e, p1, p2, p3 of exp(l_i s)
 ///
-///     psi = psi0 + Σ y_i s + B_i p2 + r_i p3,   psi' = Σ y_i + B_i p1 + r_i p2,   psi'' = Σ B_i e + r_i p1,   psi''' = Σ C_i e.
+///     psi = psi0 + Σ y_i s + B_i p2 + r_i p3,   psi' = Σ y_i + B_i p1 + r_i p2,   psi'' = Σ B_i e + r_i p1,   psi''' =
+///     Σ C_i e.
 namespace swayaw::batch {
 
 template <class Arch>
@@ -24,7 +25,8 @@ class ZigzagPack {
   static constexpr std::size_t lanes = P::size;
 
   ZigzagPack(const ZigzagJob& job, std::size_t first, std::size_t past) : job_(job), first_(first), past_(past) {
-    const P a1 = load(job.a1), b1 = load(job.b1), c1 = load(job.c1), a2 = load(job.a2), b2 = load(job.b2), c2 = load(job.c2);
+    const P a1 = load(job.a1), b1 = load(job.b1), c1 = load(job.c1), a2 = load(job.a2), b2 = load(job.b2),
+            c2 = load(job.c2);
     const P mu = (a1 + b2) * P(0.5), det = a1 * b2 - a2 * b1, q = mu * mu - det;
     const P root = xsimd::sqrt(xsimd::max(q, P(0.0)));
     const P fast = select(mu <= P(0.0), mu - root, mu + root), slow = det / fast;
@@ -81,7 +83,8 @@ class ZigzagPack {
 
   static P select(const M& m, const P& a, const P& b) { return xsimd::select(m, a, b); }
 
-  /// exp(l s) = 2^n exp(r) with |r| ≤ ½ ln 2; exp(l s) − 1 to full relative accuracy, from which p_{k+1} = (p_k − s^k/k!)/l.
+  /// exp(l s) = 2^n exp(r) with |r| ≤ ½ ln 2; exp(l s) − 1 to full relative accuracy, from which p_{k+1} = (p_k −
+  /// s^k/k!)/l.
   static Moments moments(const P& l, const P& over_l, const P& s) {
     const P z = xsimd::max(l * s, P(-700.0));
     // n rounded in the last bits of the shifter, 3 · 2⁵¹; 2^n from the same bits
@@ -92,8 +95,10 @@ class ZigzagPack {
     const P r2 = r * r, r4 = r2 * r2;
     // exp(r) − 1 − r = r² (1/2! + r/3! + … + r¹¹/13!)
     const P c0 = xsimd::fma(r, P(1.0 / 6.0), P(0.5)), c1 = xsimd::fma(r, P(1.0 / 120.0), P(1.0 / 24.0));
-    const P c2 = xsimd::fma(r, P(1.0 / 5040.0), P(1.0 / 720.0)), c3 = xsimd::fma(r, P(1.0 / 362880.0), P(1.0 / 40320.0));
-    const P c4 = xsimd::fma(r, P(1.0 / 39916800.0), P(1.0 / 3628800.0)), c5 = xsimd::fma(r, P(1.0 / 6227020800.0), P(1.0 / 479001600.0));
+    const P c2 = xsimd::fma(r, P(1.0 / 5040.0), P(1.0 / 720.0)),
+            c3 = xsimd::fma(r, P(1.0 / 362880.0), P(1.0 / 40320.0));
+    const P c4 = xsimd::fma(r, P(1.0 / 39916800.0), P(1.0 / 3628800.0)),
+            c5 = xsimd::fma(r, P(1.0 / 6227020800.0), P(1.0 / 479001600.0));
     const P low = xsimd::fma(r2, c1, c0), middle = xsimd::fma(r2, c3, c2), high = xsimd::fma(r2, c5, c4);
     const P minus_1 = xsimd::fma(r2, xsimd::fma(r4, xsimd::fma(r4, high, middle), low), r);
     const P rise = xsimd::fma(scale, minus_1, scale - P(1.0));
@@ -144,14 +149,16 @@ class ZigzagPack {
   Knot at(const P& s, const Moments& a, const Moments& b) const {
     const P u1 = C1_ * a.e, u2 = C2_ * b.e;
     const P w0 = y1_ + y2_;
-    return {.f0 = (psi_ - goal_) + xsimd::fma(w0, s, xsimd::fma(B1_, a.p2, B2_ * b.p2) + xsimd::fma(r1_, a.p3, r2_ * b.p3)),
-            .f1 = w0 + (xsimd::fma(B1_, a.p1, B2_ * b.p1) + xsimd::fma(r1_, a.p2, r2_ * b.p2)),
-            .f2 = xsimd::fma(B1_, a.e, B2_ * b.e) + xsimd::fma(r1_, a.p1, r2_ * b.p1),
-            .f3 = u1 + u2,
-            .f4 = xsimd::fma(l1_, u1, l2_ * u2)};
+    return {
+        .f0 = (psi_ - goal_) + xsimd::fma(w0, s, xsimd::fma(B1_, a.p2, B2_ * b.p2) + xsimd::fma(r1_, a.p3, r2_ * b.p3)),
+        .f1 = w0 + (xsimd::fma(B1_, a.p1, B2_ * b.p1) + xsimd::fma(r1_, a.p2, r2_ * b.p2)),
+        .f2 = xsimd::fma(B1_, a.e, B2_ * b.e) + xsimd::fma(r1_, a.p1, r2_ * b.p1),
+        .f3 = u1 + u2,
+        .f4 = xsimd::fma(l1_, u1, l2_ * u2)};
   }
 
-  /// The values of a knot with those that are 0 replaced by the next derivative, so that their signs are those just behind.
+  /// The values of a knot with those that are 0 replaced by the next derivative, so that their signs are those just
+  /// behind.
   static Knot behind(const Knot& k) {
     const P f3 = select(k.f3 == P(0.0), k.f4, k.f3), f2 = select(k.f2 == P(0.0), f3, k.f2);
     const P f1 = select(k.f1 == P(0.0), f2, k.f1);
@@ -164,7 +171,8 @@ class ZigzagPack {
   }
 
   static Knot where(const M& m, const Knot& a, const Knot& b) {
-    return {select(m, a.f0, b.f0), select(m, a.f1, b.f1), select(m, a.f2, b.f2), select(m, a.f3, b.f3), select(m, a.f4, b.f4)};
+    return {select(m, a.f0, b.f0), select(m, a.f1, b.f1), select(m, a.f2, b.f2), select(m, a.f3, b.f3),
+            select(m, a.f4, b.f4)};
   }
 
   /// The function whose zero is looked for, heading or yaw rate, with three derivatives.
@@ -173,7 +181,8 @@ class ZigzagPack {
   };
 
   Sought sought(const Knot& k) const {
-    return {select(to_heading_, k.f0, k.f1), select(to_heading_, k.f1, k.f2), select(to_heading_, k.f2, k.f3), select(to_heading_, k.f3, k.f4)};
+    return {select(to_heading_, k.f0, k.f1), select(to_heading_, k.f1, k.f2), select(to_heading_, k.f2, k.f3),
+            select(to_heading_, k.f3, k.f4)};
   }
 
   /// How far on the parabola that touches the function reaches zero: y + f t + ½ g t² = 0.
@@ -199,8 +208,8 @@ class ZigzagPack {
     s_ = probe(P(0.0), sought(start), end_);
   }
 
-  /// A step of each lane towards where its leg ends: the zero that is looked for, else the end. A lane marches until the zero is
-  /// between two knots, then closes in on it.
+  /// A step of each lane towards where its leg ends: the zero that is looked for, else the end. A lane marches until
+  /// the zero is between two knots, then closes in on it.
   ///
   /// @return whether the knot of every lane is where its leg ends, or a small shift before or behind it
   [[gnu::always_inline]] bool step() {
@@ -233,7 +242,8 @@ class ZigzagPack {
     const M rooting = found_ & ~there_;
     low_ = select(rooting & same, s_, low_);
     high_ = select(rooting & ~same, s_, high_);
-    const P over_f = P(1.0) / k.f, newton = -k.y * over_f, bend = newton * k.g * over_f, twist = newton * newton * k.h * over_f;
+    const P over_f = P(1.0) / k.f, newton = -k.y * over_f, bend = newton * k.g * over_f,
+            twist = newton * newton * k.h * over_f;
     const P by = newton * xsimd::fma(P(0.5), bend, P(1.0)) / xsimd::fma(P(1.0 / 6.0), twist, P(1.0) + bend);
     const P near = s_ + by, error = xsimd::fma(xsimd::abs(by), size_, xsimd::abs(bend));
     const M inside = (near > low_) & (near < high_), exact = error < P(1e-13);
@@ -250,14 +260,15 @@ class ZigzagPack {
     active_ = active_ & ~who;
   }
 
-  /// From the last knot over the shift to the end of the leg, by Taylor's series: the shift is so small that the third power is
-  /// the last that counts.
+  /// From the last knot over the shift to the end of the leg, by Taylor's series: the shift is so small that the third
+  /// power is the last that counts.
   void advance() {
     const M arrived = arrives_ & ~found_;
     const P s = s_ + shift_;
     now_ = select(active_, now_ + s, now_);
     const P sixth = shift_ * P(1.0 / 6.0);
-    psi_ = goal_ + xsimd::fma(shift_, xsimd::fma(shift_, xsimd::fma(sixth, knot_.f3, P(0.5) * knot_.f2), knot_.f1), knot_.f0);
+    psi_ = goal_ +
+           xsimd::fma(shift_, xsimd::fma(shift_, xsimd::fma(sixth, knot_.f3, P(0.5) * knot_.f2), knot_.f1), knot_.f0);
     y1_ = mode_after(l1_, y1_, B1_, r1_, C1_, slow_);
     y2_ = mode_after(l2_, y2_, B2_, r2_, C2_, fast_);
     angle_ = select(arrived, target_, xsimd::fma(rho_, s, angle_));
@@ -266,7 +277,8 @@ class ZigzagPack {
 
   P mode_after(const P& l, const P& y, const P& B, const P& r, const P& C, const Moments& m) const {
     const P value = y + xsimd::fma(B, m.p1, r * m.p2), slope = xsimd::fma(B, m.e, r * m.p1), curve = C * m.e;
-    return xsimd::fma(shift_, xsimd::fma(shift_, xsimd::fma(shift_ * P(1.0 / 6.0), l * curve, P(0.5) * curve), slope), value);
+    return xsimd::fma(shift_, xsimd::fma(shift_, xsimd::fma(shift_ * P(1.0 / 6.0), l * curve, P(0.5) * curve), slope),
+                      value);
   }
 
   /// Reversals and peaks; the next order.
@@ -288,7 +300,8 @@ class ZigzagPack {
   }
 
   void keep(const M& who, const P& value, P* row) const {
-    for (std::size_t r = 0; r < job_.reversals; ++r) row[r] = select(who & (done_ == P(static_cast<double>(r))), value, row[r]);
+    for (std::size_t r = 0; r < job_.reversals; ++r)
+      row[r] = select(who & (done_ == P(static_cast<double>(r))), value, row[r]);
   }
 
   void store() const {
@@ -316,7 +329,8 @@ class ZigzagPack {
   M active_, redo_;
   P l1_, l2_, over1_, over2_, g1_, g2_, size_, horizon_, over_rate_;
   // where the ship is
-  P now_ = P(0.0), psi_ = P(0.0), y1_ = P(0.0), y2_ = P(0.0), angle_ = P(0.0), target_ = P(0.0), turn_ = P(job_.turn), done_ = P(0.0);
+  P now_ = P(0.0), psi_ = P(0.0), y1_ = P(0.0), y2_ = P(0.0), angle_ = P(0.0), target_ = P(0.0), turn_ = P(job_.turn),
+    done_ = P(0.0);
   M moving_ = M(false), to_heading_ = M(true);
   // the leg
   P rho_, B1_, B2_, r1_, r2_, C1_, C2_, goal_;

@@ -7,7 +7,8 @@
 namespace swayaw {
 namespace {
 
-EulerStep advanced(const SwayYawCoefficients<double>& ship, const EulerStep& now, double ordered, double reach, double next_s, double h) {
+EulerStep advanced(const SwayYawCoefficients<double>& ship, const EulerStep& now, double ordered, double reach,
+                   double next_s, double h) {
   const auto& x = now.state;
   const auto d = rates(ship, x, now.delta);
   return {

@@ -45,7 +45,8 @@ double largest_root(double a, double b, double c) {
 
 }  // namespace
 
-std::vector<BodePoint> bode(const RudderTransfer<double>& t, const std::vector<double>& frequencies, const PrimeScale& scale) {
+std::vector<BodePoint> bode(const RudderTransfer<double>& t, const std::vector<double>& frequencies,
+                            const PrimeScale& scale) {
   const double rate = require_positive(scale.U, "speed U [m/s]") / require_positive(scale.L, "length L [m]");
   std::vector<BodePoint> points;
   points.reserve(frequencies.size());
@@ -61,7 +62,8 @@ std::vector<double> logarithmic_frequencies(double low, double high, std::size_t
   require_positive(high, "highest frequency");
   if (count < 2) throw std::domain_error("a range needs at least 2 frequencies");
   std::vector<double> all(count);
-  for (std::size_t i = 0; i < count; ++i) all[i] = low * std::pow(high / low, static_cast<double>(i) / static_cast<double>(count - 1));
+  for (std::size_t i = 0; i < count; ++i)
+    all[i] = low * std::pow(high / low, static_cast<double>(i) / static_cast<double>(count - 1));
   return all;
 }
 
@@ -70,7 +72,9 @@ std::optional<double> highest_frequency_with_gain(const RudderTransfer<double>& 
   const double b = t.e1 * t.e1 - 2.0 * t.e0, c = t.e0 * t.e0;
   const double n0 = t.n0 * t.n0 * over, n1 = t.n1 * t.n1 * over;
   // x² + (b − n1) x + (c − n0) = 0, or x³ + b x² + (c − n1) x − n0 = 0
-  const auto x = t.integrals == 0 ? largest_root(b - n1, c - n0) : n0 > 0.0 ? largest_root(b, c - n1, n0) : largest_root(b, c - n1);
+  const auto x = t.integrals == 0 ? largest_root(b - n1, c - n0)
+                 : n0 > 0.0       ? largest_root(b, c - n1, n0)
+                                  : largest_root(b, c - n1);
   if (!x || *x <= 0.0) return std::nullopt;
   return std::sqrt(*x);
 }

@@ -13,7 +13,8 @@
 namespace swayaw {
 namespace {
 
-constexpr std::array<KnownPart, 5> all_known{KnownPart::Y_b, KnownPart::Y_w, KnownPart::N_b, KnownPart::N_w, KnownPart::c_Ry};
+constexpr std::array<KnownPart, 5> all_known{KnownPart::Y_b, KnownPart::Y_w, KnownPart::N_b, KnownPart::N_w,
+                                             KnownPart::c_Ry};
 
 /// The known number of a ship.
 template <class S>
@@ -65,7 +66,8 @@ SwayYawCoefficients<D> varied(const SwayYawCoefficients<double>& m, const Steeri
 InvertedNumber inverted_number(std::string_view name, const D& x) {
   InvertedNumber number{name, x.a, {}};
   const double none = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t k = 0; k < number.elasticity.size(); ++k) number.elasticity[k] = x.a == 0.0 ? none : x.v[static_cast<int>(k)] / x.a;
+  for (std::size_t k = 0; k < number.elasticity.size(); ++k)
+    number.elasticity[k] = x.a == 0.0 ? none : x.v[static_cast<int>(k)] / x.a;
   return number;
 }
 
@@ -76,8 +78,12 @@ std::array<InvertedNumber, 6> numbers(const SwayYawCoefficients<D>& m) {
 
 std::array<InvertedNumber, 7> numbers(const LinearParts<D>& ship) {
   const auto& [h, r] = ship;
-  return {inverted_number("a_H", r.a_H),         inverted_number("c_Ry", r.c_Ry), inverted_number("x_R_eff_prime", r.x_Reff),
-          inverted_number("Y_b_per_deg", h.Y_b), inverted_number("Y_w", h.Y_w),   inverted_number("N_b_per_deg", h.N_b),
+  return {inverted_number("a_H", r.a_H),
+          inverted_number("c_Ry", r.c_Ry),
+          inverted_number("x_R_eff_prime", r.x_Reff),
+          inverted_number("Y_b_per_deg", h.Y_b),
+          inverted_number("Y_w", h.Y_w),
+          inverted_number("N_b_per_deg", h.N_b),
           inverted_number("N_w", h.N_w)};
 }
 
@@ -101,7 +107,8 @@ KnownCondition condition_of(const SwayYawCoefficients<double>& m, const LinearPa
   KnownCondition condition{known, 0.0, 0.0};
   for (const auto& result : closed_by_known(parts_from(by_logarithms<7>(m), ship, known))) {
     const auto elasticity = (result.v / result.a).eval();
-    if (!elasticity.allFinite()) return {known, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    if (!elasticity.allFinite())
+      return {known, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     condition.by_known = std::max(condition.by_known, std::abs(elasticity[6]));
     condition.worst = std::max(condition.worst, elasticity.norm());
   }
@@ -110,11 +117,13 @@ KnownCondition condition_of(const SwayYawCoefficients<double>& m, const LinearPa
 
 }  // namespace
 
-std::array<InvertedNumber, 6> inverted_coefficients(const SwayYawCoefficients<double>& m, const SteeringIndices<double>& indices) {
+std::array<InvertedNumber, 6> inverted_coefficients(const SwayYawCoefficients<double>& m,
+                                                    const SteeringIndices<double>& indices) {
   return numbers(varied(m, indices));
 }
 
-Inversion inverted(const SwayYawCoefficients<double>& m, const SteeringIndices<double>& indices, const LinearParts<double>& formal, KnownPart known) {
+Inversion inverted(const SwayYawCoefficients<double>& m, const SteeringIndices<double>& indices,
+                   const LinearParts<double>& formal, KnownPart known) {
   require_rudder_effect(m);
   const auto coefficients = varied(m, indices);
   auto ship = lifted<D>(formal);
@@ -124,7 +133,8 @@ Inversion inverted(const SwayYawCoefficients<double>& m, const SteeringIndices<d
   return {numbers(coefficients), numbers(found), require_finite(parts_from(m, formal, known), known)};
 }
 
-std::array<KnownCondition, 5> known_conditions(const SwayYawCoefficients<double>& m, const LinearParts<double>& formal) {
+std::array<KnownCondition, 5> known_conditions(const SwayYawCoefficients<double>& m,
+                                               const LinearParts<double>& formal) {
   std::array<KnownCondition, 5> conditions{};
   for (std::size_t k = 0; k < all_known.size(); ++k) conditions[k] = condition_of(m, formal, all_known[k]);
   return conditions;

@@ -30,13 +30,15 @@ struct LegShip {
 
 /// psi and its derivatives along a leg.
 ///
-/// The rudder moves in a straight line, so that from the order `free` on (2 under a resting rudder, else 3) the derivatives
-/// f_free, f_free+1, … obey y'' = tr y' − det y with no force. With v = (beta, omega) differentiated free − 1 times at the start,
+/// The rudder moves in a straight line, so that from the order `free` on (2 under a resting rudder, else 3) the
+/// derivatives f_free, f_free+1, … obey y'' = tr y' − det y with no force. With v = (beta, omega) differentiated free −
+/// 1 times at the start,
 ///
-///     f_free(s) = (exp(A s) v)_omega,   f_free−k(s) = Taylor polynomial of degree k − 1 at the start + k-fold integral of f_free.
+///     f_free(s) = (exp(A s) v)_omega,   f_free−k(s) = Taylor polynomial of degree k − 1 at the start + k-fold integral
+///     of f_free.
 ///
-/// Within the horizon f_free passes zero at most once. A function whose derivative does so has one top at most, and the signs
-/// at both ends tell whether that top matters; so the zeros are isolated one order at a time and none is missed.
+/// Within the horizon f_free passes zero at most once. A function whose derivative does so has one top at most, and the
+/// signs at both ends tell whether that top matters; so the zeros are isolated one order at a time and none is missed.
 class LegFunctions {
  public:
   LegFunctions(const LegShip& ship, const LinearState<double>& start, const RudderLine<double>& rudder)
@@ -44,8 +46,10 @@ class LegFunctions {
     const auto& m = ship_.m;
     first_ = rates(m, start, rudder.value);
     v_ = ramp_ ? rates(m, {first_.beta, first_.omega, 0.0}, rudder.rate) : first_;
-    const auto [yaw1, yaw2] = split(modes_.yaw_beta * start.beta + modes_.yaw_omega * start.omega, first_.omega, modes_.yaw_gain, m.c2, rudder);
-    const auto [drift1, drift2] = split(modes_.drift_beta * start.beta + modes_.drift_omega * start.omega, first_.beta, modes_.drift_gain, m.c1, rudder);
+    const auto [yaw1, yaw2] = split(modes_.yaw_beta * start.beta + modes_.yaw_omega * start.omega, first_.omega,
+                                    modes_.yaw_gain, m.c2, rudder);
+    const auto [drift1, drift2] = split(modes_.drift_beta * start.beta + modes_.drift_omega * start.omega, first_.beta,
+                                        modes_.drift_gain, m.c1, rudder);
     yaw_ = {yaw1, yaw2, v_.omega, m.a2 * v_.beta - m.a1 * v_.omega};
     drift_ = {drift1, drift2, v_.beta, m.b1 * v_.omega - m.b2 * v_.beta};
   }
@@ -82,8 +86,8 @@ class LegFunctions {
     }
   }
 
-  /// Length of time within which f_free has one zero at most, and exponentials stay in range. A fast mode that dies out does not
-  /// shorten it: two real exponentials have one common zero at most, however far one looks.
+  /// Length of time within which f_free has one zero at most, and exponentials stay in range. A fast mode that dies out
+  /// does not shorten it: two real exponentials have one common zero at most, however far one looks.
   double horizon() const {
     const auto& p = ship_.p;
     if (p.apart && p.fast < 0.0) return 30.0 / std::abs(p.slow);
@@ -106,8 +110,9 @@ class LegFunctions {
     double slow, fast;
   };
 
-  /// Modes of a derivative of beta or omega at the start, y' = y1' + y2' and y_i' = l_i y_i + g_i delta, under a moving rudder one
-  /// derivative more. The slow part never as a difference of large rates, which would lose digits where T2 is very small.
+  /// Modes of a derivative of beta or omega at the start, y' = y1' + y2' and y_i' = l_i y_i + g_i delta, under a moving
+  /// rudder one derivative more. The slow part never as a difference of large rates, which would lose digits where T2
+  /// is very small.
   Parts split(double slow, double rate, double gain, double whole_gain, const RudderLine<double>& rudder) const {
     const double slow_rate = modes_.l1 * slow + gain * rudder.value, fast_rate = rate - slow_rate;
     if (!ramp_) return {slow_rate, fast_rate};
@@ -116,8 +121,8 @@ class LegFunctions {
 
   /// What all functions of the leg are made of.
   struct Basis {
-    Moments slow, fast;  ///< if the poles are well apart
-    ResponseBasis<double> h;     ///< else
+    Moments slow, fast;       ///< if the poles are well apart
+    ResponseBasis<double> h;  ///< else
   };
 
   static double sign(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
@@ -168,15 +173,17 @@ class LegFunctions {
     if (ship_.p.apart)
       return {modes_.l1 * c1 * slow.e + modes_.l2 * c2 * fast.e, c1 * slow.e + c2 * fast.e, c1 * slow.p1 + c2 * fast.p1,
               c1 * slow.p2 + c2 * fast.p2, c1 * slow.p3 + c2 * fast.p3};
-    return {(ship_.p.tr * h.h_1 - ship_.p.det * h.h0) * y0 + h.h_1 * turn, h.h_1 * y0 + h.h0 * turn, h.h0 * y0 + h.h1 * turn,
-            h.h1 * y0 + h.h2 * turn, h.h2 * y0 + h.h3 * turn};
+    return {(ship_.p.tr * h.h_1 - ship_.p.det * h.h0) * y0 + h.h_1 * turn, h.h_1 * y0 + h.h0 * turn,
+            h.h0 * y0 + h.h1 * turn, h.h1 * y0 + h.h2 * turn, h.h2 * y0 + h.h3 * turn};
   }
 
   Knot knot(double s, const Free& yaw, const Free& drift) const {
     const double psi = start_.psi + start_.omega * s;
     const double curve = ship_.p.tr * yaw.rise - ship_.p.det * yaw.y;
     if (!ramp_) return {s, {psi + yaw.i2, start_.omega + yaw.i1, yaw.y, yaw.rise, curve}, start_.beta + drift.i1};
-    return {s, {psi + 0.5 * first_.omega * s * s + yaw.i3, start_.omega + first_.omega * s + yaw.i2, first_.omega + yaw.i1, yaw.y, yaw.rise},
+    return {s,
+            {psi + 0.5 * first_.omega * s * s + yaw.i3, start_.omega + first_.omega * s + yaw.i2, first_.omega + yaw.i1,
+             yaw.y, yaw.rise},
             start_.beta + first_.beta * s + drift.i2};
   }
 
@@ -228,7 +235,8 @@ class LegFunctions {
 
 /// Calls visit(state, s) at all s in (0, length] at which the derivative of psi of that order passes zero.
 template <class Visit>
-void for_each_zero(const LegShip& ship, LinearState<double> start, RudderLine<double> rudder, double length, int level, const Visit& visit) {
+void for_each_zero(const LegShip& ship, LinearState<double> start, RudderLine<double> rudder, double length, int level,
+                   const Visit& visit) {
   double from = 0.0;
   while (from < length) {
     const LegFunctions functions(ship, start, rudder);

@@ -40,7 +40,8 @@ void cut(std::vector<Leg<double>>& legs, double end) {
 
 }  // namespace
 
-Recording recording_of(const SwayYawCoefficients<double>& coefficients, std::vector<Leg<double>> legs, const PrimeScale& scale, double step) {
+Recording recording_of(const SwayYawCoefficients<double>& coefficients, std::vector<Leg<double>> legs,
+                       const PrimeScale& scale, double step) {
   require_positive(step, "step [s]");
   if (legs.empty()) throw std::domain_error("a motion without legs cannot be sampled");
   const LinearResponse<double> ship(coefficients);

@@ -42,14 +42,17 @@ struct RealIndices {
     constexpr auto index = [](std::string_view key, double RealIndices::*member, const Range& range = any_number) {
       return Parameter<RealIndices, double>{key, member, "-", range, Role::coefficient};
     };
-    return std::array{index("T1", &RealIndices::T1, not_zero), index("T2", &RealIndices::T2, not_zero), index("T3b", &RealIndices::T3b),
-                      index("T3w", &RealIndices::T3w),         index("Kb", &RealIndices::Kb),           index("Kw", &RealIndices::Kw)};
+    return std::array{index("T1", &RealIndices::T1, not_zero), index("T2", &RealIndices::T2, not_zero),
+                      index("T3b", &RealIndices::T3b),         index("T3w", &RealIndices::T3w),
+                      index("Kb", &RealIndices::Kb),           index("Kw", &RealIndices::Kw)};
   }
 };
 
 LinearForm form_of(const SwayYawCoefficients<double>& m) { return m; }
 LinearForm form_of(const SteeringIndices<double>& i) { return i; }
-LinearForm form_of(const RealIndices& i) { return SteeringIndices<double>{i.T1 * i.T2, i.T1 + i.T2, i.T3b, i.T3w, i.Kb, i.Kw}; }
+LinearForm form_of(const RealIndices& i) {
+  return SteeringIndices<double>{i.T1 * i.T2, i.T1 + i.T2, i.T3b, i.T3w, i.Kb, i.Kw};
+}
 
 /// A form that is one table of numbers.
 template <class Numbers>
@@ -75,8 +78,11 @@ template <class File>
 LinearShip read_as(const PartsReader& reader) {
   File file{};
   auto head = reader.read({file_numbers(file), {}, {}});
-  if (file.gear.lag > 0.0) reader.fail("rudder", "lag_s", "a linear ship's rudder keeps its rate until it arrives; lag_s is not understood here");
-  if (file.gear.dead_band > 0.0) reader.fail("rudder", "dead_band_deg", "dead_band_deg is not understood in a linear ship");
+  if (file.gear.lag > 0.0)
+    reader.fail("rudder", "lag_s",
+                "a linear ship's rudder keeps its rate until it arrives; lag_s is not understood here");
+  if (file.gear.dead_band > 0.0)
+    reader.fail("rudder", "dead_band_deg", "dead_band_deg is not understood in a linear ship");
   return {std::move(head.name), file.particulars, file.gear, file.form(), std::move(head.confidence)};
 }
 
@@ -95,13 +101,16 @@ LinearShip read_indices(const PartsReader& reader) {
   const bool products = reader.has("nomoto", "T1T2") || reader.has("nomoto", "T1_plus_T2");
   for (const auto* key : {"T1", "T2"})
     if (products && reader.has("nomoto", key))
-      reader.fail("nomoto", key, fmt::format("{} in [nomoto] is one too many: T1T2 and T1_plus_T2 replace T1 and T2", key));
+      reader.fail("nomoto", key,
+                  fmt::format("{} in [nomoto] is one too many: T1T2 and T1_plus_T2 replace T1 and T2", key));
   return products ? read_as<TableFile<SteeringIndices<double>>>(reader) : read_as<TableFile<RealIndices>>(reader);
 }
 
 // ---------------------------------------------------------------- writing
 
-PartsFile file_of(const LinearShip& ship, const LinearParts<double>& parts) { return {ship.particulars, parts.hull, parts.rudder, ship.steering_gear}; }
+PartsFile file_of(const LinearShip& ship, const LinearParts<double>& parts) {
+  return {ship.particulars, parts.hull, parts.rudder, ship.steering_gear};
+}
 
 template <class Numbers>
 TableFile<Numbers> file_of(const LinearShip& ship, const Numbers& numbers) {

@@ -33,8 +33,10 @@ struct Node {
 };
 
 constexpr std::array<Node, 10> nodes = [] {
-  constexpr double x[] = {0.14887433898163122, 0.43339539412924719, 0.67940956829902441, 0.86506336668898451, 0.97390652851717172};
-  constexpr double w[] = {0.29552422471475287, 0.26926671930999636, 0.21908636251598204, 0.14945134915058059, 0.06667134430868814};
+  constexpr double x[] = {0.14887433898163122, 0.43339539412924719, 0.67940956829902441, 0.86506336668898451,
+                          0.97390652851717172};
+  constexpr double w[] = {0.29552422471475287, 0.26926671930999636, 0.21908636251598204, 0.14945134915058059,
+                          0.06667134430868814};
   std::array<Node, 10> rule{};
   for (std::size_t i = 0; i < 5; ++i) {
     rule[2 * i] = {0.5 * (1.0 - x[i]), 0.5 * w[i]};
@@ -46,13 +48,13 @@ constexpr std::array<Node, 10> nodes = [] {
 /// Line integrals that give area, centroid and area moments by Green's theorem, and the distance from a line.
 template <class S>
 struct LoopIntegrals {
-  S area{0.0};        ///< ∮ beta d(omega)
-  S beta{0.0};        ///< ∮ ½ beta² d(omega)
-  S omega{0.0};       ///< −∮ ½ omega² d(beta)
-  S beta_beta{0.0};   ///< ∮ ⅓ beta³ d(omega)
-  S omega_omega{0.0}; ///< −∮ ⅓ omega³ d(beta)
-  S beta_omega{0.0};  ///< ∮ ½ beta² omega d(omega)
-  S off_line{0.0};    ///< ∫ (omega − slope beta)² ds
+  S area{0.0};         ///< ∮ beta d(omega)
+  S beta{0.0};         ///< ∮ ½ beta² d(omega)
+  S omega{0.0};        ///< −∮ ½ omega² d(beta)
+  S beta_beta{0.0};    ///< ∮ ⅓ beta³ d(omega)
+  S omega_omega{0.0};  ///< −∮ ⅓ omega³ d(beta)
+  S beta_omega{0.0};   ///< ∮ ½ beta² omega d(omega)
+  S off_line{0.0};     ///< ∫ (omega − slope beta)² ds
   S time{0.0};
 
   void add(const S& b, const S& w, const S& db, const S& dw) {
@@ -67,10 +69,11 @@ struct LoopIntegrals {
 
 /// Adds the part of a leg in which no mode is quicker than `pole` [per ship length].
 ///
-/// The rates obey x'' = A x' + c rho: from their values at the start, not as A x + c delta, whose large terms would cancel where T2
-/// is very small.
+/// The rates obey x'' = A x' + c rho: from their values at the start, not as A x + c delta, whose large terms would
+/// cancel where T2 is very small.
 template <class S>
-void add_part(LoopIntegrals<S>& sum, const LinearResponse<S>& ship, const Leg<S>& leg, const S& slope, const S& from, const S& length, double pole) {
+void add_part(LoopIntegrals<S>& sum, const LinearResponse<S>& ship, const Leg<S>& leg, const S& slope, const S& from,
+              const S& length, double pole) {
   const auto first = rates(ship.m, leg.start, leg.rudder.value);
   const int pieces = std::max(1, static_cast<int>(std::ceil(pole * value_of(length) / 2.0)));
   for (int piece = 0; piece < pieces; ++piece) {
@@ -104,7 +107,8 @@ void add_leg(LoopIntegrals<S>& sum, const LinearResponse<S>& ship, const Leg<S>&
 template <class S>
 void add_chord(LoopIntegrals<S>& sum, const LinearState<S>& end, const LinearState<S>& start) {
   const S db = start.beta - end.beta, dw = start.omega - end.omega;
-  for (const auto& [place, weight] : nodes) sum.add(end.beta + db * place, end.omega + dw * place, db * weight, dw * weight);
+  for (const auto& [place, weight] : nodes)
+    sum.add(end.beta + db * place, end.omega + dw * place, db * weight, dw * weight);
 }
 
 template <class S>
@@ -112,7 +116,8 @@ void set_ellipse(LoopMeasures<S>& m, const LoopIntegrals<S>& sum) {
   const double sign = value_of(sum.area) < 0.0 ? -1.0 : 1.0;
   const S area = sum.area * sign;
   const S b = sum.beta * sign / area, w = sum.omega * sign / area;  // centroid
-  const S bb = sum.beta_beta * sign / area - b * b, ww = sum.omega_omega * sign / area - w * w, bw = sum.beta_omega * sign / area - b * w;
+  const S bb = sum.beta_beta * sign / area - b * b, ww = sum.omega_omega * sign / area - w * w,
+          bw = sum.beta_omega * sign / area - b * w;
   const S mean = 0.5 * (bb + ww), half = sqrt(0.25 * (bb - ww) * (bb - ww) + bw * bw);
   m.area = area;
   m.length = 4.0 * sqrt(mean + half);
@@ -134,7 +139,8 @@ struct Places {
   std::vector<double> beta_zero, beta_top, omega_zero, omega_top;
 };
 
-std::vector<double> all_zeros(const LegShip& ship, const LinearState<double>& start, const RudderLine<double>& rudder, double length, int level) {
+std::vector<double> all_zeros(const LegShip& ship, const LinearState<double>& start, const RudderLine<double>& rudder,
+                              double length, int level) {
   std::vector<double> zeros;
   for_each_zero(ship, start, rudder, length, level, [&](const LinearState<double>&, double s) { zeros.push_back(s); });
   return zeros;
@@ -164,7 +170,9 @@ void take_larger(S& largest, const S& candidate) {
 template <class S>
 void add_extremes(LoopMeasures<S>& m, const LinearResponse<S>& ship, const Leg<S>& leg, const Places& places) {
   const auto at = [&](const S& s) { return state_after(ship, leg.start, leg.rudder, s); };
-  const auto rate_at = [&](const LinearState<S>& x, const S& s) { return rates(ship.m, x, S(leg.rudder.value + leg.rudder.rate * s)); };
+  const auto rate_at = [&](const LinearState<S>& x, const S& s) {
+    return rates(ship.m, x, S(leg.rudder.value + leg.rudder.rate * s));
+  };
   for (const auto& x : {leg.start, at(leg.length)}) {
     take_larger(m.beta_max, x.beta);
     take_larger(m.omega_max, x.omega);
@@ -185,8 +193,8 @@ void add_extremes(LoopMeasures<S>& m, const LinearResponse<S>& ship, const Leg<S
 
 /// @param numbers  the zigzag in numbers, whose legs tell where to look
 template <class S>
-LoopMeasures<S> measures(const SwayYawCoefficients<S>& m, const LinearZigzag<S>& zigzag, const SwayYawCoefficients<double>& numbers_of_m,
-                         const LinearZigzag<double>& numbers) {
+LoopMeasures<S> measures(const SwayYawCoefficients<S>& m, const LinearZigzag<S>& zigzag,
+                         const SwayYawCoefficients<double>& numbers_of_m, const LinearZigzag<double>& numbers) {
   const LinearResponse<S> ship(m);
   const auto cycle = last_cycle(numbers).value();
   const S slope = ship.h.nw0 / ship.h.nb0;  // Kw/Kb
@@ -205,21 +213,31 @@ LoopMeasures<S> measures(const SwayYawCoefficients<S>& m, const LinearZigzag<S>&
 
 template <class Get>
 LoopMeasures<double> part_of(const LoopMeasures<Dual<2>>& m, Get&& get) {
-  return {get(m.area),      get(m.length),    get(m.width),              get(m.inclination),        get(m.beta_max),
-          get(m.omega_max), get(m.omega_at_beta_zero), get(m.beta_at_omega_zero), get(m.distance_from_line)};
+  return {get(m.area),
+          get(m.length),
+          get(m.width),
+          get(m.inclination),
+          get(m.beta_max),
+          get(m.omega_max),
+          get(m.omega_at_beta_zero),
+          get(m.beta_at_omega_zero),
+          get(m.distance_from_line)};
 }
 
 }  // namespace
 
-std::optional<LoopMeasures<double>> drift_yaw_loop(const SwayYawCoefficients<double>& ship, const LinearZigzag<double>& zigzag) {
+std::optional<LoopMeasures<double>> drift_yaw_loop(const SwayYawCoefficients<double>& ship,
+                                                   const LinearZigzag<double>& zigzag) {
   if (!last_cycle(zigzag)) return std::nullopt;
   return measures(ship, zigzag, ship, zigzag);
 }
 
-LimitCycle limit_cycle(const SwayYawCoefficients<double>& ship, LinearZigzagOrder order, std::size_t longest_reversals) {
+LimitCycle limit_cycle(const SwayYawCoefficients<double>& ship, LinearZigzagOrder order,
+                       std::size_t longest_reversals) {
   LimitCycle result{{}, false};
   order.longest = std::max(order.longest, 1e5);
-  for (order.reversals = std::min<std::size_t>(longest_reversals, 40);; order.reversals = std::min(2 * order.reversals, longest_reversals)) {
+  for (order.reversals = std::min<std::size_t>(longest_reversals, 40);;
+       order.reversals = std::min(2 * order.reversals, longest_reversals)) {
     result.zigzag = linear_zigzag(ship, order);
     const auto& r = result.zigzag.reversals;
     if (r.size() < 3) return result;

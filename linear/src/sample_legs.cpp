@@ -26,7 +26,9 @@ class StepMap {
   }
 
   State operator()(const State& x, double angle, double turn) const {
-    const auto sum = [&](double State::*of) { return by_beta_.*of * x.beta + by_omega_.*of * x.omega + by_angle_.*of * angle + by_turn_.*of * turn; };
+    const auto sum = [&](double State::*of) {
+      return by_beta_.*of * x.beta + by_omega_.*of * x.omega + by_angle_.*of * angle + by_turn_.*of * turn;
+    };
     return {sum(&State::beta), sum(&State::omega), x.psi + sum(&State::psi)};
   }
 
@@ -52,24 +54,31 @@ batch::BlockMap block_map(const LinearResponse<double>& ship, double step) {
 }
 
 /// States from the one at the time `start` of a leg on.
-void sample_leg(const LinearResponse<double>& ship, const batch::BlockMap& map, batch::SampleKernel kernel, const Leg<double>& leg, double start, double step,
-                std::span<State> states) {
+void sample_leg(const LinearResponse<double>& ship, const batch::BlockMap& map, batch::SampleKernel kernel,
+                const Leg<double>& leg, double start, double step, std::span<State> states) {
   const auto x = state_after(ship, leg.start, leg.rudder, start);
   const std::size_t blocks = states.size() / batch::block;
-  batch::SampleJob job{.beta = x.beta, .omega = x.omega, .psi = x.psi, .angle = leg.rudder.value + leg.rudder.rate * start, .turn = leg.rudder.rate * step,
-                       .blocks = blocks, .states = &states.data()->beta};
+  batch::SampleJob job{.beta = x.beta,
+                       .omega = x.omega,
+                       .psi = x.psi,
+                       .angle = leg.rudder.value + leg.rudder.rate * start,
+                       .turn = leg.rudder.rate * step,
+                       .blocks = blocks,
+                       .states = &states.data()->beta};
   kernel(map, job);
   // the last block not whole
   std::array<State, batch::block> rest;
   job.blocks = 1;
   job.states = &rest.data()->beta;
   kernel(map, job);
-  std::copy_n(rest.begin(), states.size() % batch::block, states.begin() + static_cast<std::ptrdiff_t>(blocks * batch::block));
+  std::copy_n(rest.begin(), states.size() % batch::block,
+              states.begin() + static_cast<std::ptrdiff_t>(blocks * batch::block));
 }
 
 }  // namespace
 
-void sample_legs(const SwayYawCoefficients<double>& ship, std::span<const Leg<double>> legs, double step, std::span<State> states) {
+void sample_legs(const SwayYawCoefficients<double>& ship, std::span<const Leg<double>> legs, double step,
+                 std::span<State> states) {
   if (legs.empty()) throw std::domain_error("no legs to sample");
   require_positive(step, "step [ship lengths]");
   const LinearResponse<double> response(ship);
@@ -78,9 +87,12 @@ void sample_legs(const SwayYawCoefficients<double>& ship, std::span<const Leg<do
   std::size_t next = 0;
   for (std::size_t i = 0; i < legs.size() && next < states.size(); ++i) {
     const double until = std::ceil((legs[i].from + legs[i].length) / step);
-    const std::size_t end = i + 1 < legs.size() && until < static_cast<double>(states.size()) ? static_cast<std::size_t>(until) : states.size();
+    const std::size_t end = i + 1 < legs.size() && until < static_cast<double>(states.size())
+                                ? static_cast<std::size_t>(until)
+                                : states.size();
     if (next >= end) continue;
-    sample_leg(response, map, kernel, legs[i], static_cast<double>(next) * step - legs[i].from, step, states.subspan(next, end - next));
+    sample_leg(response, map, kernel, legs[i], static_cast<double>(next) * step - legs[i].from, step,
+               states.subspan(next, end - next));
     next = end;
   }
 }

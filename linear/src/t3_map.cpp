@@ -24,12 +24,13 @@ struct CommonLeg {
 struct Row {
   SwayYawTransfer<double> yaw;  ///< nb0 and nb1 as of the helper below
   LimitCycle cycle;
-  double common_area = 0.0;     ///< of the (z, z') loop
+  double common_area = 0.0;  ///< of the (z, z') loop
   double omega_max = 0.0;
   std::vector<CommonLeg> half;  ///< from one reversal to the next
 };
 
-/// Beside omega = nw0 z + nw1 z' the helper nw0 z' − nw1 z in the place of beta: z and z' follow from both without loss.
+/// Beside omega = nw0 z + nw1 z' the helper nw0 z' − nw1 z in the place of beta: z and z' follow from both without
+/// loss.
 SwayYawTransfer<double> with_helper(SwayYawTransfer<double> h) {
   h.nb0 = -h.nw1;
   h.nb1 = h.nw0;
@@ -54,7 +55,8 @@ Row row_of(SteeringIndices<double> indices, const LinearZigzagOrder& order, doub
   row.common_area = loop->area / (h.nw0 * h.nw0 + h.nw1 * h.nw1);
   row.omega_max = loop->omega_max;
   const auto& [reversals, legs] = row.cycle.zigzag;
-  for (std::size_t i = reversals[reversals.size() - 2].leg; i < reversals.back().leg; ++i) row.half.push_back(common_leg(h, legs[i]));
+  for (std::size_t i = reversals[reversals.size() - 2].leg; i < reversals.back().leg; ++i)
+    row.half.push_back(common_leg(h, legs[i]));
   return row;
 }
 
@@ -62,7 +64,8 @@ Row row_of(SteeringIndices<double> indices, const LinearZigzagOrder& order, doub
 ///
 ///     dz'/ds = (tr + det T3b) z' − det b + delta,   db/ds = (1 + tr T3b + det T3b²) z' − det T3b b + T3b delta
 LegShip drift_ship(double tr, double det, double T3b) {
-  return LegShip(LinearResponse<double>({.a1 = tr + det * T3b, .b1 = -det, .c1 = 1.0, .a2 = 1.0 + (tr + det * T3b) * T3b, .b2 = -det * T3b, .c2 = T3b}));
+  return LegShip(LinearResponse<double>(
+      {.a1 = tr + det * T3b, .b1 = -det, .c1 = 1.0, .a2 = 1.0 + (tr + det * T3b) * T3b, .b2 = -det * T3b, .c2 = T3b}));
 }
 
 /// Largest |b| and |z'| where b passes zero.
@@ -108,7 +111,12 @@ T3Point unsettled_point(SteeringIndices<double> indices, const LinearZigzagOrder
   const auto zigzag = limit_cycle(ship, order).zigzag;
   const auto loop = drift_yaw_loop(ship, zigzag);
   if (!loop) return no_point;
-  return {loop->area, loop->beta_max, loop->omega_max, loop->omega_at_beta_zero, zigzag.reversals[0].overshoot, zigzag.reversals[1].overshoot,
+  return {loop->area,
+          loop->beta_max,
+          loop->omega_max,
+          loop->omega_at_beta_zero,
+          zigzag.reversals[0].overshoot,
+          zigzag.reversals[1].overshoot,
           zigzag.period().value()};
 }
 
@@ -118,18 +126,19 @@ void require_nonzero(double value, const char* what) {
 
 }  // namespace
 
-T3Map t3_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& order, std::span<const double> T3b, std::span<const double> T3w,
-             unsigned threads) {
+T3Map t3_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& order, std::span<const double> T3b,
+             std::span<const double> T3w, unsigned threads) {
   require_nonzero(indices.T1T2, "T1 T2");
   require_nonzero(indices.Kb, "gain Kb");
   require_nonzero(indices.Kw, "gain Kw");
-  T3Map map{{T3b.begin(), T3b.end()}, {T3w.begin(), T3w.end()}, std::vector<T3Point>(T3b.size() * T3w.size(), no_point)};
+  T3Map map{
+      {T3b.begin(), T3b.end()}, {T3w.begin(), T3w.end()}, std::vector<T3Point>(T3b.size() * T3w.size(), no_point)};
   in_parallel(T3w.size(), threads, [&](std::size_t w) {
     const Row row = row_of(indices, order, T3w[w]);
     if (row.half.empty()) return;
     for (std::size_t b = 0; b < T3b.size(); ++b)
-      map.points[w * T3b.size() + b] =
-          row.cycle.settled ? settled_point(indices, row, T3b[b], T3w[w]) : unsettled_point(indices, order, T3b[b], T3w[w]);
+      map.points[w * T3b.size() + b] = row.cycle.settled ? settled_point(indices, row, T3b[b], T3w[w])
+                                                         : unsettled_point(indices, order, T3b[b], T3w[w]);
   });
   return map;
 }

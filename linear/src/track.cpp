@@ -60,7 +60,8 @@ TrackPoint run_along(const LinearResponse<double>& ship, const Leg<double>& leg,
   return {way.x, way.y, state_after(ship, leg.start, leg.rudder, length).psi};
 }
 
-std::vector<TrackPoint> track(const LinearResponse<double>& ship, const std::vector<Leg<double>>& legs, const std::vector<double>& times) {
+std::vector<TrackPoint> track(const LinearResponse<double>& ship, const std::vector<Leg<double>>& legs,
+                              const std::vector<double>& times) {
   std::vector<TrackPoint> starts{{0.0, 0.0, 0.0}};
   for (const auto& leg : legs) {
     const auto run = run_along(ship, leg, leg.length);

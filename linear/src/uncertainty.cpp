@@ -18,13 +18,19 @@ namespace {
 using D = Dual<6>;
 using Vector = Eigen::Vector<double, 6>;
 
-Vector vector_of(const SteeringIndices<double>& i) { return (Vector() << i.T1T2, i.T1_plus_T2, i.T3b, i.T3w, i.Kb, i.Kw).finished(); }
+Vector vector_of(const SteeringIndices<double>& i) {
+  return (Vector() << i.T1T2, i.T1_plus_T2, i.T3b, i.T3w, i.Kb, i.Kw).finished();
+}
 
 SteeringIndices<double> indices_of(const Vector& x) { return {x[0], x[1], x[2], x[3], x[4], x[5]}; }
 
-Vector vector_of(const SwayYawCoefficients<double>& m) { return (Vector() << m.a1, m.b1, m.c1, m.a2, m.b2, m.c2).finished(); }
+Vector vector_of(const SwayYawCoefficients<double>& m) {
+  return (Vector() << m.a1, m.b1, m.c1, m.a2, m.b2, m.c2).finished();
+}
 
-SteeringIndices<D> varied(const SteeringIndices<double>& i) { return {D(i.T1T2, 0), D(i.T1_plus_T2, 1), D(i.T3b, 2), D(i.T3w, 3), D(i.Kb, 4), D(i.Kw, 5)}; }
+SteeringIndices<D> varied(const SteeringIndices<double>& i) {
+  return {D(i.T1T2, 0), D(i.T1_plus_T2, 1), D(i.T3b, 2), D(i.T3w, 3), D(i.Kb, 4), D(i.Kw, 5)};
+}
 
 template <int Rows>
 Eigen::Matrix<double, Rows, 6> jacobian_of(const std::array<D, Rows>& values) {
@@ -47,12 +53,14 @@ double quantile(std::vector<double>& values, double share) {
 
 Eigen::Vector<double, 7> vector_of(const LinearParts<double>& ship) {
   const auto& [hull, rudder] = ship;
-  return (Eigen::Vector<double, 7>() << rudder.a_H, rudder.c_Ry, rudder.x_Reff, hull.Y_b, hull.Y_w, hull.N_b, hull.N_w).finished();
+  return (Eigen::Vector<double, 7>() << rudder.a_H, rudder.c_Ry, rudder.x_Reff, hull.Y_b, hull.Y_w, hull.N_b, hull.N_w)
+      .finished();
 }
 
 /// What `result_of` makes of indices drawn with that covariance.
 template <int Count, class ResultOf>
-Sampled<Count> sample(const SteeringIndices<double>& indices, const IndexCovariance& covariance, std::size_t samples, std::uint64_t seed, ResultOf&& result_of) {
+Sampled<Count> sample(const SteeringIndices<double>& indices, const IndexCovariance& covariance, std::size_t samples,
+                      std::uint64_t seed, ResultOf&& result_of) {
   using Result = Eigen::Vector<double, Count>;
   std::mt19937_64 engine(seed);
   std::normal_distribution<double> normal;
@@ -101,26 +109,29 @@ IndexCovariance covariance_of(const SteeringIndices<double>& i, const Confidence
   return covariance;
 }
 
-CoefficientCovariance coefficient_covariance(const SteeringIndices<double>& indices, const IndexCovariance& covariance) {
+CoefficientCovariance coefficient_covariance(const SteeringIndices<double>& indices,
+                                             const IndexCovariance& covariance) {
   const auto m = coefficients_from(varied(indices));
   const auto J = jacobian_of<6>({m.a1, m.b1, m.c1, m.a2, m.b2, m.c2});
   return J * covariance * J.transpose();
 }
 
-PartCovariance part_covariance(const SteeringIndices<double>& indices, const IndexCovariance& covariance, const LinearParts<double>& formal,
-                               KnownPart known) {
+PartCovariance part_covariance(const SteeringIndices<double>& indices, const IndexCovariance& covariance,
+                               const LinearParts<double>& formal, KnownPart known) {
   const auto [hull, rudder] = parts_from(coefficients_from(varied(indices)), lifted<D>(formal), known);
   const auto J = jacobian_of<7>({rudder.a_H, rudder.c_Ry, rudder.x_Reff, hull.Y_b, hull.Y_w, hull.N_b, hull.N_w});
   return J * covariance * J.transpose();
 }
 
-SampledCoefficients sample_coefficients(const SteeringIndices<double>& indices, const IndexCovariance& covariance, std::size_t samples, std::uint64_t seed) {
+SampledCoefficients sample_coefficients(const SteeringIndices<double>& indices, const IndexCovariance& covariance,
+                                        std::size_t samples, std::uint64_t seed) {
   return sample<6>(indices, covariance, samples, seed, [](const auto& i) { return vector_of(coefficients_from(i)); });
 }
 
-SampledParts sample_parts(const SteeringIndices<double>& indices, const IndexCovariance& covariance, const LinearParts<double>& formal, KnownPart known,
-                          std::size_t samples, std::uint64_t seed) {
-  return sample<7>(indices, covariance, samples, seed, [&](const auto& i) { return vector_of(parts_from(coefficients_from(i), formal, known)); });
+SampledParts sample_parts(const SteeringIndices<double>& indices, const IndexCovariance& covariance,
+                          const LinearParts<double>& formal, KnownPart known, std::size_t samples, std::uint64_t seed) {
+  return sample<7>(indices, covariance, samples, seed,
+                   [&](const auto& i) { return vector_of(parts_from(coefficients_from(i), formal, known)); });
 }
 
 double separation(const SteeringIndices<double>& indices, const IndexCovariance& covariance) {
@@ -128,12 +139,17 @@ double separation(const SteeringIndices<double>& indices, const IndexCovariance&
   return std::abs(indices.T3b - indices.T3w) / std::sqrt(variance);
 }
 
-std::optional<std::string> separation_warning(const SteeringIndices<double>& indices, const IndexCovariance& covariance) {
+std::optional<std::string> separation_warning(const SteeringIndices<double>& indices,
+                                              const IndexCovariance& covariance) {
   const double distance = separation(indices, covariance);
   if (!(distance < 3.0)) return std::nullopt;
   if (distance < 1.0)
-    return fmt::format("T3b and T3w cannot be told apart ({:.1f} standard errors): these indices determine no coefficients", distance);
-  return fmt::format("T3b and T3w are only {:.1f} standard errors apart: the coefficients are far less certain than their standard errors say", distance);
+    return fmt::format(
+        "T3b and T3w cannot be told apart ({:.1f} standard errors): these indices determine no coefficients", distance);
+  return fmt::format(
+      "T3b and T3w are only {:.1f} standard errors apart: the coefficients are far less certain than their standard "
+      "errors say",
+      distance);
 }
 
 }  // namespace swayaw

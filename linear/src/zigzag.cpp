@@ -12,7 +12,8 @@ namespace {
 using State = LinearState<double>;
 using Rudder = RudderLine<double>;
 
-/// A heading [rad] from which no ship comes back: only an unstable one gets there, and her motion soon leaves the range of numbers.
+/// A heading [rad] from which no ship comes back: only an unstable one gets there, and her motion soon leaves the range
+/// of numbers.
 constexpr double runaway = 1e9;
 
 /// Sails leg after leg.

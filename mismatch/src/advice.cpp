@@ -39,22 +39,32 @@ std::vector<Manoeuvre> menu(const Ship& ship) {
   const double L = length(ship), U = service_speed(ship), largest = steering_gear(ship).max_angle;
   const double step = 0.05 * L / U, minutes = 25.0 * L / U;
   const auto limited = [largest](double angle) { return std::min(angle, largest); };
-  const auto options = [=](double speed) { return ManoeuvreOptions{.speed = speed, .duration = minutes, .step = step}; };
+  const auto options = [=](double speed) {
+    return ManoeuvreOptions{.speed = speed, .duration = minutes, .step = step};
+  };
   std::vector<Manoeuvre> list;
   for (const double angle : {10.0, 20.0})
     for (const double heading : {0.0, 90.0, 180.0, 270.0})
-      list.push_back({fmt::format("zigzag {0:.0f}/{0:.0f} from heading {1:03.0f} deg", angle, heading), [=](const Ship& s) {
-                        return zigzag(seen_on(s, radians(heading)), {.rudder = limited(radians(angle)), .heading = radians(angle)}, options(U)).run;
-                      }});
-  list.push_back({fmt::format("zigzag 20/20 at {:.2g} m/s, half of the service speed", 0.5 * U), [=](const Ship& s) {
-                    return zigzag(s, {.rudder = limited(radians(20.0)), .heading = radians(20.0)}, options(0.5 * U)).run;
-                  }});
+      list.push_back(
+          {fmt::format("zigzag {0:.0f}/{0:.0f} from heading {1:03.0f} deg", angle, heading), [=](const Ship& s) {
+             return zigzag(seen_on(s, radians(heading)), {.rudder = limited(radians(angle)), .heading = radians(angle)},
+                           options(U))
+                 .run;
+           }});
+  list.push_back(
+      {fmt::format("zigzag 20/20 at {:.2g} m/s, half of the service speed", 0.5 * U), [=](const Ship& s) {
+         return zigzag(s, {.rudder = limited(radians(20.0)), .heading = radians(20.0)}, options(0.5 * U)).run;
+       }});
   for (const auto side : {Side::port, Side::starboard})
     for (const double angle : {15.0, 35.0})
-      list.push_back({fmt::format("turn of {:.0f} deg to {}", angle, side == Side::port ? "port" : "starboard"), [=](const Ship& s) {
+      list.push_back({fmt::format("turn of {:.0f} deg to {}", angle, side == Side::port ? "port" : "starboard"),
+                      [=](const Ship& s) {
                         return turning_circle(s, {.rudder = limited(radians(angle)), .side = side}, options(U)).run;
                       }});
-  list.push_back({"pull-out from 20 deg", [=](const Ship& s) { return pull_out(s, {.rudder = limited(radians(20.0))}, ManoeuvreOptions{.step = step}).sides.port.run; }});
+  list.push_back(
+      {"pull-out from 20 deg", [=](const Ship& s) {
+         return pull_out(s, {.rudder = limited(radians(20.0))}, ManoeuvreOptions{.step = step}).sides.port.run;
+       }});
   return list;
 }
 
@@ -74,7 +84,8 @@ Trial trial_with(const Trial& trial, const Recording& run) {
 }
 
 /// How much better the ship that sailed explains the manoeuvre than the rival does, in log likelihood per minute.
-double separation(const Trial& trial, const Manoeuvre& manoeuvre, const Ship& best, const Ship& rival, const Noise& noise) try {
+double separation(const Trial& trial, const Manoeuvre& manoeuvre, const Ship& best, const Ship& rival,
+                  const Noise& noise) try {
   Recording run = manoeuvre.sail(best);
   run.name = manoeuvre.words;
   const auto seen = trial_with(trial, run);
@@ -101,7 +112,8 @@ std::vector<Rival> rivals_of(const Trial& trial, const Search& s) {
   }
   if (!rivals.empty() || s.accepted.size() != 1) return rivals;
   for (const auto& t : s.first)
-    if (t.form->id != s.accepted.front().form->id && rivals.empty()) rivals.push_back({t.form->id, ship_at(trial, {t.form}, t.fit.point)});
+    if (t.form->id != s.accepted.front().form->id && rivals.empty())
+      rivals.push_back({t.form->id, ship_at(trial, {t.form}, t.fit.point)});
   return rivals;
 }
 
@@ -115,31 +127,38 @@ std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& s) {
   const auto manoeuvres = menu(trial.ship);
   std::vector<double> least(manoeuvres.size(), HUGE_VAL);
   in_parallel(manoeuvres.size(), 0, [&](std::size_t i) {
-    for (const auto& rival : rivals) least[i] = std::min(least[i], separation(trial, manoeuvres[i], best, rival.ship, s.now.noise));
+    for (const auto& rival : rivals)
+      least[i] = std::min(least[i], separation(trial, manoeuvres[i], best, rival.ship, s.now.noise));
   });
   const auto most = static_cast<std::size_t>(std::ranges::max_element(least) - least.begin());
   if (!(least[most] > 0.0)) return std::nullopt;
-  Advice advice{fmt::format("{}: it separates them by {:.2g} in log likelihood a minute", manoeuvres[most].words, least[most]), {s.accepted.back().form->id}};
+  Advice advice{
+      fmt::format("{}: it separates them by {:.2g} in log likelihood a minute", manoeuvres[most].words, least[most]),
+      {s.accepted.back().form->id}};
   for (const auto& rival : rivals) advice.separates.push_back(rival.effect);
   return advice;
 }
 
 namespace {
 
-bool is_kind(const EffectForm& form, std::initializer_list<std::string_view> ids) { return std::ranges::count(ids, form.id) > 0; }
+bool is_kind(const EffectForm& form, std::initializer_list<std::string_view> ids) {
+  return std::ranges::count(ids, form.id) > 0;
+}
 
 /// Coordinate at which an effect gains that much log evidence, ½ D c² = gain.
 double coordinate_shown(double D, double gain) { return std::sqrt(2.0 * gain / std::max(D, 1e-12)); }
 
 }  // namespace
 
-std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s, std::span<const EffectForm> forms, double detection) {
+std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s, std::span<const EffectForm> forms,
+                                             double detection) {
   std::vector<DetectableSize> sizes;
   const auto add = [&](const EffectForm& form, const EffectNumber& n, double D) {
     sizes.push_back({form.id, std::string(n.key), coordinate_shown(D, detection) * n.prior});
   };
   for (const auto& form : forms) {
-    if (std::ranges::count(sizes, form.id, &DetectableSize::effect)) continue;  // the delay of the first channel stands for all
+    if (std::ranges::count(sizes, form.id, &DetectableSize::effect))
+      continue;  // the delay of the first channel stands for all
     const auto numbers = numbers_of(trial.ship, make_effect(form.id));
     const auto number = std::ranges::find_if(numbers, &EffectNumber::decides);
     const bool by_parts = is_kind(form, {"steady_wind", "steady_current", "wave_drift"});
@@ -147,11 +166,13 @@ std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s
     if (!by_parts && !in_deviations) continue;  // a depth, an angle of stall or a lag: no size that grows from 0
     try {
       const auto D = information(trial, s.screen, form);
-      if (by_parts) add(form, *number, D.topLeftCorner<2, 2>().selfadjointView<Eigen::Lower>().eigenvalues().minCoeff());
+      if (by_parts)
+        add(form, *number, D.topLeftCorner<2, 2>().selfadjointView<Eigen::Lower>().eigenvalues().minCoeff());
       else
-        for (std::size_t i = 0; i < form.coordinates.size(); ++i) add(form, form.with_terms ? numbers[i] : *number, D(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
-    } catch (const Refusal&) {
-    }
+        for (std::size_t i = 0; i < form.coordinates.size(); ++i)
+          add(form, form.with_terms ? numbers[i] : *number,
+              D(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
+    } catch (const Refusal&) {}
   }
   return sizes;
 }

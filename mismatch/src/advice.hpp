@@ -10,11 +10,14 @@
 /// What to sail next, and what these runs would have shown. Not installed.
 namespace swayaw {
 
-/// The manoeuvre of a menu that tells the last finding best from its rivals, per minute; from the best of those that were tried where none is as good.
+/// The manoeuvre of a menu that tells the last finding best from its rivals, per minute; from the best of those that
+/// were tried where none is as good.
 /// @return nothing where nothing was found, or no manoeuvre can be simulated
 std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& search);
 
-/// For each effect of one size, the size at which these runs would have shown it with the log evidence that detection needs.
-std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& search, std::span<const EffectForm> forms, double detection);
+/// For each effect of one size, the size at which these runs would have shown it with the log evidence that detection
+/// needs.
+std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& search,
+                                             std::span<const EffectForm> forms, double detection);
 
 }  // namespace swayaw

@@ -40,7 +40,8 @@ class RecordedMotion {
   std::vector<PlanarMotion<double>> motions_;
 };
 
-Conditions conditions_of(const Ship& ship, const Recording& run, const RecordedMotion& motion, const RecordedControls& controls) {
+Conditions conditions_of(const Ship& ship, const Recording& run, const RecordedMotion& motion,
+                         const RecordedControls& controls) {
   Conditions conditions;
   for (const double time : run.time) {
     const auto m = motion(time);
@@ -90,7 +91,8 @@ Recording restarted_replay(const Ship& ship, const Recording& run, const Recorde
 // ---------------------------------------------------------------- errors
 
 /// Windows whose mean squared error most exceeds that of the run (largest sum of a contiguous part).
-std::optional<WorstInterval> worst_interval(const Recording& run, std::span<const double> errors, const std::vector<std::size_t>& starts) {
+std::optional<WorstInterval> worst_interval(const Recording& run, std::span<const double> errors,
+                                            const std::vector<std::size_t>& starts) {
   const Sums all = sums_of(errors);
   if (all.squares <= 0.0 || starts.size() < 2) return std::nullopt;
   const auto window = [&](std::size_t k) {
@@ -114,14 +116,16 @@ std::optional<WorstInterval> worst_interval(const Recording& run, std::span<cons
   if (best <= 0.0) return std::nullopt;
   const std::size_t end = best_last + 1 < starts.size() ? starts[best_last + 1] : errors.size();
   const Sums inside = sums_of(errors.subspan(starts[best_first], end - starts[best_first]));
-  return WorstInterval{run.time[starts[best_first]], run.time[std::min(end, run.samples() - 1)], inside.squares / all.squares, inside.rms()};
+  return WorstInterval{run.time[starts[best_first]], run.time[std::min(end, run.samples() - 1)],
+                       inside.squares / all.squares, inside.rms()};
 }
 
 /// Scatter of the samples about the parabola through their neighbours, from third differences.
 /// For white noise of deviation s the third difference has deviation sqrt(20) s.
 double noise_of(std::span<const double> values) {
   Sums third;
-  for (std::size_t i = 3; i < values.size(); ++i) third.add(values[i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3]);
+  for (std::size_t i = 3; i < values.size(); ++i)
+    third.add(values[i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3]);
   return third.rms() / std::sqrt(20.0);
 }
 
@@ -154,7 +158,8 @@ Comparison compare(const Ship& ship, const Recording& run, const CompareOptions&
   const RecordedMotion motion(ship, run);
   Comparison c{.recorded = run, .open_loop = {}, .restarted = {}, .window_starts = {}, .conditions = {}, .errors = {}};
   c.open_loop = replay(ship, run, options.replay);
-  c.window_starts = window_starts(run, motion, require_positive(options.window_lengths, "window [ship lengths]") * length(ship));
+  c.window_starts =
+      window_starts(run, motion, require_positive(options.window_lengths, "window [ship lengths]") * length(ship));
   c.restarted = restarted_replay(ship, run, controls, c.window_starts, options.replay);
   c.conditions = conditions_of(ship, run, motion, controls);
   for (const auto quantity : all_quantities)
@@ -182,7 +187,8 @@ struct Pool {
   double bias() const { return samples > 0.0 ? sum / samples : 0.0; }
 };
 
-std::vector<const QuantityError*> errors_in(const std::vector<Comparison>& comparisons, Quantity quantity, std::vector<double>& samples) {
+std::vector<const QuantityError*> errors_in(const std::vector<Comparison>& comparisons, Quantity quantity,
+                                            std::vector<double>& samples) {
   std::vector<const QuantityError*> errors;
   for (const auto& c : comparisons) {
     for (const auto& e : c.errors) {
@@ -198,8 +204,9 @@ std::vector<RegionError> pooled_regions(const std::vector<const QuantityError*>&
   std::vector<RegionError> all;
   for (const auto* e : errors) {
     for (const auto& region : e->regions) {
-      const auto same = std::ranges::find_if(
-          all, [&](const auto& r) { return r.variable == region.variable && r.from == region.from && r.to == region.to; });
+      const auto same = std::ranges::find_if(all, [&](const auto& r) {
+        return r.variable == region.variable && r.from == region.from && r.to == region.to;
+      });
       if (same == all.end()) {
         all.push_back(region);
         continue;
@@ -244,7 +251,8 @@ QuantityError pooled(const std::vector<Comparison>& comparisons, Quantity quanti
 }
 
 /// The run in which the window error of the quantity is largest.
-std::pair<const Comparison*, const QuantityError*> worst_run(const std::vector<Comparison>& comparisons, Quantity quantity) {
+std::pair<const Comparison*, const QuantityError*> worst_run(const std::vector<Comparison>& comparisons,
+                                                             Quantity quantity) {
   std::pair<const Comparison*, const QuantityError*> worst{};
   for (const auto& c : comparisons)
     for (const auto& e : c.errors)
@@ -270,7 +278,8 @@ std::string verdict(const std::vector<Comparison>& comparisons) {
   std::string name(name_of(worst->quantity));
   std::ranges::replace(name, '_', ' ');
   auto text = fmt::format("The model is farthest off in {}, by {:.0f} % of its variation", name, 100.0 * share(*worst));
-  if (std::abs(worst->bias) > 0.7 * worst->window_rms) text += fmt::format(", and too {} nearly throughout", worst->bias > 0.0 ? "high" : "low");
+  if (std::abs(worst->bias) > 0.7 * worst->window_rms)
+    text += fmt::format(", and too {} nearly throughout", worst->bias > 0.0 ? "high" : "low");
   const auto [run, error] = worst_run(comparisons, worst->quantity);
   text += fmt::format("; worst in {}", run->recorded.name);
   if (error->worst) text += fmt::format(" from {:.5g} to {:.5g} s", error->worst->from, error->worst->to);

@@ -10,12 +10,12 @@
 #include <cmath>
 #include <utility>
 
-#include "swayaw/core/angle.hpp"
-#include "swayaw/core/parallel.hpp"
-#include "swayaw/core/refusal.hpp"
 #include "advice.hpp"
 #include "location.hpp"
 #include "search.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/parallel.hpp"
+#include "swayaw/core/refusal.hpp"
 #include "trial.hpp"
 
 namespace swayaw {
@@ -28,7 +28,8 @@ double duration_of(std::span<const Recording> runs) {
 }
 
 /// Runs in which nothing is hidden tell the baseline.
-void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> reference, std::span<const Channel> channels) {
+void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> reference,
+               std::span<const Channel> channels) {
   if (reference.empty()) return;
   const auto calm = trial_of(ship, reference, channels);
   const auto found = fit(calm, {}, calm.mean, Noise{});
@@ -38,21 +39,27 @@ void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> refere
 
 // ---------------------------------------------------------------- answers
 
-/// Numbers of an effect. To the scatter of the fit, as wide as evidence is in excess, comes what the law of the effect is worth.
-std::vector<EffectParameterEstimate> estimates(const Trial& trial, const Accepted& accepted, const MapFit& found, Eigen::Index from) {
+/// Numbers of an effect. To the scatter of the fit, as wide as evidence is in excess, comes what the law of the effect
+/// is worth.
+std::vector<EffectParameterEstimate> estimates(const Trial& trial, const Accepted& accepted, const MapFit& found,
+                                               Eigen::Index from) {
   const auto& form = *accepted.form;
   const auto size = static_cast<Eigen::Index>(form.coordinates.size());
   const Point c = found.point.segment(from, size);
   const auto numbers = numbers_of(trial.ship, form.at({c.data(), static_cast<std::size_t>(size)}));
   Eigen::MatrixXd slopes = number_slopes(trial.ship, form, c);
-  if (!accepted.widening.empty()) slopes *= Eigen::Map<const Eigen::VectorXd>(accepted.widening.data(), size).asDiagonal();
-  const Eigen::MatrixXd covariance = slopes * widened(form, found.covariance.block(from, from, size, size)) * slopes.transpose();
+  if (!accepted.widening.empty())
+    slopes *= Eigen::Map<const Eigen::VectorXd>(accepted.widening.data(), size).asDiagonal();
+  const Eigen::MatrixXd covariance =
+      slopes * widened(form, found.covariance.block(from, from, size, size)) * slopes.transpose();
   std::vector<EffectParameterEstimate> result;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto place = static_cast<Eigen::Index>(i);
     if (!std::isfinite(numbers[i].value) || !(covariance(place, place) > 0.0)) continue;
-    const double value = is_direction(numbers[i]) && numbers[i].value < 0.0 ? numbers[i].value + 2.0 * pi : numbers[i].value;
-    const double departure = is_direction(numbers[i]) ? 1.0 : std::abs(numbers[i].value - numbers[i].null), law = std::isfinite(departure) ? numbers[i].law * departure : 0.0;
+    const double value =
+        is_direction(numbers[i]) && numbers[i].value < 0.0 ? numbers[i].value + 2.0 * pi : numbers[i].value;
+    const double departure = is_direction(numbers[i]) ? 1.0 : std::abs(numbers[i].value - numbers[i].null),
+                 law = std::isfinite(departure) ? numbers[i].law * departure : 0.0;
     result.push_back({std::string(numbers[i].key), value, std::hypot(std::sqrt(covariance(place, place)), law)});
   }
   return result;
@@ -65,9 +72,11 @@ std::vector<QuantityError> errors_of(const Ship& ship, const Recording& run) try
   return {};
 }
 
-std::vector<RunErrors> errors_of(const Ship& before, const Ship& refitted, const Ship& after, std::span<const Recording> runs) {
+std::vector<RunErrors> errors_of(const Ship& before, const Ship& refitted, const Ship& after,
+                                 std::span<const Recording> runs) {
   std::vector<RunErrors> result;
-  for (const auto& run : runs) result.push_back({run.name, errors_of(before, run), errors_of(refitted, run), errors_of(after, run)});
+  for (const auto& run : runs)
+    result.push_back({run.name, errors_of(before, run), errors_of(refitted, run), errors_of(after, run)});
   return result;
 }
 
@@ -77,7 +86,8 @@ double gain_of(std::span<const RunErrors> runs) {
   int count = 0;
   for (const auto& run : runs)
     for (const auto quantity : {Quantity::heading, Quantity::yaw_rate, Quantity::speed, Quantity::position}) {
-      const auto a = std::ranges::find(run.refitted, quantity, &QuantityError::quantity), b = std::ranges::find(run.after, quantity, &QuantityError::quantity);
+      const auto a = std::ranges::find(run.refitted, quantity, &QuantityError::quantity),
+                 b = std::ranges::find(run.after, quantity, &QuantityError::quantity);
       if (a == run.refitted.end() || b == run.after.end() || !(a->window_rms > 0.0)) continue;
       sum += 1.0 - b->window_rms / a->window_rms;
       ++count;
@@ -101,17 +111,37 @@ std::vector<BaselineShift> shifts_of(const Trial& trial, const Point& point) {
 
 std::string_view phrase(std::string_view id) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 31> phrases{{
-      {"steady_wind", "a steady wind"}, {"gust", "a gust"}, {"steady_current", "a current"}, {"wave_drift", "the drift force of waves"},
-      {"shallow_water", "shallow water"}, {"hull_linear_derivatives", "other linear derivatives of the hull"},
-      {"hull_nonlinear_damping", "other cubic terms of the hull"}, {"cross_flow_drag", "cross-flow drag"}, {"added_resistance", "more resistance"},
-      {"speed_loss_in_turn", "another loss of speed in turns"}, {"added_mass", "another added mass"}, {"rudder_effectiveness", "another lift of the rudder"},
-      {"rudder_hull_interaction", "another rudder-hull interaction"}, {"rudder_stall", "a rudder that stalls"}, {"rudder_gap", "the gap above the rudder"},
-      {"flow_straightening", "another flow straightening at the rudder"}, {"propeller_race", "another race on the rudder"},
-      {"propeller_side_force", "a side force of the propeller"}, {"wake_change", "another wake in turns"}, {"shaft_speed_drop", "a shaft that slows under load"},
-      {"rudder_offset", "an offset of the rudder"}, {"steering_gear_lag", "a rudder that follows late"}, {"steering_gear_backlash", "play in the steering gear"},
-      {"roll_coupling", "heel that acts on sway and yaw"}, {"fluid_memory", "forces that follow the motion late"}, {"heading_bias", "an error of the compass"},
-      {"gyro_bias", "a zero error of the yaw-rate gyro"}, {"log_scale", "a factor of the speed log"}, {"antenna_lever_arm", "an antenna off midship"},
-      {"channel_delay", "a channel that is late"}, {UnknownForce<>::id, "a force without a name"},
+      {"steady_wind", "a steady wind"},
+      {"gust", "a gust"},
+      {"steady_current", "a current"},
+      {"wave_drift", "the drift force of waves"},
+      {"shallow_water", "shallow water"},
+      {"hull_linear_derivatives", "other linear derivatives of the hull"},
+      {"hull_nonlinear_damping", "other cubic terms of the hull"},
+      {"cross_flow_drag", "cross-flow drag"},
+      {"added_resistance", "more resistance"},
+      {"speed_loss_in_turn", "another loss of speed in turns"},
+      {"added_mass", "another added mass"},
+      {"rudder_effectiveness", "another lift of the rudder"},
+      {"rudder_hull_interaction", "another rudder-hull interaction"},
+      {"rudder_stall", "a rudder that stalls"},
+      {"rudder_gap", "the gap above the rudder"},
+      {"flow_straightening", "another flow straightening at the rudder"},
+      {"propeller_race", "another race on the rudder"},
+      {"propeller_side_force", "a side force of the propeller"},
+      {"wake_change", "another wake in turns"},
+      {"shaft_speed_drop", "a shaft that slows under load"},
+      {"rudder_offset", "an offset of the rudder"},
+      {"steering_gear_lag", "a rudder that follows late"},
+      {"steering_gear_backlash", "play in the steering gear"},
+      {"roll_coupling", "heel that acts on sway and yaw"},
+      {"fluid_memory", "forces that follow the motion late"},
+      {"heading_bias", "an error of the compass"},
+      {"gyro_bias", "a zero error of the yaw-rate gyro"},
+      {"log_scale", "a factor of the speed log"},
+      {"antenna_lever_arm", "an antenna off midship"},
+      {"channel_delay", "a channel that is late"},
+      {UnknownForce<>::id, "a force without a name"},
   }};
   const auto found = std::ranges::find(phrases, id, [](const auto& p) { return p.first; });
   return found == phrases.end() ? id : found->second;
@@ -130,14 +160,19 @@ std::string push_words(const UnknownForce<double>& push) {
   const bool sideways = std::abs(push.Y_0) > std::abs(push.X_0) && std::abs(lever) < 0.6;
   const auto when = fmt::format("from {:.5g} to {:.5g} s", push.onset, push.end);
   if (!sideways) return ", as a constant push " + when;
-  return fmt::format(", as a constant push to {} {}, {:.2f} lengths {} midship", push.Y_0 > 0.0 ? "starboard" : "port", when, std::abs(lever), lever > 0.0 ? "before" : "behind");
+  return fmt::format(", as a constant push to {} {}, {:.2f} lengths {} midship", push.Y_0 > 0.0 ? "starboard" : "port",
+                     when, std::abs(lever), lever > 0.0 ? "before" : "behind");
 }
 
-/// What acts that has no name, in words: a push by its time, else its place, what it goes with, and the terms of its map if there is one.
+/// What acts that has no name, in words: a push by its time, else its place, what it goes with, and the terms of its
+/// map if there is one.
 std::string unknown_words(const Diagnosis& d) {
   std::string words = "Something real is missing that no known effect explains";
   const auto place = std::ranges::max_element(d.location, {}, &MismatchPlace::share);
-  if (place != d.location.end()) words += fmt::format("; it acts on the {}", place->quantity == "yaw_moment" ? "yaw moment" : place->quantity == "sway_force" ? "sway force" : "surge force");
+  if (place != d.location.end())
+    words += fmt::format("; it acts on the {}", place->quantity == "yaw_moment"   ? "yaw moment"
+                                                : place->quantity == "sway_force" ? "sway force"
+                                                                                  : "surge force");
   const auto unknown = std::ranges::find_if(d.effects, is_nameless);
   if (unknown != d.effects.end()) {
     const auto& force = std::get<UnknownForce<double>>(unknown->effect);
@@ -156,20 +191,27 @@ std::string verdict_words(const Diagnosis& d) {
   std::vector<std::string> names;
   for (const auto& e : d.effects)
     if (!is_nameless(e)) names.emplace_back(phrase(id_of(e.effect)));
-  const std::string traces = d.traces.empty() ? "" : fmt::format(" A trace, too small to matter: {}.", fmt::join(d.traces, ", "));
-  if (d.verdict == DiagnosisVerdict::nothing_missing) return "Nothing is missing: the model explains the runs within its confidence and their noise." + traces;
-  if (d.verdict == DiagnosisVerdict::missing_physics) return fmt::format("The model leaves out {}.{}", listed(names), traces);
+  const std::string traces =
+      d.traces.empty() ? "" : fmt::format(" A trace, too small to matter: {}.", fmt::join(d.traces, ", "));
+  if (d.verdict == DiagnosisVerdict::nothing_missing)
+    return "Nothing is missing: the model explains the runs within its confidence and their noise." + traces;
+  if (d.verdict == DiagnosisVerdict::missing_physics)
+    return fmt::format("The model leaves out {}.{}", listed(names), traces);
   const auto unknown = unknown_words(d);
   if (names.empty()) return unknown + "." + traces;
-  if (d.imperfection <= ordinary_scale) return fmt::format("{}. Besides, the model leaves out {}.{}", unknown, listed(names), traces);
+  if (d.imperfection <= ordinary_scale)
+    return fmt::format("{}. Besides, the model leaves out {}.{}", unknown, listed(names), traces);
   std::string nearest = listed(names);
   nearest[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(nearest[0])));
-  return fmt::format("{}. {} {} nearest and {} not explain it all.{}", unknown, nearest, names.size() > 1 ? "come" : "comes", names.size() > 1 ? "do" : "does", traces);
+  return fmt::format("{}. {} {} nearest and {} not explain it all.{}", unknown, nearest,
+                     names.size() > 1 ? "come" : "comes", names.size() > 1 ? "do" : "does", traces);
 }
 
 std::string words_of(const Diagnosis& d) {
   const auto words = verdict_words(d);
-  return d.doubt > 1.0 ? fmt::format("{} The baseline's numbers are known {:.0f} times less well than was said.", words, d.doubt) : words;
+  return d.doubt > 1.0
+             ? fmt::format("{} The baseline's numbers are known {:.0f} times less well than was said.", words, d.doubt)
+             : words;
 }
 
 // ---------------------------------------------------------------- where an instrument is wrong
@@ -183,7 +225,8 @@ std::string_view shown_wrong(const Effect& effect) {
   const auto* late = std::get_if<ChannelDelay<double>>(&effect);
   if (!late) return {};
   switch (late->channel) {
-    case Channel::x: case Channel::y: return "position";
+    case Channel::x:
+    case Channel::y: return "position";
     case Channel::psi: return "heading";
     case Channel::r: return "yaw_rate";
     case Channel::delta: return {};
@@ -193,7 +236,9 @@ std::string_view shown_wrong(const Effect& effect) {
 
 std::vector<MismatchPlace> places_of(const Effect& sensor, std::span<const Recording> runs) {
   std::vector<MismatchPlace> places;
-  for (const auto& run : runs) places.push_back({run.name, std::string(shown_wrong(sensor)), run.time.front(), run.time.back(), 1.0, "all along, in the instrument and not in a force"});
+  for (const auto& run : runs)
+    places.push_back({run.name, std::string(shown_wrong(sensor)), run.time.front(), run.time.back(), 1.0,
+                      "all along, in the instrument and not in a force"});
   return places;
 }
 
@@ -203,7 +248,8 @@ std::vector<MismatchPlace> places_of(const Effect& sensor, std::span<const Recor
 void put_holdout_gains(Diagnosis& d, const Trial& trial, const Search& s, std::span<const Recording> holdout) {
   if (holdout.empty()) return;
   in_parallel(d.candidates.size(), 0, [&](std::size_t i) {
-    const auto tried = std::ranges::find_if(s.first, [&](const Tried& t) { return t.form->id == d.candidates[i].effect; });
+    const auto tried =
+        std::ranges::find_if(s.first, [&](const Tried& t) { return t.form->id == d.candidates[i].effect; });
     const auto ship = ship_at(trial, {tried->form}, tried->fit.point);
     auto errors = d.holdout;
     for (std::size_t k = 0; k < errors.size(); ++k) errors[k].after = errors_of(ship, holdout[k]);
@@ -213,11 +259,16 @@ void put_holdout_gains(Diagnosis& d, const Trial& trial, const Search& s, std::s
 }
 
 FoundEffect found_effect(const Trial& trial, const Accepted& accepted, const MapFit& now, Eigen::Index from) {
-  FoundEffect found{.effect = accepted.form->at({now.point.data() + from, accepted.form->coordinates.size()}), .probability = accepted.probability, .onset = {}, .end = {},
-                    .parameters = estimates(trial, accepted, now, from), .indistinguishable_from = {}};
+  FoundEffect found{.effect = accepted.form->at({now.point.data() + from, accepted.form->coordinates.size()}),
+                    .probability = accepted.probability,
+                    .onset = {},
+                    .end = {},
+                    .parameters = estimates(trial, accepted, now, from),
+                    .indistinguishable_from = {}};
   for (const auto& rival : accepted.rivals) found.indistinguishable_from.push_back(rival.form->id);
   if (const auto* gust = std::get_if<Gust<double>>(&found.effect)) found.onset = gust->onset, found.end = gust->end;
-  if (const auto* unknown = std::get_if<UnknownForce<double>>(&found.effect); unknown && std::isfinite(unknown->onset)) found.onset = unknown->onset, found.end = unknown->end;
+  if (const auto* unknown = std::get_if<UnknownForce<double>>(&found.effect); unknown && std::isfinite(unknown->onset))
+    found.onset = unknown->onset, found.end = unknown->end;
   return found;
 }
 
@@ -238,7 +289,8 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
 }
 
 DiagnosisVerdict verdict_of(const Diagnosis& d) {
-  if (std::ranges::any_of(d.effects, is_nameless) || d.imperfection > ordinary_scale) return DiagnosisVerdict::unexplained;
+  if (std::ranges::any_of(d.effects, is_nameless) || d.imperfection > ordinary_scale)
+    return DiagnosisVerdict::unexplained;
   return d.effects.empty() ? DiagnosisVerdict::nothing_missing : DiagnosisVerdict::missing_physics;
 }
 
@@ -253,8 +305,8 @@ std::string_view name_of(DiagnosisVerdict verdict) {
   return {};
 }
 
-Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference, std::span<const Recording> holdout,
-                   const DiagnosisOptions& options) {
+Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference,
+                   std::span<const Recording> holdout, const DiagnosisOptions& options) {
   if (runs.empty()) throw Refusal("there is no run to diagnose");
   const auto goes_on = [&](std::string_view what) { return !options.progress || options.progress(what); };
   const auto channels = seen_channels(runs);
@@ -265,9 +317,22 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   const auto forms = effect_forms(ship, channels, duration_of(runs));
   const auto s = search(trial, unused, forms, options, goes_on);
   trial = doubted(std::move(trial), s.doubt);
-  Diagnosis d{.verdict = {}, .words = {}, .location = {}, .symmetry = {}, .linear = {}, .effects = {}, .traces = {}, .candidates = ranked(s.first, options.detection), .shifts = shifts_of(trial, s.now.point),
-              .train = {}, .holdout = {}, .refitted = ship_at(trial, {}, s.null.point), .improved = ship_at(trial, s.hypothesis(), s.now.point),
-              .imperfection = s.named_scale, .refitted_imperfection = s.null.noise.largest_scale(), .doubt = s.doubt};
+  Diagnosis d{.verdict = {},
+              .words = {},
+              .location = {},
+              .symmetry = {},
+              .linear = {},
+              .effects = {},
+              .traces = {},
+              .candidates = ranked(s.first, options.detection),
+              .shifts = shifts_of(trial, s.now.point),
+              .train = {},
+              .holdout = {},
+              .refitted = ship_at(trial, {}, s.null.point),
+              .improved = ship_at(trial, s.hypothesis(), s.now.point),
+              .imperfection = s.named_scale,
+              .refitted_imperfection = s.null.noise.largest_scale(),
+              .doubt = s.doubt};
   put_effects(d, trial, s, options.detection);
   d.verdict = verdict_of(d);
   if (d.imperfection > ordinary_scale)
@@ -278,7 +343,9 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   } else {
     d.symmetry = s.located.symmetry;
     d.location = s.located.places;
-    if (!d.effects.empty() && !shown_wrong(d.effects.front().effect).empty()) d.location = places_of(d.effects.front().effect, runs), d.symmetry = "it is in what was recorded, not in how she moved";
+    if (!d.effects.empty() && !shown_wrong(d.effects.front().effect).empty())
+      d.location = places_of(d.effects.front().effect, runs),
+      d.symmetry = "it is in what was recorded, not in how she moved";
     d.next = next_manoeuvre(trial, s);
   }
   d.linear = linear_view(d.refitted, runs);

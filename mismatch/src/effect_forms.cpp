@@ -13,7 +13,9 @@ bool is_direction(const EffectNumber& n) { return n.key.ends_with("from_rad") ||
 
 namespace {
 
-const EffectNumber& number_named(std::span<const EffectNumber> numbers, std::string_view key) { return *std::ranges::find(numbers, key, &EffectNumber::key); }
+const EffectNumber& number_named(std::span<const EffectNumber> numbers, std::string_view key) {
+  return *std::ranges::find(numbers, key, &EffectNumber::key);
+}
 
 // ---------------------------------------------------------------- one coordinate, one number
 
@@ -26,14 +28,18 @@ struct Move {
 
 /// From null in prior deviations, within the number's range.
 Move from_null(const EffectNumber& n) {
-  const double low = n.range.low > -HUGE_VAL ? (n.range.low - n.null) / n.prior + (n.range.above_low ? 1e-3 : 0.0) : -HUGE_VAL;
+  const double low =
+      n.range.low > -HUGE_VAL ? (n.range.low - n.null) / n.prior + (n.range.above_low ? 1e-3 : 0.0) : -HUGE_VAL;
   const double high = n.range.high < HUGE_VAL ? (n.range.high - n.null) / n.prior : HUGE_VAL;
-  return {{.name = std::string(n.key), .low = low, .high = high}, n.index, [n](double c) { return n.null + n.prior * c; }};
+  return {
+      {.name = std::string(n.key), .low = low, .high = high}, n.index, [n](double c) { return n.null + n.prior * c; }};
 }
 
 /// A positive number that is known but for a factor: exp(c) times its null value.
 Move by_factor(const EffectNumber& n, double deviation) {
-  return {{.name = std::string(n.key), .deviation = deviation, .step = 0.05, .low = -4.0, .high = 4.0}, n.index, [n](double c) { return n.null * std::exp(c); }};
+  return {{.name = std::string(n.key), .deviation = deviation, .step = 0.05, .low = -4.0, .high = 4.0},
+          n.index,
+          [n](double c) { return n.null * std::exp(c); }};
 }
 
 EffectForm by_moves(const Effect& null, std::vector<Move> moves, std::vector<std::vector<double>> starts) {
@@ -64,14 +70,16 @@ EffectForm by_numbers(const Effect& null, std::span<const EffectNumber> numbers)
 // ---------------------------------------------------------------- directions
 
 /// North and east part of what has a size and a direction, over its usual size; then further numbers.
-EffectForm by_parts(const Effect& null, const EffectNumber& size, const EffectNumber& direction, std::vector<Move> further = {}) {
+EffectForm by_parts(const Effect& null, const EffectNumber& size, const EffectNumber& direction,
+                    std::vector<Move> further = {}) {
   EffectForm form{.id = std::string(id_of(null)), .coordinates = {{"north"}, {"east"}}, .at = {}, .starts = {}};
   for (const auto& m : further) form.coordinates.push_back(m.coordinate);
   for (int i = 0; i < 4; ++i) {
     form.starts.push_back({std::cos(0.4 + 0.5 * pi * i), std::sin(0.4 + 0.5 * pi * i)});
     for (const auto& m : further) form.starts.back().push_back(m.coordinate.centre);
   }
-  form.at = [null, a = size.index, b = direction.index, unit = size.prior, further = std::move(further)](std::span<const double> c) {
+  form.at = [null, a = size.index, b = direction.index, unit = size.prior,
+             further = std::move(further)](std::span<const double> c) {
     Effect effect = null;
     number_of(effect, a) = unit * std::hypot(c[0], c[1]);
     number_of(effect, b) = std::atan2(c[1], c[0]);
@@ -85,7 +93,8 @@ EffectForm by_parts(const Effect& null, const EffectNumber& size, const EffectNu
 EffectForm in_window(EffectForm form, const Ship& ship, double duration) {
   const double T = length(ship) / service_speed(ship), whole = duration / T;
   const auto steady = form.at;
-  for (const auto* name : {"onset", "end"}) form.coordinates.push_back({.name = name, .centre = 0.5 * whole, .deviation = whole, .low = 0.0, .high = whole});
+  for (const auto* name : {"onset", "end"})
+    form.coordinates.push_back({.name = name, .centre = 0.5 * whole, .deviation = whole, .low = 0.0, .high = whole});
   form.at = [steady, T](std::span<const double> c) {
     auto effect = steady(c.first(2));
     auto& gust = std::get<Gust<double>>(effect);
@@ -95,22 +104,28 @@ EffectForm in_window(EffectForm form, const Ship& ship, double duration) {
   };
   std::vector<std::vector<double>> starts;
   for (const auto& parts : form.starts)
-    for (const double from : {0.1, 0.3, 0.5, 0.7}) starts.push_back({parts[0], parts[1], from * whole, (from + 0.25) * whole});
+    for (const double from : {0.1, 0.3, 0.5, 0.7})
+      starts.push_back({parts[0], parts[1], from * whole, (from + 0.25) * whole});
   form.starts = std::move(starts);
   return form;
 }
 
 EffectForm wave_form(const Effect& null, std::span<const EffectNumber> numbers) {
   auto ahead = from_null(number_named(numbers, "ahead")), moment = from_null(number_named(numbers, "moment"));
-  return by_parts(null, number_named(numbers, "force_N"), number_named(numbers, "wave_from_rad"), {std::move(ahead), std::move(moment)});
+  return by_parts(null, number_named(numbers, "force_N"), number_named(numbers, "wave_from_rad"),
+                  {std::move(ahead), std::move(moment)});
 }
 
 // ---------------------------------------------------------------- forms of their own
 
 /// Draught over depth, and how much of the usual growth she shows: all of it, and each kind.
 EffectForm shallow_form(const Effect& null) {
-  EffectForm form{.id = std::string(id_of(null)), .coordinates = {{.name = "draught over depth", .deviation = 0.5, .low = 0.0, .high = 0.9}}, .at = {}, .starts = {}};
-  for (const auto* kind : {"growth", "sway", "yaw", "cubic", "mass", "resistance"}) form.coordinates.push_back({.name = kind, .deviation = 0.35, .low = -0.7, .high = 0.7});
+  EffectForm form{.id = std::string(id_of(null)),
+                  .coordinates = {{.name = "draught over depth", .deviation = 0.5, .low = 0.0, .high = 0.9}},
+                  .at = {},
+                  .starts = {}};
+  for (const auto* kind : {"growth", "sway", "yaw", "cubic", "mass", "resistance"})
+    form.coordinates.push_back({.name = kind, .deviation = 0.35, .low = -0.7, .high = 0.7});
   form.coordinates.push_back({.name = "wake", .centre = 0.5, .deviation = 0.5, .low = 0.0, .high = 2.0});
   form.at = [](std::span<const double> c) {
     if (c[0] < 0.02) return Effect(ShallowWater<double>{});
@@ -123,22 +138,32 @@ EffectForm shallow_form(const Effect& null) {
 
 EffectForm stall_form(const Effect& null, std::span<const EffectNumber> numbers) {
   const auto& [angle, depth, width] = std::tie(numbers[0], numbers[1], numbers[2]);
-  Move at{{.name = "stall angle", .centre = 0.6, .deviation = 0.5, .low = 0.08, .high = 0.5 * pi}, angle.index, [](double c) { return c; }};
+  Move at{{.name = "stall angle", .centre = 0.6, .deviation = 0.5, .low = 0.08, .high = 0.5 * pi},
+          angle.index,
+          [](double c) { return c; }};
   return by_moves(null, {std::move(at), from_null(depth), by_factor(width, 0.5)}, {{0.25, 0.0, 0.0}, {0.4, 0.0, 0.0}});
 }
 
 /// About the ship's own gap.
 EffectForm gap_form(const Effect& null, std::span<const EffectNumber> numbers) {
   const double from = numbers[0].null, loss = -numbers[1].null;
-  EffectForm form{.id = std::string(id_of(null)),
-                  .coordinates = {{.name = "from", .centre = from, .deviation = 0.3, .low = 0.0, .high = std::max(0.5, from)}, {.name = "loss", .centre = loss, .low = 0.0, .high = 10.0 + loss}},
-                  .at = [](std::span<const double> c) { return Effect(RudderGap<double>{c[0], -c[1]}); }, .starts = {{from + 0.1, loss + 0.3}}};
+  EffectForm form{
+      .id = std::string(id_of(null)),
+      .coordinates = {{.name = "from", .centre = from, .deviation = 0.3, .low = 0.0, .high = std::max(0.5, from)},
+                      {.name = "loss", .centre = loss, .low = 0.0, .high = 10.0 + loss}},
+      .at =
+          [](std::span<const double> c) {
+            return Effect(RudderGap<double>{c[0], -c[1]});
+          },
+      .starts = {{from + 0.1, loss + 0.3}}};
   return form;
 }
 
 /// Lag over its usual size, and how many times slower than the ship's gear the rudder moves; 0 for no limit.
 EffectForm gear_form(const Effect& null, const Ship& ship, const EffectNumber& lag) {
-  EffectForm form{.id = std::string(id_of(null)), .coordinates = {{.name = "lag", .low = 0.0}, {.name = "slowness", .deviation = 0.7, .low = 0.0}}, .at = {},
+  EffectForm form{.id = std::string(id_of(null)),
+                  .coordinates = {{.name = "lag", .low = 0.0}, {.name = "slowness", .deviation = 0.7, .low = 0.0}},
+                  .at = {},
                   .starts = {{0.3, 0.5}, {1.0, 0.1}}};
   form.at = [unit = lag.prior, rate = steering_gear(ship).rate](std::span<const double> c) {
     SteeringGearLag<double> gear{.lag = unit * c[0]};
@@ -152,11 +177,13 @@ EffectForm gear_form(const Effect& null, const Ship& ship, const EffectNumber& l
 EffectForm roll_form(const Effect& null, std::span<const EffectNumber> numbers) {
   auto GM = by_factor(number_named(numbers, "GM_m"), 1.0), zeta = by_factor(number_named(numbers, "zeta"), 0.7);
   auto Y = from_null(number_named(numbers, "Y_phi")), N = from_null(number_named(numbers, "N_phi"));
-  return by_moves(null, {std::move(GM), std::move(Y), std::move(N), std::move(zeta)}, {{0.0, 0.1, -0.1, 0.0}, {-1.2, 0.1, -0.1, 0.0}});
+  return by_moves(null, {std::move(GM), std::move(Y), std::move(N), std::move(zeta)},
+                  {{0.0, 0.1, -0.1, 0.0}, {-1.2, 0.1, -0.1, 0.0}});
 }
 
 EffectForm memory_form(const Effect& null, std::span<const EffectNumber> numbers, double T) {
-  Move tau{{.name = "tau", .centre = 0.5, .deviation = 0.5, .low = 0.02, .high = 10.0}, 0, [T](double c) { return c * T; }};
+  Move tau{
+      {.name = "tau", .centre = 0.5, .deviation = 0.5, .low = 0.02, .high = 10.0}, 0, [T](double c) { return c * T; }};
   return by_moves(null, {std::move(tau), from_null(numbers[1])}, {{0.5, 0.5}});
 }
 
@@ -183,9 +210,12 @@ EffectForm push_form(const Effect& null, std::span<const EffectNumber> numbers, 
   std::vector<Move> moves;
   for (const auto* key : {"X_0", "Y_0", "N_0"}) moves.push_back(from_null(number_named(numbers, key)));
   for (const auto* key : {"onset_s", "end_s"})
-    moves.push_back({{.name = key, .centre = 0.5 * whole, .deviation = whole, .low = 0.0, .high = whole}, number_named(numbers, key).index, [T](double c) { return c * T; }});
+    moves.push_back({{.name = key, .centre = 0.5 * whole, .deviation = whole, .low = 0.0, .high = whole},
+                     number_named(numbers, key).index,
+                     [T](double c) { return c * T; }});
   auto form = by_moves(null, std::move(moves), {});
-  for (const double from : {0.1, 0.3, 0.5, 0.7}) form.starts.push_back({0.0, 0.0, 0.0, from * whole, (from + 0.25) * whole});
+  for (const double from : {0.1, 0.3, 0.5, 0.7})
+    form.starts.push_back({0.0, 0.0, 0.0, from * whole, (from + 0.25) * whole});
   form.at = [at = std::move(form.at), T](std::span<const double> c) {
     auto effect = at(c);
     auto& push = std::get<UnknownForce<double>>(effect);
@@ -212,8 +242,10 @@ EffectForm form_of(const Effect& null, std::span<const EffectNumber> numbers, co
   if (id == "roll_coupling") return roll_form(null, numbers);
   if (id == "fluid_memory") return memory_form(null, numbers, length(ship) / service_speed(ship));
   if (id == "steering_gear_backlash") return begun_at(by_numbers(null, numbers), {{0.3}});
-  if (id == "propeller_side_force") return by_numbers(null, numbers.first(1));  // a constant force is a rudder offset's twin
-  const auto size = std::ranges::find_if(numbers, &EffectNumber::decides), toward = std::ranges::find_if(numbers, is_direction);
+  if (id == "propeller_side_force")
+    return by_numbers(null, numbers.first(1));  // a constant force is a rudder offset's twin
+  const auto size = std::ranges::find_if(numbers, &EffectNumber::decides),
+             toward = std::ranges::find_if(numbers, is_direction);
   if (toward == numbers.end()) return by_numbers(null, numbers);
   const auto parts = by_parts(null, *size, *toward);
   if (id == "gust") return in_window(parts, ship, duration);
@@ -226,7 +258,10 @@ std::optional<EffectForm> ordinary_lift_loss(const Ship& ship) {
   const Effect null = make_effect("rudder_gap");
   const auto numbers = numbers_of(ship, null);
   if (numbers.empty() || number_named(numbers, "s").null != 0.0) return std::nullopt;
-  EffectForm form{.id = "rudder_gap", .coordinates = {{.name = "loss", .deviation = 0.2, .step = 0.02, .low = 0.0, .high = 1.0}}, .at = {}, .starts = {{0.0}}};
+  EffectForm form{.id = "rudder_gap",
+                  .coordinates = {{.name = "loss", .deviation = 0.2, .step = 0.02, .low = 0.0, .high = 1.0}},
+                  .at = {},
+                  .starts = {{0.0}}};
   form.at = [](std::span<const double> c) { return Effect(RudderGap<double>{0.0, -c[0]}); };
   return form;
 }
@@ -234,7 +269,9 @@ std::optional<EffectForm> ordinary_lift_loss(const Ship& ship) {
 Eigen::MatrixXd number_slopes(const Ship& ship, const EffectForm& form, const Eigen::VectorXd& c) {
   constexpr double step = 1e-4;
   const auto size = c.size();
-  const auto numbers_at = [&](const Eigen::VectorXd& p) { return numbers_of(ship, form.at({p.data(), static_cast<std::size_t>(size)})); };
+  const auto numbers_at = [&](const Eigen::VectorXd& p) {
+    return numbers_of(ship, form.at({p.data(), static_cast<std::size_t>(size)}));
+  };
   Eigen::MatrixXd slopes(std::ssize(numbers_at(c)), size);
   for (Eigen::Index k = 0; k < size; ++k) {
     Eigen::VectorXd up = c, down = c;
@@ -275,18 +312,22 @@ constexpr double ordinary_loss = 0.1;
 /// Whether a stall or a gap costs more lift than that, or another gap than the ship's own changes it by more.
 bool is_lift_lost(const Ship& ship, const Effect& effect) {
   const double alpha = radians(35.0);
-  if (const auto* stall = std::get_if<RudderStall<double>>(&effect)) return 1.0 - stall_factor(Stall<double>{stall->angle, stall->depth, stall->width}, alpha) > ordinary_loss;
+  if (const auto* stall = std::get_if<RudderStall<double>>(&effect))
+    return 1.0 - stall_factor(Stall<double>{stall->angle, stall->depth, stall->width}, alpha) > ordinary_loss;
   if (!std::holds_alternative<RudderGap<double>>(effect)) return true;
   const auto numbers = numbers_of(ship, effect);
-  const auto left = [&](double EffectNumber::*value) { return open_gap_factor(numbers[0].*value, numbers[1].*value, alpha); };
+  const auto left = [&](double EffectNumber::*value) {
+    return open_gap_factor(numbers[0].*value, numbers[1].*value, alpha);
+  };
   return std::abs(left(&EffectNumber::null) - left(&EffectNumber::value)) > ordinary_loss;
 }
 
 }  // namespace
 
 bool is_finding(const Ship& ship, const Effect& effect) {
-  return is_lift_lost(ship, effect) &&
-         std::ranges::any_of(numbers_of(ship, effect), [](const EffectNumber& n) { return n.decides && !(std::abs(n.value - n.null) <= n.floor); });
+  return is_lift_lost(ship, effect) && std::ranges::any_of(numbers_of(ship, effect), [](const EffectNumber& n) {
+           return n.decides && !(std::abs(n.value - n.null) <= n.floor);
+         });
 }
 
 }  // namespace swayaw

@@ -21,19 +21,21 @@ struct Coordinate {
   double high = HUGE_VAL;
 };
 
-/// An effect as a function of coordinates. Wind, stream and waves go by their north and east parts, since a direction means nothing where the
-/// speed is 0; a depth by its inverse.
+/// An effect as a function of coordinates. Wind, stream and waves go by their north and east parts, since a direction
+/// means nothing where the speed is 0; a depth by its inverse.
 struct EffectForm {
   std::string id;  ///< as in ship files
   std::vector<Coordinate> coordinates;
   std::function<Effect(std::span<const double>)> at;
   std::vector<std::vector<double>> starts;  ///< where fits begin: an effect that is not linear has several valleys
-  std::vector<double> window{};             ///< its last two coordinates, onset and end, where most force is missing; empty where it has none
-  std::function<EffectForm(std::span<const std::size_t>)> with_terms{};  ///< the same of some of its coordinates, where each is a term by itself
+  std::vector<double>
+      window{};  ///< its last two coordinates, onset and end, where most force is missing; empty where it has none
+  std::function<EffectForm(std::span<const std::size_t>)>
+      with_terms{};  ///< the same of some of its coordinates, where each is a term by itself
 };
 
-/// A rudder whose lift falls a little with its angle, K = 1 − loss (delta)²: what every lift curve does and no linear one knows. It belongs to the
-/// baseline of every ship that has a place for it.
+/// A rudder whose lift falls a little with its angle, K = 1 − loss (delta)²: what every lift curve does and no linear
+/// one knows. It belongs to the baseline of every ship that has a place for it.
 /// @return nothing for other models, and where the ship has a gap of her own
 std::optional<EffectForm> ordinary_lift_loss(const Ship& ship);
 
@@ -43,7 +45,8 @@ bool is_direction(const EffectNumber& number);
 /// d(numbers)/d(coordinates) of an effect, numbers as `numbers_of` gives them; directions turn the short way.
 Eigen::MatrixXd number_slopes(const Ship& ship, const EffectForm& form, const Eigen::VectorXd& coordinates);
 
-/// All candidates for a ship, the channels of her runs and their longest duration [s]; the last is a constant force without a name that begins and ends.
+/// All candidates for a ship, the channels of her runs and their longest duration [s]; the last is a constant force
+/// without a name that begins and ends.
 std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> channels, double duration);
 
 /// A force that no candidate explains, as a map of the motion and the heading, term by term.

@@ -54,7 +54,8 @@ std::vector<PlanarMotion<double>> motions_of(const Recording& run, double servic
   const bool whole = run.has(Channel::v) && run.has(Channel::r);
   std::vector<PlanarMotion<double>> motions;
   for (std::size_t i = 0; i < run.samples(); ++i)
-    motions.push_back({run.has(u) ? run[u][i] : service_speed, whole ? run[Channel::v][i] : missing, whole ? run[Channel::r][i] : missing});
+    motions.push_back({run.has(u) ? run[u][i] : service_speed, whole ? run[Channel::v][i] : missing,
+                       whole ? run[Channel::r][i] : missing});
   return motions;
 }
 
@@ -62,8 +63,10 @@ std::optional<LinearView> view_of_run(const Ship& model, const Recording& run) t
   const double L = length(model), U = service_speed(model);
   const auto simulated = replay(model, run);
   double amplitude = 0.0;
-  for (const double delta : run[Channel::delta]) amplitude = std::max(amplitude, std::isfinite(delta) ? std::abs(delta) : 0.0);
-  return LinearView{run.name, amplitude, view_of(run, path_of(motions_of(run, U), L), L), view_of(simulated, path_of(motions_of(simulated, U), L), L)};
+  for (const double delta : run[Channel::delta])
+    amplitude = std::max(amplitude, std::isfinite(delta) ? std::abs(delta) : 0.0);
+  return LinearView{run.name, amplitude, view_of(run, path_of(motions_of(run, U), L), L),
+                    view_of(simulated, path_of(motions_of(simulated, U), L), L)};
 } catch (const Refusal&) {  // no zigzag, or one that she cannot sail
   return std::nullopt;
 }
@@ -87,15 +90,23 @@ std::string words_of(std::span<const LinearView> views) {
   if (views.empty()) return {};
   std::vector<std::string> said;
   const double offset = mean_of(views, [](const LinearView& v) { return v.recorded.delta_r - v.model.delta_r; });
-  if (std::abs(offset) > radians(0.3)) said.push_back(fmt::format("a constant acts like a rudder offset to {}", offset > 0.0 ? "port" : "starboard"));
+  if (std::abs(offset) > radians(0.3))
+    said.push_back(fmt::format("a constant acts like a rudder offset to {}", offset > 0.0 ? "port" : "starboard"));
   const auto gain = [](const LinearView& v) { return v.recorded.K / v.model.K; };
   const auto [gentle, hard] = std::ranges::minmax_element(views, {}, &LinearView::amplitude);
   if (hard->amplitude > 1.5 * gentle->amplitude && std::abs(gain(*hard) - gain(*gentle)) > 0.1)
-    said.push_back(fmt::format("the gain K is {:.2f} times the model's in the gentlest zigzag and {:.2f} in the hardest, which a nonlinear term does", gain(*gentle), gain(*hard)));
+    said.push_back(
+        fmt::format("the gain K is {:.2f} times the model's in the gentlest zigzag and {:.2f} in the hardest, which a "
+                    "nonlinear term does",
+                    gain(*gentle), gain(*hard)));
   else if (const double K = mean_of(views, gain); std::abs(K - 1.0) > 0.1)
-    said.push_back(fmt::format("the gain K is {:.2f} times the model's whatever the amplitude, which a linear coefficient or the rudder does", K));
+    said.push_back(fmt::format(
+        "the gain K is {:.2f} times the model's whatever the amplitude, which a linear coefficient or the rudder does",
+        K));
   const double loop = mean_of(views, [](const LinearView& v) { return v.recorded.loop_area / v.model.loop_area; });
-  if (std::isfinite(loop) && std::abs(loop - 1.0) > 0.1) said.push_back(fmt::format("the drift-yaw loop has {:.2f} times the model's area, which T3 or a force that follows late does", loop));
+  if (std::isfinite(loop) && std::abs(loop - 1.0) > 0.1)
+    said.push_back(fmt::format(
+        "the drift-yaw loop has {:.2f} times the model's area, which T3 or a force that follows late does", loop));
   std::string words;
   for (const auto& s : said) words += (words.empty() ? "By K, T and the drift-yaw loop: " : "; ") + s;
   return words.empty() ? words : words + ".";

@@ -33,7 +33,8 @@ std::optional<Traced> traced(const Ship& ship, const Recording& run, const Noise
   for (std::size_t i = 0; i < force.size(); ++i) {
     const auto& m = force[i].motion;
     const double U = std::hypot(m.u, m.v);
-    t.missing.push_back({force[i].acceleration.u / (0.3 * a), force[i].acceleration.v / a, force[i].acceleration.r * L / (1.5 * a)});
+    t.missing.push_back(
+        {force[i].acceleration.u / (0.3 * a), force[i].acceleration.v / a, force[i].acceleration.r * L / (1.5 * a)});
     t.delta.push_back(run.has(Channel::delta) ? run[Channel::delta][i] : 0.0);
     t.beta.push_back(std::atan2(-m.v, m.u));
     t.r_prime.push_back(m.r * L / U);
@@ -93,7 +94,8 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
-Region beyond(const std::string& what, const std::vector<double>& values, double limit, double shown, std::string_view unit) {
+Region beyond(const std::string& what, const std::vector<double>& values, double limit, double shown,
+              std::string_view unit) {
   Region region{fmt::format("{} beyond {:.2g}{}", what, shown, unit), {}};
   for (const double v : values) region.inside.push_back(std::abs(v) > limit);
   return region;
@@ -105,7 +107,8 @@ std::vector<Region> regions_of(const Traced& t) {
   regions.push_back(beyond("rudder", t.delta, delta, degrees(delta), " deg"));
   regions.push_back(beyond("drift", t.beta, beta, degrees(beta), " deg"));
   regions.push_back(beyond("yaw rate", t.r_prime, r, r, " U/L"));
-  Region straight{"almost straight ahead", {}}, slow{"after the loss of speed", {}}, turning{"while the rudder moves", {}};
+  Region straight{"almost straight ahead", {}}, slow{"after the loss of speed", {}},
+      turning{"while the rudder moves", {}};
   const double fast = *std::ranges::max_element(t.U);
   for (std::size_t i = 0; i < t.time.size(); ++i) {
     straight.inside.push_back(std::abs(t.r_prime[i]) < 0.2 * r);
@@ -151,13 +154,20 @@ MismatchPlace place_of(const Traced& t) {
   const auto axis = main_axis(t);
   const auto energy = energy_of(t, axis);
   const auto interval = interval_of(energy).value_or(Interval{0, energy.size() - 1});
-  const double inside = std::accumulate(energy.begin() + static_cast<std::ptrdiff_t>(interval.from), energy.begin() + static_cast<std::ptrdiff_t>(interval.to) + 1, 0.0);
-  return {t.run->name, quantities[axis], t.time[interval.from], t.time[interval.to], inside / std::max(sum_of(energy), 1e-300), where(t, energy)};
+  const double inside = std::accumulate(energy.begin() + static_cast<std::ptrdiff_t>(interval.from),
+                                        energy.begin() + static_cast<std::ptrdiff_t>(interval.to) + 1, 0.0);
+  return {t.run->name,
+          quantities[axis],
+          t.time[interval.from],
+          t.time[interval.to],
+          inside / std::max(sum_of(energy), 1e-300),
+          where(t, energy)};
 }
 
 // ---------------------------------------------------------------- symmetry
 
-/// What a force can go with: the motion as a ship without any asymmetry feels it; a constant; the heading; changes of the motion.
+/// What a force can go with: the motion as a ship without any asymmetry feels it; a constant; the heading; changes of
+/// the motion.
 struct Basis {
   Eigen::MatrixXd motion, constant, heading, history;
 };
@@ -200,13 +210,15 @@ std::string symmetry_of(std::span<const Traced> runs) {
   for (const auto& t : runs)
     for (const auto& m : t.missing) force[row++] = std::isfinite(m[axis]) ? m[axis] : 0.0;
   const double alone = explained(b.motion, force);
-  const std::array gains{explained(beside(b.motion, b.constant), force) - alone, explained(beside(b.motion, b.heading), force) - alone,
+  const std::array gains{explained(beside(b.motion, b.constant), force) - alone,
+                         explained(beside(b.motion, b.heading), force) - alone,
                          explained(beside(b.motion, b.history), force) - alone};
   const auto most = static_cast<std::size_t>(std::ranges::max_element(gains) - gains.begin());
   if (gains[most] < 0.15) return {};
   // a constant lies in the span of neither; heading explains it in part where the headings are few
   if (most == 1 && gains[1] - gains[0] < 0.1) return "it differs between port and starboard";
-  constexpr std::array words{"it differs between port and starboard", "it goes with the heading, as what is fixed to the earth does",
+  constexpr std::array words{"it differs between port and starboard",
+                             "it goes with the heading, as what is fixed to the earth does",
                              "it goes with changes of the motion, not with the motion"};
   return words[most];
 }

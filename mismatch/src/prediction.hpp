@@ -66,10 +66,10 @@ struct Instant {
 
 /// What a smoother needs of a pass, sample after sample.
 struct FilterTrace {
-  std::vector<FilterState> predicted;                  ///< before the sample is taken in
+  std::vector<FilterState> predicted;  ///< before the sample is taken in
   std::vector<FilterCovariance> predicted_covariance;
   std::vector<FilterCovariance> filtered_covariance;
-  std::vector<FilterCovariance> transition;            ///< d(predicted)/d(filtered at the sample before)
+  std::vector<FilterCovariance> transition;  ///< d(predicted)/d(filtered at the sample before)
 };
 
 /// A true motion as the instruments show it: value of a channel.
@@ -80,7 +80,11 @@ template <class Model>
 class Predictor {
  public:
   Predictor(const Ship& ship, const Model& model, const PreparedRun& run)
-      : run_(run), acting_(acting_ship(ship, model)), controls_(ship, *run.run), dual_(cast<D>(acting_.model)), dual_added_(cast<D>(acting_.added)) {
+      : run_(run),
+        acting_(acting_ship(ship, model)),
+        controls_(ship, *run.run),
+        dual_(cast<D>(acting_.model)),
+        dual_added_(cast<D>(acting_.added)) {
     for (const double time : run.run->time) at_samples_.push_back(controls_.at(time));
   }
 
@@ -90,7 +94,8 @@ class Predictor {
     FilterPass pass;
     tau_ = pass.tau = run_.tau * noise.memory;
     noise_.clear();
-    for (const auto& [channel, deviation] : run_.channels) noise_.push_back(deviation * noise.factor[index_of(channel)]);
+    for (const auto& [channel, deviation] : run_.channels)
+      noise_.push_back(deviation * noise.factor[index_of(channel)]);
     start();
     FilterCovariance P = start_covariance(size);
     const auto n = run_.samples();
@@ -135,17 +140,20 @@ class Predictor {
   FilterCovariance start_covariance(const OrdinaryImperfection& size) const {
     const double L = acting_.model.particulars.L, U = acting_.model.particulars.U_0;
     FilterCovariance P = FilterCovariance::Zero();
-    P.diagonal() << L * L / 16, L * L / 16, 1.0 / 16, U * U / 16, U * U / 16, U * U / (16 * L * L), size.u * size.u, size.v * size.v, size.r * size.r;
+    P.diagonal() << L * L / 16, L * L / 16, 1.0 / 16, U * U / 16, U * U / 16, U * U / (16 * L * L), size.u * size.u,
+        size.v * size.v, size.r * size.r;
     return P;
   }
 
   ShipState<double> state() const { return {x_[0], x_[1], x_[2], {x_[3], x_[4], x_[5]}}; }
 
   /// Rates of the nine states and of what goes on out of sight.
-  std::pair<FilterState, Hidden<double>> rates(const FilterState& x, const Hidden<double>& hidden, const Controls<double>& c) const {
+  std::pair<FilterState, Hidden<double>> rates(const FilterState& x, const Hidden<double>& hidden,
+                                               const Controls<double>& c) const {
     const ShipState<double> s{x[0], x[1], x[2], {x[3], x[4], x[5]}};
     const auto driven_by = driven(acting_.added, s.motion, c);
-    const auto r = rates_of(acting_.model, around_, acting_.added, s, hidden, c, branch_at(acting_.model, s.motion, driven_by));
+    const auto r =
+        rates_of(acting_.model, around_, acting_.added, s, hidden, c, branch_at(acting_.model, s.motion, driven_by));
     FilterState rate;
     rate << r[0], r[1], r[2], r[3] + x[6], r[4] + x[7], r[5] + x[8], -x[6] / tau_, -x[7] / tau_, -x[8] / tau_;
     return {rate, acting_.added.hidden() ? hidden_rates(acting_.added, s.motion, hidden) : Hidden<double>{}};
@@ -155,8 +163,9 @@ class Predictor {
     return {h.phi + t * rate.phi, h.p + t * rate.p, h.v + t * rate.v, h.r + t * rate.r};
   }
 
-  /// The midpoint rule; the classical Runge–Kutta step where something swings out of sight. What the rule is short of, (h/T)²/6 of an acceleration that changes
-  /// in the time T, is 0.3 % for the shortest step response of a hull, and the next sample takes it in.
+  /// The midpoint rule; the classical Runge–Kutta step where something swings out of sight. What the rule is short of,
+  /// (h/T)²/6 of an acceleration that changes in the time T, is 0.3 % for the shortest step response of a hull, and the
+  /// next sample takes it in.
   void step(const Controls<double>& a, const Controls<double>& b, double h) {
     const auto middle = between(a, b, 0.5);
     const auto [k1, m1] = rates(x_, hidden_, a);
@@ -169,12 +178,17 @@ class Predictor {
     const auto [k4, m4] = rates(x_ + h * k3, moved(hidden_, m3, h), b);
     x_ += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
     const auto mean = [&](double Hidden<double>::*q) { return (m1.*q + 2.0 * m2.*q + 2.0 * m3.*q + m4.*q) / 6.0; };
-    hidden_ = moved(hidden_, {mean(&Hidden<double>::phi), mean(&Hidden<double>::p), mean(&Hidden<double>::v), mean(&Hidden<double>::r)}, h);
+    hidden_ = moved(
+        hidden_,
+        {mean(&Hidden<double>::phi), mean(&Hidden<double>::p), mean(&Hidden<double>::v), mean(&Hidden<double>::r)}, h);
   }
 
   static Controls<double> between(const Controls<double>& a, const Controls<double>& b, double share) {
     const auto mix = [&](double x, double y) { return x + share * (y - x); };
-    return {mix(a.delta, b.delta), mix(a.rev, b.rev), {mix(a.thrust.port, b.thrust.port), mix(a.thrust.starboard, b.thrust.starboard)}, a.by_thrust};
+    return {mix(a.delta, b.delta),
+            mix(a.rev, b.rev),
+            {mix(a.thrust.port, b.thrust.port), mix(a.thrust.starboard, b.thrust.starboard)},
+            a.by_thrust};
   }
 
   /// Controls at a time between samples k − 1 and k; a rudder with a motion of its own is asked for it.
@@ -187,7 +201,8 @@ class Predictor {
   template <class F>
   void for_steps(std::size_t k, F&& f) {
     const double from = run_.run->time[k - 1], to = run_.run->time[k], h = to - from;
-    if (!(std::hypot(x_[3], x_[4]) < 1e3 * acting_.model.particulars.U_0)) throw Refusal(fmt::format("{}: no motion can be followed at {:.6g} s", run_.run->name, from));
+    if (!(std::hypot(x_[3], x_[4]) < 1e3 * acting_.model.particulars.U_0))
+      throw Refusal(fmt::format("{}: no motion can be followed at {:.6g} s", run_.run->name, from));
     double now = from;
     while (now < to) {
       const auto& changes = acting_.changes;
@@ -196,7 +211,8 @@ class Predictor {
         dual_added_.mapped = acting_.added.mapped;
       }
       const double edge = next_change_ < changes.size() ? std::min(to, changes[next_change_].time) : to;
-      const int steps = std::max(1, static_cast<int>(std::ceil((edge - now) * std::hypot(x_[3], x_[4]) / run_.longest)));
+      const int steps =
+          std::max(1, static_cast<int>(std::ceil((edge - now) * std::hypot(x_[3], x_[4]) / run_.longest)));
       for (int i = 0; i < steps; ++i) {
         const double a = now + (edge - now) * i / steps, b = now + (edge - now) * (i + 1) / steps;
         f(controls_between(k, from, a, h), controls_between(k, from, b, h), b - a);
@@ -214,10 +230,13 @@ class Predictor {
     const auto s = state();
     const ShipState<D> dual{D(s.x), D(s.y), D(s.psi, 0), {D(s.motion.u, 1), D(s.motion.v, 2), D(s.motion.r, 3)}};
     const Hidden<D> hidden{D(hidden_.phi), D(hidden_.p), D(hidden_.v), D(hidden_.r)};
-    const Surroundings<D> around{.windage = cast_part<D>(around_.windage), .wind = {D(around_.wind.speed), D(around_.wind.from)},
-                                 .current = {D(around_.current.speed), D(around_.current.to)}, .windy = around_.windy};
+    const Surroundings<D> around{.windage = cast_part<D>(around_.windage),
+                                 .wind = {D(around_.wind.speed), D(around_.wind.from)},
+                                 .current = {D(around_.current.speed), D(around_.current.to)},
+                                 .windy = around_.windy};
     const auto controls = cast<D>(c);
-    const auto r = rates_of(dual_, around, dual_added_, dual, hidden, controls, branch_at(dual_, dual.motion, driven(dual_added_, dual.motion, controls)));
+    const auto r = rates_of(dual_, around, dual_added_, dual, hidden, controls,
+                            branch_at(dual_, dual.motion, driven(dual_added_, dual.motion, controls)));
     FilterCovariance A = FilterCovariance::Zero();
     for (int i = 0; i < 6; ++i) A.template block<1, 4>(i, 2) = r[static_cast<std::size_t>(i)].v.transpose();
     A.template block<3, 3>(3, 6).setIdentity();
@@ -225,7 +244,8 @@ class Predictor {
     return A;
   }
 
-  FilterCovariance sail_with_covariance(std::size_t k, FilterCovariance P, const OrdinaryImperfection& size, FilterCovariance* transition) {
+  FilterCovariance sail_with_covariance(std::size_t k, FilterCovariance P, const OrdinaryImperfection& size,
+                                        FilterCovariance* transition) {
     for_steps(k, [&](const Controls<double>& a, const Controls<double>& b, double h) {
       const FilterCovariance A = h * jacobian(a);
       const FilterCovariance Phi = FilterCovariance::Identity() + A + 0.5 * A * A;
@@ -254,12 +274,14 @@ class Predictor {
   StateVector<double> way(const FilterState& x) const {
     const auto [s, c] = sin_cos(x[2]);
     const auto& [V_c, psi_c] = around_.current;
-    return {x[3] * c - x[4] * s + V_c * std::cos(psi_c), x[3] * s + x[4] * c + V_c * std::sin(psi_c), x[5], 0.0, 0.0, 0.0};
+    return {
+        x[3] * c - x[4] * s + V_c * std::cos(psi_c), x[3] * s + x[4] * c + V_c * std::sin(psi_c), x[5], 0.0, 0.0, 0.0};
   }
 
   /// Measured less expected; 0 where a sample is missing.
   void errors(std::size_t k, Eigen::VectorXd& e) const {
-    const bool late = std::ranges::any_of(acting_.sensors, [](const Effect& s) { return std::holds_alternative<ChannelDelay<double>>(s); });
+    const bool late = std::ranges::any_of(
+        acting_.sensors, [](const Effect& s) { return std::holds_alternative<ChannelDelay<double>>(s); });
     const auto now = instant(k, late);
     for (std::size_t i = 0; i < run_.channels.size(); ++i) {
       const auto channel = run_.channels[i].channel;
@@ -274,7 +296,9 @@ class Predictor {
   Eigen::MatrixXd slopes(std::size_t k) const {
     const auto m = static_cast<Eigen::Index>(run_.channels.size());
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(m, filter_states);
-    const auto at = [&](const FilterState& x) { return Instant{{x[0], x[1], x[2], {x[3], x[4], x[5]}}, way(x), hidden_.phi}; };
+    const auto at = [&](const FilterState& x) {
+      return Instant{{x[0], x[1], x[2], {x[3], x[4], x[5]}}, way(x), hidden_.phi};
+    };
     for (int j = 0; j < 6; ++j) {
       const double h = j < 2 ? 1.0 : 1e-6;
       FilterState x = x_;
@@ -284,7 +308,8 @@ class Predictor {
       const auto down = at(x);
       for (Eigen::Index i = 0; i < m; ++i) {
         const auto channel = run_.channels[static_cast<std::size_t>(i)].channel;
-        if (!std::isnan((*run_.run)[channel][k])) H(i, j) = (shown(channel, up, acting_.sensors) - shown(channel, down, acting_.sensors)) / (2.0 * h);
+        if (!std::isnan((*run_.run)[channel][k]))
+          H(i, j) = (shown(channel, up, acting_.sensors) - shown(channel, down, acting_.sensors)) / (2.0 * h);
       }
     }
     return H;
@@ -326,7 +351,7 @@ class Predictor {
   AddedForces<D> dual_added_;
   std::vector<Controls<double>> at_samples_;
   std::vector<double> noise_;  ///< of each channel
-  double tau_ = 0.0;  ///< memory of the imperfection [s]
+  double tau_ = 0.0;           ///< memory of the imperfection [s]
   FilterState x_;
   Hidden<double> hidden_;
   Surroundings<double> around_;

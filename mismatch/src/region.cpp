@@ -113,8 +113,10 @@ std::string words_for(const RegionError& region) {
   const auto variable = region.variable;
   const double low = region.from.value_or(-infinite), high = region.to.value_or(infinite);
   if (low < 0.0 && high > 0.0)
-    return fmt::format("{} within {}{} of zero", subject(variable), shown(variable, high), variable == Variable::yaw_rate ? "" : " deg");
-  if (low > 0.0) return fmt::format("{} {} {}", subject(variable), size_words(variable, low, high), positive_side(variable));
+    return fmt::format("{} within {}{} of zero", subject(variable), shown(variable, high),
+                       variable == Variable::yaw_rate ? "" : " deg");
+  if (low > 0.0)
+    return fmt::format("{} {} {}", subject(variable), size_words(variable, low, high), positive_side(variable));
   return fmt::format("{} {} {}", subject(variable), size_words(variable, -high, -low), negative_side(variable));
 }
 

@@ -43,13 +43,16 @@ template <class Model>
 Eigen::Matrix3d mass_matrix(const Model& model) {
   Eigen::Matrix3d mobility;
   for (int i = 0; i < 3; ++i) {
-    const auto a = acceleration(model, PlanarMotion<double>{}, PlanarForce<double>{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0});
+    const auto a = acceleration(model, PlanarMotion<double>{},
+                                PlanarForce<double>{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0});
     mobility.col(i) << a.u, a.v, a.r;
   }
   return mobility.inverse();
 }
 
-Eigen::Vector3d deviations(const Eigen::Matrix3d& covariance) { return covariance.diagonal().cwiseMax(0.0).cwiseSqrt(); }
+Eigen::Vector3d deviations(const Eigen::Matrix3d& covariance) {
+  return covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
+}
 
 PlanarAcceleration<double> as_acceleration(const Eigen::Vector3d& a) { return {a[0], a[1], a[2]}; }
 
@@ -83,7 +86,8 @@ std::vector<Value> thinned(const std::vector<Value>& values, const std::vector<s
   return result;
 }
 
-/// Samples to keep; where one is missing, the next that is there before the next one kept, so that a slow channel stays.
+/// Samples to keep; where one is missing, the next that is there before the next one kept, so that a slow channel
+/// stays.
 Recording thinned(const Recording& run, const std::vector<std::size_t>& kept) {
   Recording result{.name = run.name, .facts = run.facts, .time = thinned(run.time, kept), .channels = {}, .extra = {}};
   for (std::size_t c = 0; c < channel_count; ++c) {
@@ -91,7 +95,8 @@ Recording thinned(const Recording& run, const std::vector<std::size_t>& kept) {
     if (values.empty()) continue;
     for (std::size_t k = 0; k < kept.size(); ++k) {
       const auto end = values.begin() + static_cast<std::ptrdiff_t>(k + 1 < kept.size() ? kept[k + 1] : run.samples());
-      const auto there = std::find_if(values.begin() + static_cast<std::ptrdiff_t>(kept[k]), end, [](double x) { return !std::isnan(x); });
+      const auto there = std::find_if(values.begin() + static_cast<std::ptrdiff_t>(kept[k]), end,
+                                      [](double x) { return !std::isnan(x); });
       result.channels[c].push_back(there == end ? swayaw::missing : *there);
     }
   }
@@ -138,13 +143,16 @@ PlanarForce<double> ordinary_force(const Ship& ship) {
   });
 }
 
-RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& after, const Recording& run, const Noise& noise) {
+RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& after, const Recording& run,
+                       const Noise& noise) {
   const auto kept = kept_samples(run.samples());
   const auto lacking = [&](const Ship& ship) {
     const auto all = unless_refused([&] { return missing_force(ship, run, noise); });
     return all ? thinned(*all, kept) : std::vector<MissingForce>{};
   };
-  const auto replayed = [&](const Ship& ship) { return unless_refused([&] { return thinned(replay(ship, run), kept); }); };
+  const auto replayed = [&](const Ship& ship) {
+    return unless_refused([&] { return thinned(replay(ship, run), kept); });
+  };
   return {.run = run.name,
           .recorded = thinned(run, kept),
           .missing_before = lacking(refitted),
@@ -154,9 +162,11 @@ RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& afte
           .after = replayed(after)};
 }
 
-std::vector<RunPicture> run_pictures(const Ship& given, const Ship& refitted, const Ship& after, std::span<const Recording> runs, const Noise& noise) {
+std::vector<RunPicture> run_pictures(const Ship& given, const Ship& refitted, const Ship& after,
+                                     std::span<const Recording> runs, const Noise& noise) {
   std::vector<RunPicture> pictures(runs.size());
-  in_parallel(runs.size(), 0, [&](std::size_t i) { pictures[i] = run_picture(given, refitted, after, runs[i], noise); });
+  in_parallel(runs.size(), 0,
+              [&](std::size_t i) { pictures[i] = run_picture(given, refitted, after, runs[i], noise); });
   return pictures;
 }
 

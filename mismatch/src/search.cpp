@@ -12,17 +12,22 @@
 namespace swayaw {
 namespace {
 
-constexpr double as_good = 5.0;      ///< difference in log evidence that does not tell effects apart
-constexpr double worth_of_a_term = 5.0; ///< log evidence by which a further term of an effect must gain
-constexpr double worth_of_a_name = 20.0;  ///< log evidence by which a force without a name must beat an effect that has one
-constexpr double may_lead = 0.4;       ///< of the best candidate's gain: with less, held-out runs are not asked
-constexpr double small_loss = 0.05;    ///< of what an effect gains: held-out runs that lose no more do not refute what gains several times what is needed
+constexpr double as_good = 5.0;          ///< difference in log evidence that does not tell effects apart
+constexpr double worth_of_a_term = 5.0;  ///< log evidence by which a further term of an effect must gain
+constexpr double worth_of_a_name =
+    20.0;                            ///< log evidence by which a force without a name must beat an effect that has one
+constexpr double may_lead = 0.4;     ///< of the best candidate's gain: with less, held-out runs are not asked
+constexpr double small_loss = 0.05;  ///< of what an effect gains: held-out runs that lose no more do not refute what
+                                     ///< gains several times what is needed
 constexpr std::size_t most_traces = 2;
-constexpr double less_known = 3.0;  ///< factor on the deviations of the baseline's numbers, where the runs speak against them
+constexpr double less_known =
+    3.0;  ///< factor on the deviations of the baseline's numbers, where the runs speak against them
 constexpr double most_doubt = 10.0;
-constexpr double worth_a_doubt = 0.04; ///< of an effect's gain that doubt must promise at the present noise; noise renewed made at most 25 times as much of it
-constexpr double adequate_scale = 0.25; ///< of the imperfection, beside which no further effect is looked for
-constexpr double quiet_scale = 0.6;     ///< of the imperfection, beside which what promises nothing is not fitted: there is no disturbance that could hide it
+constexpr double worth_a_doubt = 0.04;   ///< of an effect's gain that doubt must promise at the present noise; noise
+                                         ///< renewed made at most 25 times as much of it
+constexpr double adequate_scale = 0.25;  ///< of the imperfection, beside which no further effect is looked for
+constexpr double quiet_scale = 0.6;  ///< of the imperfection, beside which what promises nothing is not fitted: there
+                                     ///< is no disturbance that could hide it
 
 // ---------------------------------------------------------------- all candidates
 
@@ -60,16 +65,19 @@ std::vector<Job> worth_more(const std::vector<Job>& first) {
     for (; job != end; ++job)
       if (std::isfinite(job->promise.gain)) of_form.push_back(&*job);
     std::ranges::stable_sort(of_form, std::greater{}, [](const Job* j) { return j->promise.gain; });
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, of_form.size()); ++i) chosen.push_back({of_form[i]->form, of_form[i]->promise.coordinates, 4});
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, of_form.size()); ++i)
+      chosen.push_back({of_form[i]->form, of_form[i]->promise.coordinates, 4});
   }
   return chosen;
 }
 
-std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, const Screen& screen, std::span<const EffectForm> forms) {
+std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, const Screen& screen,
+                               std::span<const EffectForm> forms) {
   std::vector<Job> jobs, many;
   for (const auto& form : forms) {
     if (std::ranges::any_of(accepted, [&](const EffectForm* a) { return a->id == form.id; })) continue;
-    for (const auto& start : form.starts) (form.starts.size() > 2 ? many : jobs).push_back({&form, start, form.starts.size() > 2 ? 1 : 5});
+    for (const auto& start : form.starts)
+      (form.starts.size() > 2 ? many : jobs).push_back({&form, start, form.starts.size() > 2 ? 1 : 5});
   }
   work_on(many, trial, accepted, screen);
   std::ranges::move(worth_more(many), std::back_inserter(jobs));
@@ -79,7 +87,8 @@ std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, c
     if (job.promise.gain > best[job.form].gain) best[job.form] = std::move(job.promise);
   std::vector<Screened> result;
   for (const auto& form : forms)  // in the order of the catalogue, so that the answer does not hang on addresses
-    if (const auto found = best.find(&form); found != best.end() && std::isfinite(found->second.gain)) result.push_back({&form, found->second});
+    if (const auto found = best.find(&form); found != best.end() && std::isfinite(found->second.gain))
+      result.push_back({&form, found->second});
   std::ranges::stable_sort(result, std::greater{}, [](const Screened& s) { return s.promise.gain; });
   return result;
 }
@@ -89,7 +98,8 @@ void begin_where_force_is_missing(std::vector<EffectForm>& forms, const Located&
   const auto interval = common_interval(located, time_unit);
   if (!interval) return;
   for (auto& form : forms) {
-    if (std::ranges::none_of(form.coordinates, [](const Coordinate& c) { return c.name.starts_with("onset"); })) continue;
+    if (std::ranges::none_of(form.coordinates, [](const Coordinate& c) { return c.name.starts_with("onset"); }))
+      continue;
     form.window = {interval->first / time_unit, interval->second / time_unit};
     for (auto start : std::vector(form.starts)) {
       std::ranges::copy(form.window, start.end() - 2);
@@ -106,8 +116,9 @@ struct Pruned {
   double gain = 0.0;
 };
 
-/// Terms are taken in one by one, that first by which the evidence grows most, as long as it grows by what tells terms apart; one that the others make
-/// needless goes again. Evidence of a subset S, its prior about 0 with precision P and the information I, h of the data counted as for `widened`:
+/// Terms are taken in one by one, that first by which the evidence grows most, as long as it grows by what tells terms
+/// apart; one that the others make needless goes again. Evidence of a subset S, its prior about 0 with precision P and
+/// the information I, h of the data counted as for `widened`:
 ///
 ///     ln E = ½ h_Sᵀ (I_S + P_S)⁻¹ h_S − ½ ln det(I_S + P_S) + ½ ln det P_S
 Pruned pruned(const EffectForm& form, const Eigen::VectorXd& mean, const Eigen::MatrixXd& covariance) {
@@ -116,14 +127,16 @@ Pruned pruned(const EffectForm& form, const Eigen::VectorXd& mean, const Eigen::
   for (std::size_t i = 0; i < size; ++i) result.kept.push_back(i);
   if (!form.with_terms) return result;
   Eigen::VectorXd precision(mean.size());
-  for (std::size_t i = 0; i < size; ++i) precision[static_cast<Eigen::Index>(i)] = std::pow(form.coordinates[i].deviation, -2);
+  for (std::size_t i = 0; i < size; ++i)
+    precision[static_cast<Eigen::Index>(i)] = std::pow(form.coordinates[i].deviation, -2);
   const Eigen::MatrixXd A = widened(form, covariance).inverse();
   const Eigen::VectorXd h = covariance.inverse() * mean / evidence_excess;
   const auto evidence = [&](const std::vector<std::size_t>& subset) {
     const std::vector<Eigen::Index> s(subset.begin(), subset.end());
     const auto factor = Eigen::MatrixXd(A(s, s)).ldlt();
     const Eigen::VectorXd h_s = h(s);
-    return 0.5 * h_s.dot(factor.solve(h_s)) - 0.5 * factor.vectorD().array().log().sum() + 0.5 * precision(s).array().log().sum();
+    return 0.5 * h_s.dot(factor.solve(h_s)) - 0.5 * factor.vectorD().array().log().sum() +
+           0.5 * precision(s).array().log().sum();
   };
   struct Subset {
     std::vector<std::size_t> terms;
@@ -143,9 +156,11 @@ Pruned pruned(const EffectForm& form, const Eigen::VectorXd& mean, const Eigen::
   };
   auto now = next({}, true);
   if (now.terms.empty()) return result;
-  for (auto larger = next(now.terms, true); larger.evidence > now.evidence + worth_of_a_term; larger = next(now.terms, true)) {
+  for (auto larger = next(now.terms, true); larger.evidence > now.evidence + worth_of_a_term;
+       larger = next(now.terms, true)) {
     now = std::move(larger);
-    if (auto smaller = next(now.terms, false); smaller.evidence > now.evidence - worth_of_a_term) now = std::move(smaller);
+    if (auto smaller = next(now.terms, false); smaller.evidence > now.evidence - worth_of_a_term)
+      now = std::move(smaller);
   }
   const double whole = evidence(result.kept);
   return {std::move(now.terms), now.evidence - whole};
@@ -170,9 +185,11 @@ Hypothesis with(Hypothesis hypothesis, const EffectForm& form) {
 
 const MapFit& likelier(const MapFit& a, const MapFit& b) { return b.log_evidence > a.log_evidence ? b : a; }
 
-/// A fit that comes out far below the hypothesis without the effect stopped too early; from a small effect it begins once more. What comes and goes is
-/// fitted where most force is missing too, with no more than the ordinary imperfection: beside that which it makes necessary its edges cannot be seen.
-MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit& now, const Screen& screen, const std::vector<double>& promised) {
+/// A fit that comes out far below the hypothesis without the effect stopped too early; from a small effect it begins
+/// once more. What comes and goes is fitted where most force is missing too, with no more than the ordinary
+/// imperfection: beside that which it makes necessary its edges cannot be seen.
+MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit& now, const Screen& screen,
+                  const std::vector<double>& promised) {
   const auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise, &screen.slopes);
   auto other = promised;
   if (const auto& window = hypothesis.back()->window; !window.empty() && now.noise.largest_scale() > ordinary_scale) {
@@ -192,7 +209,9 @@ bool acts(const EffectForm& form, const MapFit& found) {
   const auto from = found.point.size() - static_cast<Eigen::Index>(form.coordinates.size());
   for (std::size_t i = 0; i < form.coordinates.size(); ++i) {
     const auto k = from + static_cast<Eigen::Index>(i);
-    if (form.coordinates[i].name.ends_with("_phi") && std::abs(found.point[k]) > 2.0 * std::sqrt(found.covariance(k, k))) return true;
+    if (form.coordinates[i].name.ends_with("_phi") &&
+        std::abs(found.point[k]) > 2.0 * std::sqrt(found.covariance(k, k)))
+      return true;
   }
   return false;
 }
@@ -202,8 +221,9 @@ bool is_trace(const Ship& ship, const EffectForm& form, const MapFit& found, con
   return !is_finding(ship, effect) || !acts(form, found) || !is_told(ship, form, found);
 }
 
-/// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels. What comes and goes is among them wherever all
-/// runs lack force at the same time: under the imperfection that this makes necessary it promises too little.
+/// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels. What
+/// comes and goes is among them wherever all runs lack force at the same time: under the imperfection that this makes
+/// necessary it promises too little.
 std::vector<Screened> most_promising(const std::vector<Screened>& candidates, std::size_t most) {
   std::vector<Screened> chosen;
   for (const auto& c : candidates) {
@@ -214,8 +234,8 @@ std::vector<Screened> most_promising(const std::vector<Screened>& candidates, st
 }
 
 /// Converged fits of the most promising candidates, best first.
-std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, const MapFit& now, const Screen& screen, const std::vector<Screened>& screening,
-                             std::size_t most) {
+std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, const MapFit& now, const Screen& screen,
+                             const std::vector<Screened>& screening, std::size_t most) {
   const auto candidates = most_promising(screening, most);
   std::vector<std::optional<Tried>> fits(candidates.size());
   in_parallel(candidates.size(), 0, [&](std::size_t i) {
@@ -228,8 +248,7 @@ std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, con
       const auto effect = last_effect(hypothesis, found.point);
       const double without = pruned(form, found).gain, nameless = is_unknown(form) ? worth_of_a_name : 0.0;
       fits[i] = Tried{&form, found, gain + without - nameless, effect, is_trace(trial.ship, form, found, effect)};
-    } catch (const Refusal&) {
-    }
+    } catch (const Refusal&) {}
   });
   std::vector<Tried> result;
   for (auto& tried : fits)
@@ -254,7 +273,8 @@ Tried reduced(const Trial& trial, const Hypothesis& accepted, Tried tried, std::
     for (std::size_t i = 0; i < kept.size(); ++i) {
       const auto before = base + static_cast<Eigen::Index>(kept[i]), now = base + static_cast<Eigen::Index>(i);
       const double so_far = tried.widening.empty() ? 1.0 : tried.widening[kept[i]];
-      widening.push_back(so_far * std::max(1.0, std::sqrt(tried.fit.covariance(before, before) / found.covariance(now, now))));
+      widening.push_back(so_far *
+                         std::max(1.0, std::sqrt(tried.fit.covariance(before, before) / found.covariance(now, now))));
     }
     tried.form = &forms.back();
     tried.effect = last_effect(hypothesis, found.point);
@@ -284,7 +304,8 @@ Elsewhere elsewhere_of(const Trial& unused, const Hypothesis& hypothesis, const 
 }
 
 /// Gain in log likelihood of held-out runs, or of each run by a fit to the others.
-double held_out_gain(const Trial& trial, const Elsewhere& elsewhere, const Hypothesis& before, const MapFit& a, const Hypothesis& after, const MapFit& b) {
+double held_out_gain(const Trial& trial, const Elsewhere& elsewhere, const Hypothesis& before, const MapFit& a,
+                     const Hypothesis& after, const MapFit& b) {
   if (!elsewhere.is_empty()) return log_likelihood_of(elsewhere.unused, after, b) - elsewhere.now;
   std::vector<double> gains(trial.runs.size());
   in_parallel(trial.runs.size(), 0, [&](std::size_t i) {
@@ -309,8 +330,11 @@ bool is_of_a_time(const Effect& effect) {
   return std::holds_alternative<Gust<double>>(effect) || (unknown && std::isfinite(unknown->onset));
 }
 
-/// Whether runs that were not used speak against an effect: they gain nothing by it, or, where it gains several times what is needed, lose clearly.
-bool speaks_against(double held_out, double gain, double needed) { return !(held_out > 1.0) && !(gain > 3.0 * needed && held_out > -small_loss * gain); }
+/// Whether runs that were not used speak against an effect: they gain nothing by it, or, where it gains several times
+/// what is needed, lose clearly.
+bool speaks_against(double held_out, double gain, double needed) {
+  return !(held_out > 1.0) && !(gain > 3.0 * needed && held_out > -small_loss * gain);
+}
 
 /// What runs that were not used say of an effect that was tried. Of a single run nothing is known.
 void ask(const Elsewhere& elsewhere, const Trial& trial, const Search& s, Tried& tried, double needed) {
@@ -319,7 +343,9 @@ void ask(const Elsewhere& elsewhere, const Trial& trial, const Search& s, Tried&
   const auto before = s.hypothesis();
   const double gain = held_out_gain(trial, elsewhere, before, s.now, with(before, *tried.form), tried.fit);
   tried.refuted = !of_a_time && speaks_against(gain, tried.gain, needed);
-  if (!elsewhere.is_empty()) tried.held_out = of_a_time ? std::max(0.0, gain) : gain;  // without held-out runs the same runs have told it already
+  if (!elsewhere.is_empty())
+    tried.held_out =
+        of_a_time ? std::max(0.0, gain) : gain;  // without held-out runs the same runs have told it already
 }
 
 // ---------------------------------------------------------------- choice
@@ -330,7 +356,8 @@ bool may_stand(const Tried& tried) { return !tried.trace && !tried.refuted; }
 /// In log evidence of runs used and held out.
 double whole_gain(const Tried& tried) { return tried.gain + tried.held_out.value_or(0.0); }
 
-/// Against nothing, which stands at the gain that is needed, and against the others that may stand, or a trace that leads them all.
+/// Against nothing, which stands at the gain that is needed, and against the others that may stand, or a trace that
+/// leads them all.
 double probability_of(const Tried& one, std::span<const Tried> tried, double needed) {
   if (!may_stand(one)) return 0.0;
   const double gain = whole_gain(one);
@@ -345,15 +372,19 @@ double probability_of(const Tried& one, std::span<const Tried> tried, double nee
 Accepted accepted_as(const Tried& best, std::span<const Tried> tried, double needed) {
   Accepted result{best, probability_of(best, tried, needed), {}};
   for (const auto& t : tried) {
-    if (t.form->id == best.form->id || whole_gain(best) - whole_gain(t) > as_good || t.gain < as_good || !may_stand(t)) continue;
-    if (std::ranges::none_of(result.rivals, [&](const Tried& r) { return r.form->id == t.form->id; })) result.rivals.push_back(t);
+    if (t.form->id == best.form->id || whole_gain(best) - whole_gain(t) > as_good || t.gain < as_good || !may_stand(t))
+      continue;
+    if (std::ranges::none_of(result.rivals, [&](const Tried& r) { return r.form->id == t.form->id; }))
+      result.rivals.push_back(t);
   }
   return result;
 }
 
-/// The best by runs used and held out that gains enough and that no other run speaks against; a trace only where nothing that matters is nearly as good.
-/// All that may lead are asked for held-out runs; where there are none, one after the other until one holds in each run by a fit to the others.
-std::optional<Tried> chosen(const Trial& trial, const Elsewhere& elsewhere, Search& s, std::span<Tried> tried, double needed, bool trace_may) {
+/// The best by runs used and held out that gains enough and that no other run speaks against; a trace only where
+/// nothing that matters is nearly as good. All that may lead are asked for held-out runs; where there are none, one
+/// after the other until one holds in each run by a fit to the others.
+std::optional<Tried> chosen(const Trial& trial, const Elsewhere& elsewhere, Search& s, std::span<Tried> tried,
+                            double needed, bool trace_may) {
   if (tried.empty()) return std::nullopt;
   const double least = elsewhere.is_empty() ? needed : std::max(0.5 * needed, may_lead * tried.front().gain);
   std::optional<Tried> best, trace;
@@ -381,11 +412,15 @@ std::optional<Tried> chosen(const Trial& trial, const Elsewhere& elsewhere, Sear
 
 // ---------------------------------------------------------------- doubt
 
-/// The same effects beside a baseline that is less well known, if runs used and held out gain more by that than by one more effect.
-std::optional<MapFit> doubt_instead(const Trial& trial, const Elsewhere& elsewhere, const Search& s, const Screen& screen, const Tried& best) try {
+/// The same effects beside a baseline that is less well known, if runs used and held out gain more by that than by one
+/// more effect.
+std::optional<MapFit> doubt_instead(const Trial& trial, const Elsewhere& elsewhere, const Search& s,
+                                    const Screen& screen, const Tried& best) try {
   const auto hypothesis = s.hypothesis();
   const auto less_sure = doubted(trial, less_known);
-  if (linear_evidence(less_sure, hypothesis, screen) - linear_evidence(trial, hypothesis, screen) < worth_a_doubt * best.gain) return std::nullopt;
+  if (linear_evidence(less_sure, hypothesis, screen) - linear_evidence(trial, hypothesis, screen) <
+      worth_a_doubt * best.gain)
+    return std::nullopt;
   auto found = fit(less_sure, hypothesis, s.now.point, s.now.noise, &screen.slopes);
   double gain = found.log_evidence - s.now.log_evidence;
   if (!elsewhere.is_empty()) gain += held_out_gain(trial, elsewhere, hypothesis, s.now, hypothesis, found);
@@ -397,14 +432,18 @@ std::optional<MapFit> doubt_instead(const Trial& trial, const Elsewhere& elsewhe
 
 // ---------------------------------------------------------------- what has no name
 
-/// The force that is left, as a map of the motion and the heading: terms that the evidence keeps, if other runs gain by them.
+/// The force that is left, as a map of the motion and the heading: terms that the evidence keeps, if other runs gain by
+/// them.
 void map_unknown(const Trial& trial, const Trial& unused, Search& s, double needed) try {
   const auto before = s.hypothesis();
   const auto whole = unknown_map(trial.ship);
   const std::vector<double> nothing(whole.coordinates.size(), 0.0);
   const auto screen = screen_of(trial, before, s.now);
   const auto guess = promise(trial, before, screen, whole, nothing);
-  const auto terms = pruned(whole, Eigen::Map<const Eigen::VectorXd>(guess.coordinates.data(), std::ssize(guess.coordinates)), guess.covariance).kept;
+  const auto terms =
+      pruned(whole, Eigen::Map<const Eigen::VectorXd>(guess.coordinates.data(), std::ssize(guess.coordinates)),
+             guess.covariance)
+          .kept;
   s.reduced.push_back(whole.with_terms(terms));
   Screened start{&s.reduced.back(), {}};
   for (const auto i : terms) start.promise.coordinates.push_back(guess.coordinates[i]);
@@ -428,7 +467,8 @@ Hypothesis Search::hypothesis(std::size_t count) const {
 
 Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covariance) {
   Eigen::VectorXd precision(covariance.rows());
-  for (Eigen::Index i = 0; i < precision.size(); ++i) precision[i] = std::pow(form.coordinates[static_cast<std::size_t>(i)].deviation, -2);
+  for (Eigen::Index i = 0; i < precision.size(); ++i)
+    precision[i] = std::pow(form.coordinates[static_cast<std::size_t>(i)].deviation, -2);
   const Eigen::MatrixXd prior = precision.asDiagonal();
   return (prior + (covariance.inverse() - prior) / evidence_excess).inverse();
 }
@@ -466,7 +506,8 @@ Spell spell_of(const Trial& trial, const Search& s, std::size_t accepted, double
     return {};
   }
   std::ranges::stable_sort(samples, {}, &Sample::time);
-  const double settled = 2.0 * length(trial.ship) / service_speed(trial.ship), first = samples.front().time + settled, last = samples.back().time - settled;
+  const double settled = 2.0 * length(trial.ship) / service_speed(trial.ship), first = samples.front().time + settled,
+               last = samples.back().time - settled;
   // where the running sum of the gains is least, the effect begins; from the other side, it ends
   const auto least = [&](auto begin, auto end) {
     double sum = 0.0, lowest = -needed;
@@ -498,26 +539,29 @@ std::vector<Candidate> ranked(std::span<const Tried> tried, double needed) {
 namespace {
 
 /// All effects that have names, or come and go, beside an imperfection that begins as given.
-Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options, const Noise& start,
-             const std::function<bool(std::string_view)>& goes_on) {
+Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options,
+             const Noise& start, const std::function<bool(std::string_view)>& goes_on) {
   Search s;
   s.null = fit(trial, {}, trial.mean, start);
   if (s.null.point.size() == 0)  // far off: what nothing explains is large from the first
     s.null = fit(trial, {}, trial.mean, best_noise(trial, ship_at(trial, {}, trial.mean), start, true).noise);
-  if (s.null.point.size() == 0) throw Refusal("the model cannot follow these runs at all; look at them with compare first");
+  if (s.null.point.size() == 0)
+    throw Refusal("the model cannot follow these runs at all; look at them with compare first");
   s.now = s.null;
   s.located = located(trial, ship_at(trial, {}, s.null.point), s.null.noise);
   s.forms.assign(forms.begin(), forms.end());
   begin_where_force_is_missing(s.forms, s.located, length(trial.ship) / service_speed(trial.ship));
   std::size_t findings = 0, traces = 0;
   bool working = true;
-  while (working && findings < options.most_effects && (findings == 0 || s.now.noise.largest_scale() > adequate_scale)) {
+  while (working && findings < options.most_effects &&
+         (findings == 0 || s.now.noise.largest_scale() > adequate_scale)) {
     working = goes_on(s.accepted.empty() ? "trying every effect" : "trying a further effect");
     const auto before = s.hypothesis();
     const auto screen = screen_of(trial, before, s.now);
     if (s.accepted.empty()) s.screen = screen;
     auto promising = screened(trial, before, screen, s.forms);
-    if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale) std::erase_if(promising, [](const Screened& c) { return c.promise.gain < 0.0; });
+    if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale)
+      std::erase_if(promising, [](const Screened& c) { return c.promise.gain < 0.0; });
     auto tried = confirmed(trial, before, s.now, screen, promising, options.confirmed);
     const double needed = s.accepted.empty() ? options.detection : options.further;
     const auto elsewhere = elsewhere_of(unused, before, s.now);
@@ -543,18 +587,21 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
 
 }  // namespace
 
-Search search(const Trial& trial, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options,
-              const std::function<bool(std::string_view)>& goes_on) {
+Search search(const Trial& trial, const Trial& unused, std::span<const EffectForm> forms,
+              const DiagnosisOptions& options, const std::function<bool(std::string_view)>& goes_on) {
   bool working = goes_on("fitting the baseline");
-  auto s = named(trial, unused, forms, options, {}, [&](std::string_view what) { return working = working && goes_on(what); });
+  auto s = named(trial, unused, forms, options, {},
+                 [&](std::string_view what) { return working = working && goes_on(what); });
   if (working && s.named_scale > ordinary_scale) {
     working = goes_on("once more, surge, sway and yaw apart");
     Noise apart;
     apart.apart = true;
-    auto other = named(trial, unused, forms, options, apart, [&](std::string_view what) { return working = working && goes_on(what); });
+    auto other = named(trial, unused, forms, options, apart,
+                       [&](std::string_view what) { return working = working && goes_on(what); });
     if (other.now.log_evidence > s.now.log_evidence) s = std::move(other);
   }
-  if (working && s.named_scale > ordinary_scale && std::ranges::none_of(s.accepted, [](const Accepted& a) { return is_unknown(*a.form); })) {
+  if (working && s.named_scale > ordinary_scale &&
+      std::ranges::none_of(s.accepted, [](const Accepted& a) { return is_unknown(*a.form); })) {
     goes_on("a map of what has no name");
     map_unknown(doubted(trial, s.doubt), unused, s, options.further);
   }

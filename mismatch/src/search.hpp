@@ -6,24 +6,26 @@
 #include <string>
 #include <vector>
 
-#include "swayaw/mismatch/diagnose.hpp"
 #include "location.hpp"
+#include "swayaw/mismatch/diagnose.hpp"
 #include "trial.hpp"
 
-/// The search for effects that a ship lacks: all are screened, the best are fitted until they converge, runs that were not used decide. Not installed.
+/// The search for effects that a ship lacks: all are screened, the best are fitted until they converge, runs that were
+/// not used decide. Not installed.
 namespace swayaw {
 
 /// A candidate, fitted beside the effects that are accepted already.
 struct Tried {
   const EffectForm* form;
   MapFit fit;
-  double gain;    ///< in log evidence, the terms that it does better without left out; less where it has no name
+  double gain;  ///< in log evidence, the terms that it does better without left out; less where it has no name
   Effect effect;
-  bool trace;     ///< too small to matter, or not told from nothing
+  bool trace;                        ///< too small to matter, or not told from nothing
   std::optional<double> held_out{};  ///< gain in log likelihood of held-out runs, where they were asked
   bool refuted = false;              ///< by runs that were not used
   bool leads = false;                ///< a trace that is accepted before all others
-  std::vector<double> widening{};    ///< of the deviation of each coordinate, for terms that were tried with it and dropped
+  std::vector<double>
+      widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
 };
 
 /// An effect that was accepted.
@@ -34,36 +36,37 @@ struct Accepted : Tried {
 
 struct Search {
   MapFit null, now;
-  double doubt = 1.0;               ///< factor on what the baseline's numbers are known to, where the runs speak against it
-  double named_scale = 0.0;         ///< of the imperfection beside all effects that have names
-  Screen screen;                    ///< of the baseline alone
-  Located located;                  ///< where the baseline alone lacks force
-  std::vector<EffectForm> forms;    ///< that were tried
-  std::vector<Accepted> accepted;   ///< in the order of acceptance, traces with them
-  std::vector<Tried> first;         ///< all that were tried alone, best first by runs used and held out
-  std::deque<EffectForm> reduced;   ///< forms made by the search
+  double doubt = 1.0;        ///< factor on what the baseline's numbers are known to, where the runs speak against it
+  double named_scale = 0.0;  ///< of the imperfection beside all effects that have names
+  Screen screen;             ///< of the baseline alone
+  Located located;           ///< where the baseline alone lacks force
+  std::vector<EffectForm> forms;   ///< that were tried
+  std::vector<Accepted> accepted;  ///< in the order of acceptance, traces with them
+  std::vector<Tried> first;        ///< all that were tried alone, best first by runs used and held out
+  std::deque<EffectForm> reduced;  ///< forms made by the search
 
   Hypothesis hypothesis(std::size_t count) const;
   Hypothesis hypothesis() const { return hypothesis(accepted.size()); }
 };
 
 /// @param unused  the same trial with the held-out runs; without runs, each of the trial's runs is left out in turn
-Search search(const Trial& trial, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options,
-              const std::function<bool(std::string_view)>& goes_on);
+Search search(const Trial& trial, const Trial& unused, std::span<const EffectForm> forms,
+              const DiagnosisOptions& options, const std::function<bool(std::string_view)>& goes_on);
 
 /// Probabilities of all that were tried, by effect, best first; they add up to less than 1, the rest is for nothing.
 ///
-/// Evidence of models that are all a little wrong says too much; its logarithm is divided by `evidence_excess` first. Nothing counts as the gain that is
-/// needed, so what just reaches it has one half. A trace has none.
+/// Evidence of models that are all a little wrong says too much; its logarithm is divided by `evidence_excess` first.
+/// Nothing counts as the gain that is needed, so what just reaches it has one half. A trace has none.
 std::vector<Candidate> ranked(std::span<const Tried> tried, double needed);
 
 inline constexpr double evidence_excess = 3.0;
 
-/// Covariance of the coordinates of an effect where the data count evidence_excess times less: (Λ + (C⁻¹ − Λ)/excess)⁻¹ with the prior's precision Λ.
+/// Covariance of the coordinates of an effect where the data count evidence_excess times less: (Λ + (C⁻¹ − Λ)/excess)⁻¹
+/// with the prior's precision Λ.
 Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covariance);
 
-/// Whether the numbers that decide are told from those of no effect, zᵀC⁻¹z > 4 with their covariance C: a gust that kicked her for an instant may gain much,
-/// and yet be of any size. The effect is the last of the fit.
+/// Whether the numbers that decide are told from those of no effect, zᵀC⁻¹z > 4 with their covariance C: a gust that
+/// kicked her for an instant may gain much, and yet be of any size. The effect is the last of the fit.
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found);
 
 /// When an effect that was accepted begins and ends to act, in the time of the runs.
@@ -71,8 +74,8 @@ struct Spell {
   std::optional<double> onset, end;  ///< [s]; nothing where it acts from the first, to the last
 };
 
-/// By likelihood ratio: without the effect the samples before the onset, or after the end, are likelier by more than `needed`. Neither lies within
-/// two ship lengths of way of the ends of the longest run, where the filter settles.
+/// By likelihood ratio: without the effect the samples before the onset, or after the end, are likelier by more than
+/// `needed`. Neither lies within two ship lengths of way of the ends of the longest run, where the filter settles.
 Spell spell_of(const Trial& trial, const Search& s, std::size_t accepted, double needed);
 
 }  // namespace swayaw

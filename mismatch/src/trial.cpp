@@ -20,7 +20,8 @@ double shown(Channel channel, const Instant& now, std::span<const Effect> sensor
     case Channel::x: value = s.x, slope = rate[0]; break;
     case Channel::y: value = s.y, slope = rate[1]; break;
     case Channel::psi: value = s.psi, slope = rate[2]; break;
-    case Channel::u: case Channel::speed_through_water: value = s.motion.u, slope = rate[3]; break;
+    case Channel::u:
+    case Channel::speed_through_water: value = s.motion.u, slope = rate[3]; break;
     case Channel::v: value = s.motion.v, slope = rate[4]; break;
     case Channel::r: value = s.motion.r, slope = rate[5]; break;
     case Channel::u_ground: value = rate[0] * std::cos(s.psi) + rate[1] * std::sin(s.psi), slope = rate[3]; break;
@@ -31,16 +32,19 @@ double shown(Channel channel, const Instant& now, std::span<const Effect> sensor
     default: break;
   }
   for (const auto& effect : sensors) {
-    if (const auto* heading = std::get_if<HeadingBias<double>>(&effect)) value += channel == Channel::psi ? heading->bias : 0.0;
+    if (const auto* heading = std::get_if<HeadingBias<double>>(&effect))
+      value += channel == Channel::psi ? heading->bias : 0.0;
     if (const auto* gyro = std::get_if<GyroBias<double>>(&effect)) value += channel == Channel::r ? gyro->bias : 0.0;
-    if (const auto* log = std::get_if<LogScale<double>>(&effect)) value *= channel == Channel::u || channel == Channel::speed_through_water ? log->scale : 1.0;
+    if (const auto* log = std::get_if<LogScale<double>>(&effect))
+      value *= channel == Channel::u || channel == Channel::speed_through_water ? log->scale : 1.0;
     if (const auto* antenna = std::get_if<AntennaLeverArm<double>>(&effect)) {
       const double sine = std::sin(s.psi), cosine = std::cos(s.psi);
       if (channel == Channel::x) value += antenna->x * cosine - antenna->y * sine;
       if (channel == Channel::y) value += antenna->x * sine + antenna->y * cosine;
     }
     if (const auto* late = std::get_if<ChannelDelay<double>>(&effect))
-      if (late->channel == channel || (late->channel == Channel::x && channel == Channel::y)) value -= late->delay * slope;
+      if (late->channel == channel || (late->channel == Channel::x && channel == Channel::y))
+        value -= late->delay * slope;
   }
   return value;
 }
@@ -49,10 +53,21 @@ double shown(Channel channel, const Instant& now, std::span<const Effect> sensor
 
 namespace {
 
-constexpr std::array seeable{Channel::x, Channel::y, Channel::psi, Channel::r, Channel::u, Channel::v, Channel::speed_through_water,
-                             Channel::u_ground, Channel::v_ground, Channel::speed_over_ground, Channel::course_over_ground, Channel::phi};
+constexpr std::array seeable{Channel::x,
+                             Channel::y,
+                             Channel::psi,
+                             Channel::r,
+                             Channel::u,
+                             Channel::v,
+                             Channel::speed_through_water,
+                             Channel::u_ground,
+                             Channel::v_ground,
+                             Channel::speed_over_ground,
+                             Channel::course_over_ground,
+                             Channel::phi};
 
-/// Standard deviation of white noise from third differences, by their median: robust against what moves slowly and against outliers.
+/// Standard deviation of white noise from third differences, by their median: robust against what moves slowly and
+/// against outliers.
 double noise_of(std::span<const double> values, double least) {
   std::vector<double> sizes;
   for (std::size_t i = 3; i < values.size(); ++i) {
@@ -68,8 +83,11 @@ double noise_of(std::span<const double> values, double least) {
 /// The least that is believed of an instrument, whatever the smoothness of its record.
 double least_noise(Channel channel, double L, double U) {
   switch (channel) {
-    case Channel::x: case Channel::y: return 1e-4 * L;
-    case Channel::psi: case Channel::course_over_ground: case Channel::phi: return 2e-4;
+    case Channel::x:
+    case Channel::y: return 1e-4 * L;
+    case Channel::psi:
+    case Channel::course_over_ground:
+    case Channel::phi: return 2e-4;
     case Channel::r: return 2e-4 * U / L;
     default: return 2e-4 * U;
   }
@@ -77,7 +95,11 @@ double least_noise(Channel channel, double L, double U) {
 
 PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Channel> channels) {
   const double L = length(ship), U = service_speed(ship);
-  PreparedRun result{.run = &run, .channels = {}, .start = recorded_state(ship, run, run.time.front()), .tau = L / U, .longest = 0.04 * L};
+  PreparedRun result{.run = &run,
+                     .channels = {},
+                     .start = recorded_state(ship, run, run.time.front()),
+                     .tau = L / U,
+                     .longest = 0.04 * L};
   for (const auto channel : channels)
     if (run.has(channel)) result.channels.push_back({channel, noise_of(run[channel], least_noise(channel, L, U))});
   return result;
@@ -101,18 +123,23 @@ void for_each_run(const Trial& trial, const Ship& ship, F&& f) {
 
 std::vector<FilterPass> passes_of(const Trial& trial, const Ship& ship, const Noise& noise) {
   std::vector<FilterPass> passes(trial.runs.size());
-  for_each_run(trial, ship, [&](std::size_t i, auto& predictor, Eigen::Index) { passes[i] = predictor.filter(imperfection(trial.ship, noise), noise); });
+  for_each_run(trial, ship, [&](std::size_t i, auto& predictor, Eigen::Index) {
+    passes[i] = predictor.filter(imperfection(trial.ship, noise), noise);
+  });
   return passes;
 }
 
 Eigen::VectorXd residuals_of(const Trial& trial, const Ship& ship, const std::vector<FilterPass>& passes) {
   Eigen::VectorXd e(trial.rows());
-  for_each_run(trial, ship, [&](std::size_t i, auto& predictor, Eigen::Index row) { predictor.innovations(passes[i], e.segment(row, trial.runs[i].rows())); });
+  for_each_run(trial, ship, [&](std::size_t i, auto& predictor, Eigen::Index row) {
+    predictor.innovations(passes[i], e.segment(row, trial.runs[i].rows()));
+  });
   return e;
 }
 
 /// The same, huge where the ship cannot sail or her motion runs away.
-Eigen::VectorXd residuals_if_any(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const std::vector<FilterPass>& passes) {
+Eigen::VectorXd residuals_if_any(const Trial& trial, const Hypothesis& hypothesis, const Point& point,
+                                 const std::vector<FilterPass>& passes) {
   try {
     return residuals_of(trial, ship_at(trial, hypothesis, point), passes);
   } catch (const Refusal&) {
@@ -139,8 +166,9 @@ Space space_of(const Trial& trial, const Hypothesis& hypothesis) {
   const auto base = trial.baseline_size();
   Eigen::Index size = base;
   for (const auto* form : hypothesis) size += static_cast<Eigen::Index>(form->coordinates.size());
-  Space space{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Constant(size, -HUGE_VAL), Eigen::VectorXd::Constant(size, HUGE_VAL),
-              Eigen::VectorXd::Constant(size, 0.2), Eigen::MatrixXd::Zero(size, size)};
+  Space space{Eigen::VectorXd::Zero(size), Eigen::VectorXd::Constant(size, -HUGE_VAL),
+              Eigen::VectorXd::Constant(size, HUGE_VAL), Eigen::VectorXd::Constant(size, 0.2),
+              Eigen::MatrixXd::Zero(size, size)};
   space.mean.head(base) = trial.mean;
   space.precision.topLeftCorner(base, base) = trial.precision;
   if (trial.lift_loss) space.low[base - 1] = 0.0;
@@ -157,8 +185,9 @@ Space space_of(const Trial& trial, const Hypothesis& hypothesis) {
 bool takes_lift(const EffectForm* form) { return form->id == "rudder_gap" || form->id == "rudder_stall"; }
 
 /// d(residuals)/d(point), columns from..to.
-void differences(const Trial& trial, const Hypothesis& hypothesis, const Space& space, const Point& point, const std::vector<FilterPass>& passes,
-                 const Eigen::VectorXd& residuals, Eigen::Index from, Eigen::MatrixXd& slopes) {
+void differences(const Trial& trial, const Hypothesis& hypothesis, const Space& space, const Point& point,
+                 const std::vector<FilterPass>& passes, const Eigen::VectorXd& residuals, Eigen::Index from,
+                 Eigen::MatrixXd& slopes) {
   in_parallel(static_cast<std::size_t>(point.size() - from), 0, [&](std::size_t k) {
     const auto i = from + static_cast<Eigen::Index>(k);
     Point moved = point;
@@ -190,20 +219,23 @@ std::vector<Channel> seen_channels(std::span<const Recording> runs) {
   return seen;
 }
 
-std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
+std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
+                                       std::span<const Channel> channels) {
   std::vector<PreparedRun> result;
   for (const auto& run : runs) result.push_back(prepared(ship, run, channels));
   return result;
 }
 
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
-  Trial trial{.ship = ship, .numbers = {}, .lift_loss = ordinary_lift_loss(ship), .mean = {}, .precision = {}, .runs = {}};
+  Trial trial{
+      .ship = ship, .numbers = {}, .lift_loss = ordinary_lift_loss(ship), .mean = {}, .precision = {}, .runs = {}};
   for (const auto& n : ship_numbers(ship))
     if (n.role == Role::coefficient && n.deviation > 0.0) trial.numbers.push_back(n);
   const auto size = trial.baseline_size();
   trial.mean = Eigen::VectorXd::Zero(size);
   trial.precision = Eigen::MatrixXd::Identity(size, size);
-  if (trial.lift_loss) trial.precision(size - 1, size - 1) = 1.0 / std::pow(trial.lift_loss->coordinates.front().deviation, 2);
+  if (trial.lift_loss)
+    trial.precision(size - 1, size - 1) = 1.0 / std::pow(trial.lift_loss->coordinates.front().deviation, 2);
   trial.runs = prepared_runs(ship, runs, channels);
   return trial;
 }
@@ -215,7 +247,8 @@ Trial doubted(Trial trial, double factor) {
 
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
   std::vector<double> values;
-  for (std::size_t i = 0; i < trial.numbers.size(); ++i) values.push_back(trial.numbers[i].value + trial.numbers[i].deviation * point[static_cast<Eigen::Index>(i)]);
+  for (std::size_t i = 0; i < trial.numbers.size(); ++i)
+    values.push_back(trial.numbers[i].value + trial.numbers[i].deviation * point[static_cast<Eigen::Index>(i)]);
   Ship ship = with_values(trial.ship, trial.numbers, values);
   Eigen::Index next = trial.baseline_size();
   if (trial.lift_loss && std::ranges::none_of(hypothesis, takes_lift)) {
@@ -254,7 +287,8 @@ namespace {
 
 /// Climbs a number along its grid from where it is. @return whether it moved
 template <class Set>
-bool climbed(const Trial& trial, const Ship& ship, Likelihood& best, int first, int last, int here, double worth, Set&& set) {
+bool climbed(const Trial& trial, const Ship& ship, Likelihood& best, int first, int last, int here, double worth,
+             Set&& set) {
   int at = here;
   const auto better = [&](int i) {
     if (i < first || i > last) return false;
@@ -274,16 +308,18 @@ bool climbed(const Trial& trial, const Ship& ship, Likelihood& best, int first, 
 }
 
 bool scale_climbed(const Trial& trial, const Ship& ship, Likelihood& best) {
-  const auto nearest = std::ranges::min_element(scales, {}, [&](double s) { return std::abs(std::log(s / best.noise.scale)); });
-  return climbed(trial, ship, best, 0, static_cast<int>(scales.size()) - 1, static_cast<int>(nearest - scales.begin()), 0.0,
-                 [](Noise& noise, int i) { noise.scale = scales[static_cast<std::size_t>(i)]; });
+  const auto nearest =
+      std::ranges::min_element(scales, {}, [&](double s) { return std::abs(std::log(s / best.noise.scale)); });
+  return climbed(trial, ship, best, 0, static_cast<int>(scales.size()) - 1, static_cast<int>(nearest - scales.begin()),
+                 0.0, [](Noise& noise, int i) { noise.scale = scales[static_cast<std::size_t>(i)]; });
 }
 
 /// The imperfection of each axis and its memory by powers of two; each must gain by it.
 bool axes_climbed(const Trial& trial, const Ship& ship, Likelihood& best) {
   bool moved = false;
   const auto climb = [&](int first, int last, auto&& of) {
-    moved |= climbed(trial, ship, best, first, last, static_cast<int>(std::lround(std::log2(of(best.noise)))), 5.0, [&](Noise& noise, int i) { of(noise) = std::ldexp(1.0, i); });
+    moved |= climbed(trial, ship, best, first, last, static_cast<int>(std::lround(std::log2(of(best.noise)))), 5.0,
+                     [&](Noise& noise, int i) { of(noise) = std::ldexp(1.0, i); });
   };
   for (std::size_t k = 0; k < 3; ++k) climb(-6, 6, [k](Noise& noise) -> double& { return noise.axes[k]; });
   climb(-5, 4, [](Noise& noise) -> double& { return noise.memory; });
@@ -294,7 +330,10 @@ bool axes_climbed(const Trial& trial, const Ship& ship, Likelihood& best) {
 bool factors_climbed(const Trial& trial, const Ship& ship, Likelihood& best, bool all) {
   bool moved = false;
   for (const auto channel : seeable) {
-    if (std::ranges::none_of(trial.runs, [&](const PreparedRun& r) { return std::ranges::count(r.channels, channel, &SeenChannel::channel) > 0; })) continue;
+    if (std::ranges::none_of(trial.runs, [&](const PreparedRun& r) {
+          return std::ranges::count(r.channels, channel, &SeenChannel::channel) > 0;
+        }))
+      continue;
     const double factor = best.noise.factor[index_of(channel)];
     if (!all && factor == 1.0) continue;
     moved |= climbed(trial, ship, best, 0, 12, static_cast<int>(std::lround(std::log2(factor))), 5.0,
@@ -309,11 +348,13 @@ Likelihood best_noise(const Trial& trial, const Ship& ship, const Noise& start, 
   Likelihood best{log_likelihood(trial, ship, start), start};
   scale_climbed(trial, ship, best);
   for (int i = 0; i < 3 && factors_climbed(trial, ship, best, every_channel); ++i) scale_climbed(trial, ship, best);
-  for (int i = 0; i < 3 && best.noise.apart && axes_climbed(trial, ship, best); ++i) factors_climbed(trial, ship, best, every_channel);
+  for (int i = 0; i < 3 && best.noise.apart && axes_climbed(trial, ship, best); ++i)
+    factors_climbed(trial, ship, best, every_channel);
   return best;
 }
 
-MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, const Eigen::MatrixXd* known, int rounds) {
+MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise,
+           const Eigen::MatrixXd* known, int rounds) {
   const Space space = space_of(trial, hypothesis);
   const auto base = trial.baseline_size();
   Point point = space.clamped(start);
@@ -347,11 +388,14 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
       }
       if (gain < 0.05) break;
     }
-    const auto [log_likelihood, found] = best_noise(trial, ship_at(trial, hypothesis, point), noise, hypothesis.empty());
+    const auto [log_likelihood, found] =
+        best_noise(trial, ship_at(trial, hypothesis, point), noise, hypothesis.empty());
     const Eigen::MatrixXd A = slopes.transpose() * slopes + space.precision;
     const double here = log_likelihood - 0.5 * space.prior(point), gain = here - density;
-    // the last round is the one whose slopes belong to the noise that was found, so it stands unless it is clearly the worse
-    if (gain > -0.5) best = {point, here + 0.5 * (log_determinant(space.precision) - log_determinant(A)), found, A.inverse()};
+    // the last round is the one whose slopes belong to the noise that was found, so it stands unless it is clearly the
+    // worse
+    if (gain > -0.5)
+      best = {point, here + 0.5 * (log_determinant(space.precision) - log_determinant(A)), found, A.inverse()};
     if (!(gain > 0.5) && found == noise) break;
     if (!std::isfinite(here)) break;  // the filter cannot follow
     density = std::max(density, here), noise = found;
@@ -361,7 +405,12 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
 
 Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& null) {
   const auto ship = ship_at(trial, accepted, null.point);
-  Screen screen{.baseline = null.point, .passes = passes_of(trial, ship, null.noise), .residuals = {}, .slopes = {}, .inverse = {}, .pull = {}};
+  Screen screen{.baseline = null.point,
+                .passes = passes_of(trial, ship, null.noise),
+                .residuals = {},
+                .slopes = {},
+                .inverse = {},
+                .pull = {}};
   const Space space = space_of(trial, accepted);
   screen.residuals = residuals_of(trial, ship, screen.passes);
   screen.slopes.resize(trial.rows(), null.point.size());
@@ -374,12 +423,14 @@ Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& n
 double linear_evidence(const Trial& trial, const Hypothesis& accepted, const Screen& screen) {
   const Space space = space_of(trial, accepted);
   const Eigen::MatrixXd A = screen.slopes.transpose() * screen.slopes + space.precision;
-  const Eigen::VectorXd g = screen.slopes.transpose() * screen.residuals + space.precision * (screen.baseline - space.mean);
+  const Eigen::VectorXd g =
+      screen.slopes.transpose() * screen.residuals + space.precision * (screen.baseline - space.mean);
   const double cost = screen.residuals.squaredNorm() + space.prior(screen.baseline) - g.dot(A.ldlt().solve(g));
   return 0.5 * (log_determinant(space.precision) - log_determinant(A) - cost);
 }
 
-Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form, std::span<const double> start, int iterations) {
+Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form,
+                std::span<const double> start, int iterations) {
   Hypothesis hypothesis = accepted;
   hypothesis.push_back(&form);
   const Space space = space_of(trial, hypothesis);
@@ -431,7 +482,9 @@ Eigen::MatrixXd information(const Trial& trial, const Screen& screen, const Effe
   for (Eigen::Index i = 0; i < size; ++i) {
     auto moved = null;
     moved[static_cast<std::size_t>(i)] += step;
-    J.col(i) = (residuals_of(trial, ship_at(trial, {&form}, with_start(screen.baseline, moved)), screen.passes) - screen.residuals) / step;
+    J.col(i) = (residuals_of(trial, ship_at(trial, {&form}, with_start(screen.baseline, moved)), screen.passes) -
+                screen.residuals) /
+               step;
   }
   return J.transpose() * screen.projected(J);
 }

@@ -11,12 +11,13 @@
 /// A ship, her recorded runs, and fits of her numbers and of effects to them. Not installed.
 namespace swayaw {
 
-/// What is to be explained, and what is known before: the baseline's numbers as (value − mean)/deviation, normal with a precision matrix.
+/// What is to be explained, and what is known before: the baseline's numbers as (value − mean)/deviation, normal with a
+/// precision matrix.
 struct Trial {
   Ship ship;
-  std::vector<ShipNumber> numbers;        ///< of the baseline that may be a little wrong
-  std::optional<EffectForm> lift_loss;    ///< of the rudder, part of the baseline
-  Eigen::VectorXd mean;                   ///< of the baseline's coordinates
+  std::vector<ShipNumber> numbers;      ///< of the baseline that may be a little wrong
+  std::optional<EffectForm> lift_loss;  ///< of the rudder, part of the baseline
+  Eigen::VectorXd mean;                 ///< of the baseline's coordinates
   Eigen::MatrixXd precision;
   std::vector<PreparedRun> runs;
 
@@ -34,7 +35,8 @@ inline constexpr double ordinary_scale = 1.5;
 OrdinaryImperfection imperfection(const Ship& ship, const Noise& noise);
 
 /// @param runs  must outlive what is prepared of them
-std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels);
+std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
+                                       std::span<const Channel> channels);
 
 /// @param runs  must outlive the trial
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels);
@@ -56,14 +58,15 @@ Point with_start(const Point& before, std::span<const double> last_start);
 /// A hypothesis at its most probable point.
 struct MapFit {
   Point point;
-  double log_evidence = -HUGE_VAL;   ///< Laplace: ln p(runs | point) + ln prior + ½ ln det of the posterior covariance
+  double log_evidence = -HUGE_VAL;  ///< Laplace: ln p(runs | point) + ln prior + ½ ln det of the posterior covariance
   Noise noise;
-  Eigen::MatrixXd covariance;        ///< of the point
+  Eigen::MatrixXd covariance;  ///< of the point
 };
 
 /// Converged fit, the gains of the filter and the noise renewed as often as they change.
 /// @param known  slopes of the residuals by the first coordinates, near the start: good enough for the first round
-MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise, const Eigen::MatrixXd* known = nullptr, int rounds = 6);
+MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, Noise noise,
+           const Eigen::MatrixXd* known = nullptr, int rounds = 6);
 
 /// ln p(runs | ship); −∞ where the ship cannot sail like that.
 double log_likelihood(const Trial& trial, const Ship& ship, const Noise& noise);
@@ -90,13 +93,20 @@ struct Screen {
   Eigen::MatrixXd inverse;  ///< (JᵀJ + Λ)⁻¹ with the precision Λ of the prior
   Eigen::VectorXd pull;     ///< Λ (baseline − mean), by which the prior draws the baseline back
 
-  /// M e, what is left of columns of changes of the residuals after the baseline's numbers took what they can: e − J (JᵀJ + Λ)⁻¹ Jᵀe.
-  Eigen::MatrixXd projected(const Eigen::MatrixXd& e) const { return e - slopes * (inverse * (slopes.transpose() * e)); }
+  /// M e, what is left of columns of changes of the residuals after the baseline's numbers took what they can: e − J
+  /// (JᵀJ + Λ)⁻¹ Jᵀe.
+  Eigen::MatrixXd projected(const Eigen::MatrixXd& e) const {
+    return e - slopes * (inverse * (slopes.transpose() * e));
+  }
 
-  /// The same of the residuals themselves, of which the baseline takes the less the further it is from its mean: e − J (JᵀJ + Λ)⁻¹ (Jᵀe + pull).
-  Eigen::VectorXd answered(const Eigen::VectorXd& e) const { return e - slopes * (inverse * (slopes.transpose() * e + pull)); }
+  /// The same of the residuals themselves, of which the baseline takes the less the further it is from its mean: e − J
+  /// (JᵀJ + Λ)⁻¹ (Jᵀe + pull).
+  Eigen::VectorXd answered(const Eigen::VectorXd& e) const {
+    return e - slopes * (inverse * (slopes.transpose() * e + pull));
+  }
 
-  /// Least sum of squares of residuals and prior that the baseline can reach from residuals e, but for a constant: eᵀe − gᵀ (JᵀJ + Λ)⁻¹ g, g = Jᵀe + pull.
+  /// Least sum of squares of residuals and prior that the baseline can reach from residuals e, but for a constant: eᵀe
+  /// − gᵀ (JᵀJ + Λ)⁻¹ g, g = Jᵀe + pull.
   double cost(const Eigen::VectorXd& e) const {
     const Eigen::VectorXd g = slopes.transpose() * e + pull;
     return e.squaredNorm() - g.dot(inverse * g);
@@ -105,20 +115,24 @@ struct Screen {
 
 Screen screen_of(const Trial& trial, const Hypothesis& accepted, const MapFit& null);
 
-/// Log evidence of a trial's prior beside a screening of the same runs, its gains frozen and linear about its baseline; differences are what counts:
-/// −½ (eᵀe + dᵀΛd − gᵀ(JᵀJ + Λ)⁻¹g) + ½ ln det Λ − ½ ln det(JᵀJ + Λ) with d = baseline − mean, g = Jᵀe + Λd.
+/// Log evidence of a trial's prior beside a screening of the same runs, its gains frozen and linear about its baseline;
+/// differences are what counts: −½ (eᵀe + dᵀΛd − gᵀ(JᵀJ + Λ)⁻¹g) + ½ ln det Λ − ½ ln det(JᵀJ + Λ) with d = baseline −
+/// mean, g = Jᵀe + Λd.
 double linear_evidence(const Trial& trial, const Hypothesis& accepted, const Screen& screen);
 
-/// What the runs tell of the coordinates of an effect about null, after the baseline's numbers took what they can: JᵀMJ.
+/// What the runs tell of the coordinates of an effect about null, after the baseline's numbers took what they can:
+/// JᵀMJ.
 Eigen::MatrixXd information(const Trial& trial, const Screen& screen, const EffectForm& form);
 
-/// Gain in log evidence that a further effect promises, with gains and baseline slopes frozen, and the coordinates where it does.
+/// Gain in log evidence that a further effect promises, with gains and baseline slopes frozen, and the coordinates
+/// where it does.
 struct Promise {
   double gain = -HUGE_VAL;
   std::vector<double> coordinates;
   Eigen::MatrixXd covariance;  ///< of the coordinates
 };
 
-Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form, std::span<const double> start, int iterations = 5);
+Promise promise(const Trial& trial, const Hypothesis& accepted, const Screen& screen, const EffectForm& form,
+                std::span<const double> start, int iterations = 5);
 
 }  // namespace swayaw

@@ -16,16 +16,20 @@ std::string_view name_of(const PuShip<double>&) { return "pu"; }
 std::string_view name_of(const AbkowitzShip<double>&) { return "abkowitz"; }
 
 /// Added forces that a polynomial without draught, beam, thrust or shaft speed has no numbers for.
-constexpr std::array<std::string_view, 4> not_of_abkowitz{CrossFlowDrag<>::id, PropellerSideForce<>::id, RollCoupling<>::id, ShaftSpeedDrop<>::id};
+constexpr std::array<std::string_view, 4> not_of_abkowitz{CrossFlowDrag<>::id, PropellerSideForce<>::id,
+                                                          RollCoupling<>::id, ShaftSpeedDrop<>::id};
 
 template <class Model>
 std::string cannot_act_on(const Model& model, const Effect& effect) {
   auto changed = model;
   const auto lacking = change_numbers(changed, effect);
-  if (!lacking.empty() && lacking != id_of(effect)) return fmt::format("{}: a ship of model \"{}\" has no {}", id_of(effect), name_of(model), lacking);
-  const bool no_force = std::is_same_v<Model, AbkowitzShip<double>> && std::ranges::count(not_of_abkowitz, id_of(effect)) > 0;
+  if (!lacking.empty() && lacking != id_of(effect))
+    return fmt::format("{}: a ship of model \"{}\" has no {}", id_of(effect), name_of(model), lacking);
+  const bool no_force =
+      std::is_same_v<Model, AbkowitzShip<double>> && std::ranges::count(not_of_abkowitz, id_of(effect)) > 0;
   const bool no_shaft = id_of(effect) == ShaftSpeedDrop<>::id && !takes_shaft_speed(model);
-  if (!lacking.empty() || no_force || no_shaft) return fmt::format("{} cannot act on a ship of model \"{}\"", id_of(effect), name_of(model));
+  if (!lacking.empty() || no_force || no_shaft)
+    return fmt::format("{} cannot act on a ship of model \"{}\"", id_of(effect), name_of(model));
   return {};
 }
 
@@ -48,7 +52,8 @@ Surroundings<double> with_wind(Surroundings<double> around, const Ship& ship, do
   for (const auto& effect : ship.effects) {
     if (is_null(effect)) continue;
     if (const auto* steady = std::get_if<SteadyWind<>>(&effect)) winds.push_back({steady->speed, steady->from});
-    if (const auto* gust = std::get_if<Gust<>>(&effect); gust && gust->onset <= time && time < gust->end) winds.push_back({gust->speed, gust->from});
+    if (const auto* gust = std::get_if<Gust<>>(&effect); gust && gust->onset <= time && time < gust->end)
+      winds.push_back({gust->speed, gust->from});
   }
   if (winds.empty()) return around;
   around.windy = true;
@@ -104,14 +109,17 @@ std::string cannot_act(const ShipModel& model, const Effect& effect) {
   return std::visit([&](const auto& m) { return cannot_act_on(m, effect); }, model);
 }
 
-Surroundings<double> surroundings_at(const Ship& ship, double time) { return with_current(with_wind(ship.surroundings, ship, time), ship); }
+Surroundings<double> surroundings_at(const Ship& ship, double time) {
+  return with_current(with_wind(ship.surroundings, ship, time), ship);
+}
 
 std::vector<Change> changes_of(const Ship& ship) {
   std::vector<double> times;
   for (const auto& effect : ship.effects) {
     if (is_null(effect)) continue;
     if (const auto* gust = std::get_if<Gust<>>(&effect)) times.insert(times.end(), {gust->onset, gust->end});
-    if (const auto* unknown = std::get_if<UnknownForce<>>(&effect)) times.insert(times.end(), {unknown->onset, unknown->end});
+    if (const auto* unknown = std::get_if<UnknownForce<>>(&effect))
+      times.insert(times.end(), {unknown->onset, unknown->end});
   }
   std::erase_if(times, [](double time) { return !std::isfinite(time); });
   std::ranges::sort(times);
@@ -129,7 +137,8 @@ RudderActuator rudder_actuator(const Ship& ship) {
     if (const auto* play = std::get_if<SteeringGearBacklash<>>(&effect)) a.width = play->width;
     if (const auto* lag = std::get_if<SteeringGearLag<>>(&effect)) a.lag = lag->lag, a.rate = lag->rate;
     if (const auto* offset = std::get_if<RudderOffset<>>(&effect)) a.offset = offset->offset;
-    if (const auto* late = std::get_if<ChannelDelay<>>(&effect); late && late->channel == Channel::delta) a.record_delay = late->delay;
+    if (const auto* late = std::get_if<ChannelDelay<>>(&effect); late && late->channel == Channel::delta)
+      a.record_delay = late->delay;
   }
   return a;
 }
@@ -142,7 +151,8 @@ std::vector<Effect> sensor_effects(const Ship& ship) {
 
 template <class Model>
 ActingShip<Model> acting_ship(const Ship& ship, const Model& model) {
-  ActingShip<Model> acting{.model = model, .surroundings = ship.surroundings, .changes = {}, .added = {}, .rudder = {}, .sensors = {}};
+  ActingShip<Model> acting{
+      .model = model, .surroundings = ship.surroundings, .changes = {}, .added = {}, .rudder = {}, .sensors = {}};
   if (ship.effects.empty()) return acting;
   change_model(acting.model, ship);
   acting.surroundings = surroundings_at(ship, before_all);
@@ -166,7 +176,9 @@ Ship with_effects_applied(const Ship& ship) {
   auto calm = ship;
   std::erase_if(calm.effects, [](const Effect& e) { return std::holds_alternative<Gust<>>(e); });
   result.surroundings = surroundings_at(calm, 0.0);
-  const auto held = []<class Kind>(const Kind&) { return changes_numbers<Kind>() || Kind::id == SteadyWind<>::id || Kind::id == SteadyCurrent<>::id; };
+  const auto held = []<class Kind>(const Kind&) {
+    return changes_numbers<Kind>() || Kind::id == SteadyWind<>::id || Kind::id == SteadyCurrent<>::id;
+  };
   std::erase_if(result.effects, [&](const Effect& e) { return std::visit(held, e); });
   return result;
 }
@@ -206,7 +218,8 @@ double one_of(ShipUnit unit, const Ship& ship, double own) {
 
 /// What a number of an effect is where the effect leaves it as it is; nothing where the model has no place for it.
 template <class Part>
-std::optional<double> own_number(const ShipModel& model, const AddedForces<double>& defaults, const EffectParameter<Part, double>& p) {
+std::optional<double> own_number(const ShipModel& model, const AddedForces<double>& defaults,
+                                 const EffectParameter<Part, double>& p) {
   if (p.key == "GM_m") return defaults.coupling.GM;
   if (p.key == "lever_m") return defaults.coupling.lever;
   return std::visit(
@@ -221,7 +234,8 @@ std::optional<double> own_number(const ShipModel& model, const AddedForces<doubl
 
 std::vector<EffectNumber> numbers_of(const Ship& ship, const Effect& effect) {
   if (!cannot_act(ship.model, effect).empty()) return {};
-  const auto defaults = std::visit([](const auto& m) { return added_forces(m, std::span<const Effect>{}); }, ship.model);
+  const auto defaults =
+      std::visit([](const auto& m) { return added_forces(m, std::span<const Effect>{}); }, ship.model);
   std::vector<EffectNumber> numbers;
   std::size_t index = 0;
   for_each_parameter(effect, [&](const auto& p, double value) {
@@ -230,7 +244,8 @@ std::vector<EffectNumber> numbers_of(const Ship& ship, const Effect& effect) {
     if (!own) return;
     const double one = one_of(p.scale, ship, *own), null = std::isnan(p.null) ? *own : p.null;
     const double floor = p.scale == ShipUnit::wind ? p.floor * service_speed(ship) : p.floor * one;
-    numbers.push_back({p.key, place, p.range, std::isnan(value) ? null : value, null, p.prior * one, floor, p.law, p.decides});
+    numbers.push_back(
+        {p.key, place, p.range, std::isnan(value) ? null : value, null, p.prior * one, floor, p.law, p.decides});
   });
   return numbers;
 }

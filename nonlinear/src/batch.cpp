@@ -34,8 +34,13 @@ mmg_batch::ZigzagKernel kernel_of(InstructionSet set) {
 
 ZigzagBatch empty_batch(std::size_t ships, std::size_t reversals) {
   const std::vector<double> cells(ships * reversals, nothing);
-  return {.ships = ships, .reversals = reversals, .time = cells, .peak_time = cells, .overshoot = cells,
-          .count = std::vector<unsigned char>(ships), .end = std::vector<ZigzagEnd>(ships)};
+  return {.ships = ships,
+          .reversals = reversals,
+          .time = cells,
+          .peak_time = cells,
+          .overshoot = cells,
+          .count = std::vector<unsigned char>(ships),
+          .end = std::vector<ZigzagEnd>(ships)};
 }
 
 /// What all ships of a batch are told.
@@ -45,7 +50,11 @@ struct Orders {
   ZigzagBatchOptions options;
 
   ManoeuvreOptions single() const {
-    return {.speed = options.speed, .rev = options.rev, .duration = options.duration, .tolerance = options.tolerance, .sampled = false};
+    return {.speed = options.speed,
+            .rev = options.rev,
+            .duration = options.duration,
+            .tolerance = options.tolerance,
+            .sampled = false};
   }
 };
 
@@ -91,17 +100,31 @@ ZigzagEnd end_of(Left left) {
 }
 
 /// Ships that have the same selections.
-void sail_packs(mmg_batch::ZigzagKernel kernel, const Orders& orders, std::span<const std::size_t> rows, ZigzagBatch& batch) {
+void sail_packs(mmg_batch::ZigzagKernel kernel, const Orders& orders, std::span<const std::size_t> rows,
+                ZigzagBatch& batch) {
   Columns columns;
   for (const std::size_t row : rows) columns.add(orders.ships[row], plan(orders.ships[row], orders.single(), 200.0));
   const auto& first = orders.ships[rows.front()];
   std::vector<Left> left(rows.size());
-  kernel({.numbers = columns.numbers.data(), .speed = columns.speed.data(), .rev = columns.rev.data(), .end = columns.end.data(),
-          .row = rows.data(), .count = rows.size(),
-          .surge_coupling = first.added_mass.surge_coupling.index, .engine = first.engine.kind.index,
-          .rudder = orders.order.rudder, .heading = orders.order.heading, .turn = yaw_sign(orders.order.first), .tolerance = orders.options.tolerance,
-          .rows = batch.ships, .reversals = batch.reversals,
-          .time = batch.time.data(), .peak = batch.peak_time.data(), .overshoot = batch.overshoot.data(), .peaks = batch.count.data(), .left = left.data()});
+  kernel({.numbers = columns.numbers.data(),
+          .speed = columns.speed.data(),
+          .rev = columns.rev.data(),
+          .end = columns.end.data(),
+          .row = rows.data(),
+          .count = rows.size(),
+          .surge_coupling = first.added_mass.surge_coupling.index,
+          .engine = first.engine.kind.index,
+          .rudder = orders.order.rudder,
+          .heading = orders.order.heading,
+          .turn = yaw_sign(orders.order.first),
+          .tolerance = orders.options.tolerance,
+          .rows = batch.ships,
+          .reversals = batch.reversals,
+          .time = batch.time.data(),
+          .peak = batch.peak_time.data(),
+          .overshoot = batch.overshoot.data(),
+          .peaks = batch.count.data(),
+          .left = left.data()});
   for (std::size_t i = 0; i < rows.size(); ++i) batch.end[rows[i]] = end_of(left[i]);
 }
 
@@ -114,7 +137,9 @@ bool propels_herself(const Orders& orders, std::size_t row) {
   }
 }
 
-int selections(const MmgShip<double>& ship) { return 2 * ship.added_mass.surge_coupling.index + ship.engine.kind.index; }
+int selections(const MmgShip<double>& ship) {
+  return 2 * ship.added_mass.surge_coupling.index + ship.engine.kind.index;
+}
 
 /// The ships that can sail, those with the same selections one after the other.
 std::vector<std::size_t> sailing_order(const Orders& orders, ZigzagBatch& batch) {
@@ -128,11 +153,13 @@ std::vector<std::size_t> sailing_order(const Orders& orders, ZigzagBatch& batch)
 }
 
 /// Parts of the rows whose ships have the same selections.
-std::vector<std::span<const std::size_t>> parts_of(std::span<const std::size_t> rows, std::span<const MmgShip<double>> ships) {
+std::vector<std::span<const std::size_t>> parts_of(std::span<const std::size_t> rows,
+                                                   std::span<const MmgShip<double>> ships) {
   std::vector<std::span<const std::size_t>> parts;
   while (!rows.empty()) {
     std::size_t count = 1;
-    while (count < std::min(rows.size(), ships_at_once) && selections(ships[rows[count]]) == selections(ships[rows[0]])) ++count;
+    while (count < std::min(rows.size(), ships_at_once) && selections(ships[rows[count]]) == selections(ships[rows[0]]))
+      ++count;
     parts.push_back(rows.first(count));
     rows = rows.subspan(count);
   }
@@ -143,19 +170,23 @@ void require_sense(const Orders& orders) {
   for (const auto& ship : orders.ships) require_rudder(orders.order.rudder, ship.steering_gear);
   require_positive(orders.order.heading, "heading angle [rad]");
   require_positive(orders.options.tolerance, "tolerance");
-  if (orders.options.reversals < 1 || orders.options.reversals > 255) throw std::domain_error("a batch of zigzags holds 1 to 255 reversals");
-  if (!available(orders.options.batch.set)) throw std::domain_error("this processor does not have the instruction set asked for");
+  if (orders.options.reversals < 1 || orders.options.reversals > 255)
+    throw std::domain_error("a batch of zigzags holds 1 to 255 reversals");
+  if (!available(orders.options.batch.set))
+    throw std::domain_error("this processor does not have the instruction set asked for");
 }
 
 }  // namespace
 
 std::string_view in_words(ZigzagEnd end) {
-  constexpr std::array<std::string_view, 4> words{"all overshoots made", "time over before the last overshoot", "the simulated motion grows without bound",
+  constexpr std::array<std::string_view, 4> words{"all overshoots made", "time over before the last overshoot",
+                                                  "the simulated motion grows without bound",
                                                   "no shaft speed propels the ship at the approach speed"};
   return words[static_cast<std::size_t>(end)];
 }
 
-ZigzagBatch zigzag_batch(std::span<const MmgShip<double>> ships, const ZigzagOrder& order, const ZigzagBatchOptions& options) {
+ZigzagBatch zigzag_batch(std::span<const MmgShip<double>> ships, const ZigzagOrder& order,
+                         const ZigzagBatchOptions& options) {
   const Orders orders{ships, order, options};
   require_sense(orders);
   auto batch = empty_batch(ships.size(), options.reversals);

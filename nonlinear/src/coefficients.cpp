@@ -13,8 +13,15 @@ namespace {
 
 ShipNumber ship_number(const FileNumber& n, std::size_t index, const Confidence& confidence) {
   const double deviation = n.role == Role::coefficient ? std::abs(*n.value) * confidence.of(n.key) : 0.0;
-  return {.name = std::string(n.key), .table = n.table, .key = n.key, .index = index, .value = *n.value,
-          .range = n.range, .si = n.si, .role = n.role, .deviation = deviation};
+  return {.name = std::string(n.key),
+          .table = n.table,
+          .key = n.key,
+          .index = index,
+          .value = *n.value,
+          .range = n.range,
+          .si = n.si,
+          .role = n.role,
+          .deviation = deviation};
 }
 
 /// "rudder.x_prime" where another table has that key too.
@@ -39,7 +46,8 @@ std::vector<ShipNumber> ship_numbers(const Ship& ship, std::span<const std::stri
   const auto all = ship_numbers(ship);
   std::vector<ShipNumber> picked;
   for (const auto& name : names) {
-    const auto found = std::ranges::find_if(all, [&](const ShipNumber& n) { return name == n.name || name == fmt::format("{}.{}", n.table, n.key); });
+    const auto found = std::ranges::find_if(
+        all, [&](const ShipNumber& n) { return name == n.name || name == fmt::format("{}.{}", n.table, n.key); });
     if (found == all.end()) throw Refusal(fmt::format("{}: her model has no number {}", ship.name, name));
     picked.push_back(*found);
   }

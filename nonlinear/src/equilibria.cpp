@@ -26,7 +26,11 @@ template <class Model>
 class TurnEquations {
  public:
   TurnEquations(const ActingShip<Model>& acting, const Controls<double>& propulsion, double U)
-      : ship_(cast<D>(acting.model)), added_(cast<D>(acting.added)), propulsion_(cast<D>(propulsion)), U_(U), L_(acting.model.particulars.L) {}
+      : ship_(cast<D>(acting.model)),
+        added_(cast<D>(acting.added)),
+        propulsion_(cast<D>(propulsion)),
+        U_(U),
+        L_(acting.model.particulars.L) {}
 
   Balance at(const Point& p) const {
     const PlanarMotion<D> m{U_ * D(p[0], 0), U_ * D(p[1], 1), U_ / L_ * D(p[2], 2)};
@@ -75,14 +79,16 @@ bool correct(const Equations& equations, Point& p, const Point& t) {
     if (!(size < 1.0)) return false;
     if (size < 1e-12) return true;
   }
-  return equations.at(p).residual.cwiseAbs().maxCoeff() < 1e-11;  // where the force has a kink the last steps may alternate
+  return equations.at(p).residual.cwiseAbs().maxCoeff() <
+         1e-11;  // where the force has a kink the last steps may alternate
 }
 
 constexpr double slowest = 0.05;  // u/U at which a curve is left
 
 /// The curve from `start` on, in the direction of `along`, without its first point.
 template <class Equations>
-std::vector<Point> follow(const Equations& equations, const Point& start, const Point& along, double largest, double longest) {
+std::vector<Point> follow(const Equations& equations, const Point& start, const Point& along, double largest,
+                          double longest) {
   constexpr std::size_t most = 20000;
   std::vector<Point> curve;
   Point p = start, t = tangent(equations.at(start), along);
@@ -116,11 +122,14 @@ std::vector<Point> curve_points(const TurnEquations<Model>& equations, double la
   return curve;
 }
 
-/// Newton's method at the yaw rate that lies between two turns of a curve, from the place of a straight line between them.
+/// Newton's method at the yaw rate that lies between two turns of a curve, from the place of a straight line between
+/// them.
 template <class Model>
-std::optional<SteadyTurn> turn_between(const TurnEquations<Model>& equations, const SteadyTurn& a, const SteadyTurn& b, double yaw_rate,
-                                       double U, double L) {
-  const auto point = [&](const SteadyTurn& s) { return Point(s.motion.u / U, s.motion.v / U, s.motion.r * L / U, s.delta); };
+std::optional<SteadyTurn> turn_between(const TurnEquations<Model>& equations, const SteadyTurn& a, const SteadyTurn& b,
+                                       double yaw_rate, double U, double L) {
+  const auto point = [&](const SteadyTurn& s) {
+    return Point(s.motion.u / U, s.motion.v / U, s.motion.r * L / U, s.delta);
+  };
   const double share = a.motion.r == b.motion.r ? 0.0 : (yaw_rate - a.motion.r) / (b.motion.r - a.motion.r);
   Point p = point(a) + share * (point(b) - point(a));
   p[2] = yaw_rate * L / U;
@@ -136,7 +145,8 @@ double straight_speed(const Ship& ship, const Controls<double>& propulsion) {
 }
 
 template <class Model>
-std::vector<SteadyTurn> curve_of(const ActingShip<Model>& acting, const Controls<double>& propulsion, double U, double largest, double step) {
+std::vector<SteadyTurn> curve_of(const ActingShip<Model>& acting, const Controls<double>& propulsion, double U,
+                                 double largest, double step) {
   const TurnEquations<Model> equations(acting, propulsion, U);
   std::vector<SteadyTurn> curve;
   for (const auto& p : curve_points(equations, largest, step)) curve.push_back(equations.turn_at(p));
@@ -163,7 +173,8 @@ std::vector<std::size_t> folds(const std::vector<SteadyTurn>& curve) {
 
 }  // namespace
 
-std::vector<SteadyTurn> steady_turn_curve(const Ship& ship, const Controls<double>& propulsion, double largest, double step) {
+std::vector<SteadyTurn> steady_turn_curve(const Ship& ship, const Controls<double>& propulsion, double largest,
+                                          double step) {
   const double U = straight_speed(ship, propulsion);
   return visit_acting(ship, [&](const auto& acting) { return curve_of(acting, propulsion, U, largest, step); });
 }
@@ -174,16 +185,18 @@ std::vector<SteadyMotion> steady_turns(const Ship& ship, const Controls<double>&
   const double U = straight_speed(ship, controls);
   const auto curve = steady_turn_curve(ship, controls, std::abs(delta) + 0.05);
   for (std::size_t i = 1; i < curve.size(); ++i)
-    if ((curve[i - 1].delta - delta) * (curve[i].delta - delta) <= 0.0) add_if_new(found, steady_motion(ship, controls, curve[i].motion), U, L);
+    if ((curve[i - 1].delta - delta) * (curve[i].delta - delta) <= 0.0)
+      add_if_new(found, steady_motion(ship, controls, curve[i].motion), U, L);
   for (const double u : {0.9, 0.6, 0.3, 0.05})
     for (const double v : {-0.4, -0.15, 0.15, 0.4})
-      for (const double r : {-0.9, -0.3, 0.3, 0.9}) add_if_new(found, steady_motion(ship, controls, {u * U, v * U, r * U / L}), U, L);
+      for (const double r : {-0.9, -0.3, 0.3, 0.9})
+        add_if_new(found, steady_motion(ship, controls, {u * U, v * U, r * U / L}), U, L);
   std::ranges::sort(found, {}, [](const SteadyMotion& s) { return s.motion.r; });
   return found;
 }
 
-std::optional<SteadyTurn> turn_at_yaw_rate(const Ship& ship, const Controls<double>& propulsion, const std::vector<SteadyTurn>& curve,
-                                           double yaw_rate, double largest) {
+std::optional<SteadyTurn> turn_at_yaw_rate(const Ship& ship, const Controls<double>& propulsion,
+                                           const std::vector<SteadyTurn>& curve, double yaw_rate, double largest) {
   const double L = length(ship), U = service_speed(ship);
   std::optional<SteadyTurn> nearest;
   const auto search = [&](const auto& acting) {
@@ -191,7 +204,9 @@ std::optional<SteadyTurn> turn_at_yaw_rate(const Ship& ship, const Controls<doub
     for (std::size_t i = 1; i < curve.size(); ++i) {
       if ((curve[i - 1].motion.r - yaw_rate) * (curve[i].motion.r - yaw_rate) > 0.0) continue;
       const auto turn = turn_between(equations, curve[i - 1], curve[i], yaw_rate, U, L);
-      if (turn && std::abs(turn->delta) <= largest * (1.0 + 1e-9) && (!nearest || std::abs(turn->delta) < std::abs(nearest->delta))) nearest = turn;
+      if (turn && std::abs(turn->delta) <= largest * (1.0 + 1e-9) &&
+          (!nearest || std::abs(turn->delta) < std::abs(nearest->delta)))
+        nearest = turn;
     }
   };
   visit_acting(ship, search);

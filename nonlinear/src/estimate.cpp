@@ -59,11 +59,13 @@ double thrust_loading(const HullDimensions<double>& hull, double R_0, const MmgP
   return 0.5 * hull.L * hull.d * R_0 / ((1.0 - p.t_P) * p.D * p.D * u_P * u_P);
 }
 
-MmgPropeller<double> propeller_of(const HullDimensions<double>& hull, double R_0, const EstimateOptions& options, Assumptions& assumed) {
+MmgPropeller<double> propeller_of(const HullDimensions<double>& hull, double R_0, const EstimateOptions& options,
+                                  Assumptions& assumed) {
   const ReferencePropeller reference;
   const double C_2 = 0.5 * (reference.C_2_positive + reference.C_2_negative);
   MmgPropeller<double> p{};
-  p.D = assumed.number(options.propeller_diameter, diameter_over_draught(hull.C_B) * hull.d, "propeller diameter [m]", "0.7 to 0.5 of the draught, by block coefficient");
+  p.D = assumed.number(options.propeller_diameter, diameter_over_draught(hull.C_B) * hull.d, "propeller diameter [m]",
+                       "0.7 to 0.5 of the draught, by block coefficient");
   p.x_P = -0.48;
   p.w_P0 = assumed.number(options.wake_fraction, 0.5 * hull.C_B - 0.05, "wake fraction w_P0", "C_B/2 - 0.05, Taylor");
   p.t_P = assumed.number(options.thrust_deduction, 0.6 * p.w_P0, "thrust deduction t_P", "0.6 w_P0");
@@ -73,15 +75,23 @@ MmgPropeller<double> propeller_of(const HullDimensions<double>& hull, double R_0
   p.k_2 = reference.k_2 / pitch;
   p.C_1 = reference.C_1;
   p.C_2_positive = p.C_2_negative = C_2;
-  assumed.note(fmt::format("thrust curve of KVLCC2 with its pitch times {:.3g}; its wake change, C_1 = {:.3g}, C_2 = {:.3g} on both sides; x_P' = {:.3g}", pitch, p.C_1, C_2, p.x_P));
+  assumed.note(
+      fmt::format("thrust curve of KVLCC2 with its pitch times {:.3g}; its wake change, C_1 = {:.3g}, C_2 = {:.3g} on "
+                  "both sides; x_P' = {:.3g}",
+                  pitch, p.C_1, C_2, p.x_P));
   return p;
 }
 
-MmgRudder<double> rudder_of(const HullDimensions<double>& hull, const MmgPropeller<double>& propeller, const EstimateOptions& options, Assumptions& assumed) {
+MmgRudder<double> rudder_of(const HullDimensions<double>& hull, const MmgPropeller<double>& propeller,
+                            const EstimateOptions& options, Assumptions& assumed) {
   const auto i = yoshimura_masumoto_interaction(hull, propeller.w_P0);
-  const double A_R = assumed.number(options.rudder_area, dnv_rudder_area(hull), "rudder area [m2]", "rule of Det Norske Veritas");
-  const double H_R = assumed.number(options.rudder_height, std::max(0.75 * hull.d, propeller.D), "rudder span [m]", "0.75 of the draught, at least the propeller diameter");
-  assumed.note("hull, propeller and rudder interaction of Yoshimura and Masumoto; x_R' = -0.5; slope of the normal force after Fujii");
+  const double A_R =
+      assumed.number(options.rudder_area, dnv_rudder_area(hull), "rudder area [m2]", "rule of Det Norske Veritas");
+  const double H_R = assumed.number(options.rudder_height, std::max(0.75 * hull.d, propeller.D), "rudder span [m]",
+                                    "0.75 of the draught, at least the propeller diameter");
+  assumed.note(
+      "hull, propeller and rudder interaction of Yoshimura and Masumoto; x_R' = -0.5; slope of the normal force after "
+      "Fujii");
   return {
       .A_R = A_R,
       .H_R = H_R,
@@ -98,11 +108,14 @@ MmgRudder<double> rudder_of(const HullDimensions<double>& hull, const MmgPropell
   };
 }
 
-MmgHull<double> hull_of(const HullDimensions<double>& hull, const MmgAddedMass<double>& added, const EstimateOptions& options) {
+MmgHull<double> hull_of(const HullDimensions<double>& hull, const MmgAddedMass<double>& added,
+                        const EstimateOptions& options) {
   const double x_G_prime = options.x_G / hull.L;
   if (options.hull == HullFormula::kijima) return kijima_hull(hull, added, x_G_prime);
   if (hull.trim != 0.0)
-    throw Refusal(fmt::format("the formulas of Yoshimura and Masumoto are for even keel, got a trim of {} m; those of Kijima take a trim", hull.trim));
+    throw Refusal(fmt::format(
+        "the formulas of Yoshimura and Masumoto are for even keel, got a trim of {} m; those of Kijima take a trim",
+        hull.trim));
   return yoshimura_masumoto_hull(hull, added, x_G_prime);
 }
 
@@ -119,7 +132,8 @@ std::vector<std::string> outside(const HullDimensions<double>& hull, const HullR
   check("L/B", hull.L / hull.B, range.L_over_B);
   check("B/d", hull.B / hull.d, range.B_over_d);
   check("trim/d", hull.trim / hull.d, range.trim_over_d);
-  if (hull.trim != 0.0) check("d (1 - C_B)/B of a ship with trim", hull.d * (1.0 - hull.C_B) / hull.B, range.fineness_trimmed);
+  if (hull.trim != 0.0)
+    check("d (1 - C_B)/B of a ship with trim", hull.d * (1.0 - hull.C_B) / hull.B, range.fineness_trimmed);
   return sentences;
 }
 
@@ -136,7 +150,8 @@ double fujii_slope(double aspect_ratio) {
 
 double estimated_resistance(const HullDimensions<double>& hull, double speed, double nu) {
   require_hull(hull);
-  const double Reynolds = require_positive(speed, "speed [m/s]") * hull.L / require_positive(nu, "kinematic viscosity [m2/s]");
+  const double Reynolds =
+      require_positive(speed, "speed [m/s]") * hull.L / require_positive(nu, "kinematic viscosity [m2/s]");
   const double decades = require_positive(std::log10(Reynolds) - 2.0, "decades of the Reynolds number above 100");
   const double C_F = 0.075 / (decades * decades);
   const double slender = hull.L / hull.B;
@@ -145,35 +160,46 @@ double estimated_resistance(const HullDimensions<double>& hull, double speed, do
   return ((1.0 + k) * C_F + 0.0004) * wetted;
 }
 
-EstimatedShip estimated_mmg_ship(const HullDimensions<double>& hull, double service_speed, const EstimateOptions& options) {
+EstimatedShip estimated_mmg_ship(const HullDimensions<double>& hull, double service_speed,
+                                 const EstimateOptions& options) {
   require_hull(hull);
   require_positive(service_speed, "service speed [m/s]");
   require_positive(options.rho, "density of the water [kg/m3]");
   Assumptions assumed;
   const bool kijima = options.hull == HullFormula::kijima;
-  assumed.note(kijima ? "hull derivatives of Kijima, squares replaced by cubes; surge derivatives of Yoshimura and Masumoto"
-                      : "hull derivatives of Yoshimura and Masumoto");
+  assumed.note(
+      kijima ? "hull derivatives of Kijima, squares replaced by cubes; surge derivatives of Yoshimura and Masumoto"
+             : "hull derivatives of Yoshimura and Masumoto");
   assumed.note("added masses of Zhou");
   const auto added = zhou_added_mass(hull);
   auto derivatives = hull_of(hull, added, options);
-  derivatives.R_0 = assumed.number(options.resistance, estimated_resistance(hull, service_speed, options.nu), "resistance R_0'", "friction with form factor, no waves");
+  derivatives.R_0 = assumed.number(options.resistance, estimated_resistance(hull, service_speed, options.nu),
+                                   "resistance R_0'", "friction with form factor, no waves");
   const auto propeller = propeller_of(hull, derivatives.R_0, options, assumed);
   const auto rudder = rudder_of(hull, propeller, options, assumed);
-  assumed.note(fmt::format("centre of gravity {:.4g} m forward of midship, yaw radius of gyration {:.3g} L", options.x_G, options.k_zz_prime));
+  assumed.note(fmt::format("centre of gravity {:.4g} m forward of midship, yaw radius of gyration {:.3g} L",
+                           options.x_G, options.k_zz_prime));
   assumed.note("rudder to 35 deg, 65 deg in 28 s (SOLAS)");
   EstimatedShip result{
-      .ship = {
-          .water = {.rho = options.rho},
-          .particulars = {.L = hull.L, .B = hull.B, .d = hull.d, .nabla = displaced_volume(hull), .x_G = options.x_G,
-                          .k_zz = require_positive(options.k_zz_prime, "yaw radius of gyration over L") * hull.L, .U_0 = service_speed,
-                          .A_front = 0.0, .A_lateral = 0.0},
-          .added_mass = added,
-          .hull = derivatives,
-          .propeller = propeller,
-          .rudder = rudder,
-          .steering_gear = {.rate = radians(65.0) / 28.0, .max_angle = radians(35.0), .lag = 0.0, .dead_band = 0.0},
-          .engine = {},
-      },
+      .ship =
+          {
+              .water = {.rho = options.rho},
+              .particulars = {.L = hull.L,
+                              .B = hull.B,
+                              .d = hull.d,
+                              .nabla = displaced_volume(hull),
+                              .x_G = options.x_G,
+                              .k_zz = require_positive(options.k_zz_prime, "yaw radius of gyration over L") * hull.L,
+                              .U_0 = service_speed,
+                              .A_front = 0.0,
+                              .A_lateral = 0.0},
+              .added_mass = added,
+              .hull = derivatives,
+              .propeller = propeller,
+              .rudder = rudder,
+              .steering_gear = {.rate = radians(65.0) / 28.0, .max_angle = radians(35.0), .lag = 0.0, .dead_band = 0.0},
+              .engine = {},
+          },
       .assumptions = std::move(assumed).notes(),
       .warnings = outside(hull, kijima ? loaded_ships : merchant_ships),
   };

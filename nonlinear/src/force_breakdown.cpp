@@ -15,8 +15,8 @@ namespace swayaw {
 namespace {
 
 template <class Model>
-ForceBreakdown break_down(const ActingShip<Model>& acting, const Surroundings<double>& around, const ShipState<double>& state,
-                          const Controls<double>& controls) {
+ForceBreakdown break_down(const ActingShip<Model>& acting, const Surroundings<double>& around,
+                          const ShipState<double>& state, const Controls<double>& controls) {
   const auto& model = acting.model;
   const auto split = forces(model, state.motion, driven(acting.added, state.motion, controls));
   ForceBreakdown result{.parts = {}, .total = split.total(), .acceleration = {}};
@@ -25,10 +25,11 @@ ForceBreakdown break_down(const ActingShip<Model>& acting, const Surroundings<do
     result.parts.push_back({"wind", wind_load(around, state)});
     result.total = result.total + result.parts.back().force;
   }
-  for_each_added(model, acting.added, state, steady_hidden(acting.added, state.motion), controls, [&](std::string_view name, const PlanarForce<double>& force) {
-    result.parts.push_back({name, force});
-    result.total = result.total + force;
-  });
+  for_each_added(model, acting.added, state, steady_hidden(acting.added, state.motion), controls,
+                 [&](std::string_view name, const PlanarForce<double>& force) {
+                   result.parts.push_back({name, force});
+                   result.total = result.total + force;
+                 });
   result.acceleration = acceleration(model, state.motion, result.total);
   return result;
 }
@@ -44,8 +45,10 @@ struct Sample {
 /// Samples of a run as far as forces need them.
 class Samples {
  public:
-  Samples(const Recording& run, const Ship& ship) : run_(run), by_rev_(run.has(Channel::rev) && takes_shaft_speed(ship)) {
-    for (const auto& [channel, name] : {std::pair{Channel::u, "u"}, {Channel::v, "v"}, {Channel::r, "yaw rate"}, {Channel::delta, "rudder angle"}})
+  Samples(const Recording& run, const Ship& ship)
+      : run_(run), by_rev_(run.has(Channel::rev) && takes_shaft_speed(ship)) {
+    for (const auto& [channel, name] :
+         {std::pair{Channel::u, "u"}, {Channel::v, "v"}, {Channel::r, "yaw rate"}, {Channel::delta, "rudder angle"}})
       if (!run.has(channel)) throw Refusal(fmt::format("{}: forces need {}", run.name, name));
     if (!by_rev_ && takes_shaft_speed(ship) && !run.has(Channel::thrust))
       throw Refusal(fmt::format("{}: forces need shaft speed or thrust", run.name));
@@ -55,11 +58,15 @@ class Samples {
   std::optional<Sample> operator[](std::size_t i) const {
     const auto at = [&](Channel channel) { return run_.has(channel) ? run_[channel][i] : 0.0; };
     const double half = 0.5 * at(Channel::thrust);
-    const Sample sample{.state = {at(Channel::x), at(Channel::y), at(Channel::psi), {at(Channel::u), at(Channel::v), at(Channel::r)}},
-                        .controls = {.delta = at(Channel::delta), .rev = by_rev_ ? at(Channel::rev) : 0.0,
-                                     .thrust = {half, half}, .by_thrust = !by_rev_ && run_.has(Channel::thrust)}};
+    const Sample sample{
+        .state = {at(Channel::x), at(Channel::y), at(Channel::psi), {at(Channel::u), at(Channel::v), at(Channel::r)}},
+        .controls = {.delta = at(Channel::delta),
+                     .rev = by_rev_ ? at(Channel::rev) : 0.0,
+                     .thrust = {half, half},
+                     .by_thrust = !by_rev_ && run_.has(Channel::thrust)}};
     const auto& m = sample.state.motion;
-    const double known = sample.state.psi + m.u + m.v + m.r + sample.controls.delta + (by_rev_ ? sample.controls.rev : half);
+    const double known =
+        sample.state.psi + m.u + m.v + m.r + sample.controls.delta + (by_rev_ ? sample.controls.rev : half);
     if (!std::isfinite(known) || m.u <= 0.0) return std::nullopt;
     return sample;
   }
@@ -74,8 +81,10 @@ std::string cell(double value) { return fmt::format("{}", value); }
 }  // namespace
 
 ForceBreakdown force_breakdown(const Ship& ship, const ShipState<double>& state, const Controls<double>& controls) {
-  if (!(state.motion.u > 0.0)) throw Refusal(fmt::format("forces are known for way ahead, not for u = {:.6g} m/s", state.motion.u));
-  return visit_acting(ship, [&](const auto& acting) { return break_down(acting, acting.surroundings, state, controls); });
+  if (!(state.motion.u > 0.0))
+    throw Refusal(fmt::format("forces are known for way ahead, not for u = {:.6g} m/s", state.motion.u));
+  return visit_acting(ship,
+                      [&](const auto& acting) { return break_down(acting, acting.surroundings, state, controls); });
 }
 
 namespace {
@@ -112,7 +121,8 @@ void add_forces(Recording& run, const Ship& ship) {
     for (std::size_t k = 0; k < split.parts.size(); ++k) {
       const auto& [name, force] = split.parts[k];
       if (columns.size() == 3 * k)
-        for (const auto& column : {fmt::format("X_{}_N", name), fmt::format("Y_{}_N", name), fmt::format("N_{}_N_m", name)})
+        for (const auto& column :
+             {fmt::format("X_{}_N", name), fmt::format("Y_{}_N", name), fmt::format("N_{}_N_m", name)})
           columns.push_back({column, std::vector<std::string>(run.samples())});
       columns[3 * k].cells[i] = cell(force.X);
       columns[3 * k + 1].cells[i] = cell(force.Y);

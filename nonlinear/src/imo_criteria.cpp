@@ -8,19 +8,22 @@
 namespace swayaw {
 namespace {
 
-Criterion judged(std::string_view name, Side side, const std::optional<double>& value, double limit, std::string_view unit) {
+Criterion judged(std::string_view name, Side side, const std::optional<double>& value, double limit,
+                 std::string_view unit) {
   Criterion result{.name = name, .side = side, .value = value, .limit = limit, .unit = unit, .pass = {}};
   if (value) result.pass = *value <= limit;
   return result;
 }
 
-Criterion length_criterion(std::string_view name, Side side, const std::optional<double>& metres, double limit, double L) {
+Criterion length_criterion(std::string_view name, Side side, const std::optional<double>& metres, double limit,
+                           double L) {
   return judged(name, side, metres ? std::optional(*metres / L) : std::nullopt, limit, "L");
 }
 
 Criterion overshoot_criterion(std::string_view name, const Zigzag& zigzag, std::size_t which, Side side, double limit) {
   std::optional<double> value;
-  if (which < zigzag.reversals.size() && zigzag.reversals[which].overshoot) value = degrees(*zigzag.reversals[which].overshoot);
+  if (which < zigzag.reversals.size() && zigzag.reversals[which].overshoot)
+    value = degrees(*zigzag.reversals[which].overshoot);
   return judged(name, side, value, degrees(limit), "deg");
 }
 
@@ -28,7 +31,9 @@ constexpr bool same(double a, double b) { return a - b < 1e-9 && b - a < 1e-9; }
 
 constexpr double longest_initial_turning = 2.5;  // L
 
-void append(std::vector<Criterion>& all, const std::vector<Criterion>& more) { all.insert(all.end(), more.begin(), more.end()); }
+void append(std::vector<Criterion>& all, const std::vector<Criterion>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
 
 }  // namespace
 
@@ -40,7 +45,9 @@ double turning_rudder(const Ship& ship) { return std::min(radians(35.0), steerin
 
 std::vector<Criterion> criteria_of(const Zigzag& zigzag, const ZigzagOrder& order, double L) {
   const double L_over_V = L / zigzag.approach_speed;
-  const auto is = [&](double angle) { return same(order.rudder, radians(angle)) && same(order.heading, radians(angle)); };
+  const auto is = [&](double angle) {
+    return same(order.rudder, radians(angle)) && same(order.heading, radians(angle));
+  };
   if (is(10.0))
     return {length_criterion("initial_turning", order.first, zigzag.initial_turning, longest_initial_turning, L),
             overshoot_criterion("first_overshoot_10_10", zigzag, 0, order.first, first_overshoot_limit(L_over_V)),
@@ -49,13 +56,16 @@ std::vector<Criterion> criteria_of(const Zigzag& zigzag, const ZigzagOrder& orde
   return {};
 }
 
-std::vector<Criterion> criteria_of(const TurningCircle& circle, const TurnOrder& order, double L, double turning_rudder) {
+std::vector<Criterion> criteria_of(const TurningCircle& circle, const TurnOrder& order, double L,
+                                   double turning_rudder) {
   std::vector<Criterion> result;
   if (same(order.rudder, turning_rudder)) {
     result.push_back(length_criterion("advance", order.side, circle.advance, 4.5, L));
     result.push_back(length_criterion("tactical_diameter", order.side, circle.tactical_diameter, 5.0, L));
   }
-  if (same(order.rudder, radians(10.0))) result.push_back(length_criterion("initial_turning", order.side, circle.initial_turning, longest_initial_turning, L));
+  if (same(order.rudder, radians(10.0)))
+    result.push_back(
+        length_criterion("initial_turning", order.side, circle.initial_turning, longest_initial_turning, L));
   return result;
 }
 
@@ -64,7 +74,8 @@ ImoCriteria imo_criteria(const Ship& ship, const ManoeuvreOptions& options) {
   sampled.duration = bare.duration = std::nullopt;
   sampled.sampled = true;  // for the way made
   bare.sampled = false;
-  ImoCriteria result{.criteria = {}, .L = length(ship), .speed = options.speed.value_or(service_speed(ship)), .propulsion = {}};
+  ImoCriteria result{
+      .criteria = {}, .L = length(ship), .speed = options.speed.value_or(service_speed(ship)), .propulsion = {}};
   for (const Side side : {Side::starboard, Side::port}) {
     const TurnOrder turn{turning_rudder(ship), side};
     const ZigzagOrder ten{radians(10.0), radians(10.0), side}, twenty{radians(20.0), radians(20.0), side};

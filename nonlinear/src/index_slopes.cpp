@@ -46,9 +46,11 @@ Controls<S> driven(const Controls<double>& c, const S& factor) {
   return {S(c.delta), S(c.rev * factor), {S(c.thrust.port * factor), S(c.thrust.starboard * factor)}, c.by_thrust};
 }
 
-/// What keeps the ship at that speed whatever her numbers are: with du/dt = a(theta, factor) = 0 the factor has −(∂a/∂theta)/(∂a/∂factor).
+/// What keeps the ship at that speed whatever her numbers are: with du/dt = a(theta, factor) = 0 the factor has
+/// −(∂a/∂theta)/(∂a/∂factor).
 template <template <class> class Model>
-Controls<D> self_propelled(const Model<double>& model, const Model<D>& ship, const D& speed, const Controls<double>& controls) {
+Controls<D> self_propelled(const Model<double>& model, const Model<D>& ship, const D& speed,
+                           const Controls<double>& controls) {
   using T = Dual<1>;
   const double by_factor = straight_acceleration(cast<T>(model), T(speed.a), driven(controls, T(1.0, 0))).v[0];
   D factor(1.0);
@@ -57,8 +59,8 @@ Controls<D> self_propelled(const Model<double>& model, const Model<D>& ship, con
 }
 
 template <template <class> class Model>
-Approach<Model> approach_of(const Model<double>& model, std::span<const ShipNumber> numbers, const ManoeuvreOptions& options,
-                            const Controls<double>& propulsion) {
+Approach<Model> approach_of(const Model<double>& model, std::span<const ShipNumber> numbers,
+                            const ManoeuvreOptions& options, const Controls<double>& propulsion) {
   Approach<Model> a{seeded<lanes>(model, numbers), {}, {}};
   a.speed = options.speed ? D(*options.speed) : a.ship.particulars.U_0;
   const bool given = options.rev || options.thrust;
@@ -75,11 +77,15 @@ VoyageReplay<Model, lanes> replay_of(const Approach<Model>& a, const Ship& ship,
 
 /// The steady motion in duals.
 template <template <class> class Model>
-PlanarMotion<D> steady_in_duals(const Model<double>& model, const Model<D>& ship, const PlanarMotion<double>& m, const Controls<D>& controls) {
+PlanarMotion<D> steady_in_duals(const Model<double>& model, const Model<D>& ship, const PlanarMotion<double>& m,
+                                const Controls<D>& controls) {
   using T = Dual<3>;
   const auto here = cast<T>(model);
   const PlanarMotion<T> by_motion{T(m.u, 0), T(m.v, 1), T(m.r, 2)};
-  const Controls<T> held{T(controls.delta.a), T(controls.rev.a), {T(controls.thrust.port.a), T(controls.thrust.starboard.a)}, controls.by_thrust};
+  const Controls<T> held{T(controls.delta.a),
+                         T(controls.rev.a),
+                         {T(controls.thrust.port.a), T(controls.thrust.starboard.a)},
+                         controls.by_thrust};
   const auto by_m = acceleration(here, by_motion, forces(here, by_motion, held).total());
   const PlanarMotion<D> fixed{D(m.u), D(m.v), D(m.r)};
   const auto by_theta = acceleration(ship, fixed, forces(ship, fixed, controls).total());
@@ -104,8 +110,9 @@ void put_steady(CircleIndices<S>& i, const PlanarMotion<S>& steady, double turn)
 // ---------------------------------------------------------------- the manoeuvres once more
 
 template <template <class> class Model>
-CircleIndices<D> circle_in_duals(const Ship& ship, const Model<double>& model, const TurnOrder& order, const ManoeuvreOptions& options,
-                                 const TurningCircle& circle, std::span<const ShipNumber> numbers) {
+CircleIndices<D> circle_in_duals(const Ship& ship, const Model<double>& model, const TurnOrder& order,
+                                 const ManoeuvreOptions& options, const TurningCircle& circle,
+                                 std::span<const ShipNumber> numbers) {
   const auto start = approach_of(model, numbers, options, circle.propulsion);
   auto voyage = replay_of(start, ship, circle.steps);
   auto i = none_of<CircleIndices>();
@@ -122,13 +129,16 @@ CircleIndices<D> circle_in_duals(const Ship& ship, const Model<double>& model, c
     i.time_180 = voyage.time();
     i.tactical_diameter = turn * voyage.state().y;
   }
-  if (circle.steady) put_steady(i, steady_in_duals(model, start.ship, *circle.steady, voyage.controls_at(D(circle.steps.back().to))), turn);
+  if (circle.steady)
+    put_steady(i, steady_in_duals(model, start.ship, *circle.steady, voyage.controls_at(D(circle.steps.back().to))),
+               turn);
   return i;
 }
 
 template <template <class> class Model>
-ZigzagIndices<D> zigzag_in_duals(const Ship& ship, const Model<double>& model, const ZigzagOrder& order, const ManoeuvreOptions& options,
-                                 const Zigzag& zigzag, std::span<const ShipNumber> numbers) {
+ZigzagIndices<D> zigzag_in_duals(const Ship& ship, const Model<double>& model, const ZigzagOrder& order,
+                                 const ManoeuvreOptions& options, const Zigzag& zigzag,
+                                 std::span<const ShipNumber> numbers) {
   using I = ZigzagIndices<D>;
   constexpr std::array overshoots{&I::overshoot_1, &I::overshoot_2, &I::overshoot_3, &I::overshoot_4};
   auto voyage = replay_of(approach_of(model, numbers, options, zigzag.propulsion), ship, zigzag.steps);
@@ -156,7 +166,8 @@ void append(Indices<Slopes>& slopes, const Indices<D>& chunk, std::size_t count)
   constexpr auto to = Indices<Slopes>::parameters();
   for (std::size_t k = 0; k < from.size(); ++k) {
     const D& index = chunk.*from[k].member;
-    if (!std::isnan(index.a)) (slopes.*to[k].member).insert((slopes.*to[k].member).end(), index.v.data(), index.v.data() + count);
+    if (!std::isnan(index.a))
+      (slopes.*to[k].member).insert((slopes.*to[k].member).end(), index.v.data(), index.v.data() + count);
   }
 }
 
@@ -165,7 +176,9 @@ void append(Indices<Slopes>& slopes, const Indices<D>& chunk, std::size_t count)
 void require_bare(const Ship& ship) {
   for (const auto& effect : ship.effects)
     if (!is_null(effect) && place_of(effect) != EffectPlace::water)
-      throw Refusal(fmt::format("exact derivatives of indices are those of a ship without effects; take {} out of the ship file", id_of(effect)));
+      throw Refusal(
+          fmt::format("exact derivatives of indices are those of a ship without effects; take {} out of the ship file",
+                      id_of(effect)));
 }
 
 /// A chunk after the other.
@@ -207,16 +220,18 @@ ZigzagIndices<> indices_of(const Zigzag& zigzag) {
   return i;
 }
 
-CircleIndices<Slopes> index_slopes(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options, const TurningCircle& circle,
-                                   std::span<const ShipNumber> numbers) {
-  return in_chunks<CircleIndices>(ship, numbers,
-                                  [&](const auto& model, auto chunk) { return circle_in_duals(ship, model, order, options, circle, chunk); });
+CircleIndices<Slopes> index_slopes(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options,
+                                   const TurningCircle& circle, std::span<const ShipNumber> numbers) {
+  return in_chunks<CircleIndices>(ship, numbers, [&](const auto& model, auto chunk) {
+    return circle_in_duals(ship, model, order, options, circle, chunk);
+  });
 }
 
-ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options, const Zigzag& zigzag,
-                                   std::span<const ShipNumber> numbers) {
-  return in_chunks<ZigzagIndices>(ship, numbers,
-                                  [&](const auto& model, auto chunk) { return zigzag_in_duals(ship, model, order, options, zigzag, chunk); });
+ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options,
+                                   const Zigzag& zigzag, std::span<const ShipNumber> numbers) {
+  return in_chunks<ZigzagIndices>(ship, numbers, [&](const auto& model, auto chunk) {
+    return zigzag_in_duals(ship, model, order, options, zigzag, chunk);
+  });
 }
 
 }  // namespace swayaw

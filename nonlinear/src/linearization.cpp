@@ -49,10 +49,11 @@ std::vector<PartDerivatives> parts_on(const ActingShip<Model>& acting, const Ope
     result.push_back({std::string(name), derivatives_of(acceleration(ship, held, force))});
   };
   for (const auto& part : split.parts()) add(part.name, part.force);
-  for_each_added(ship, added, ShipState<D>{D(0.0), D(0.0), D(0.0), motion}, steady_hidden(added, motion), controls, [&](std::string_view name, const PlanarForce<D>& force) {
-    add(name, force);
-    total = total + force;
-  });
+  for_each_added(ship, added, ShipState<D>{D(0.0), D(0.0), D(0.0), motion}, steady_hidden(added, motion), controls,
+                 [&](std::string_view name, const PlanarForce<D>& force) {
+                   add(name, force);
+                   total = total + force;
+                 });
   const PlanarForce<D> constant{D(total.X.a), D(total.Y.a), D(total.N.a)};
   result.push_back({"centrifugal", derivatives_of(acceleration(ship, motion, constant))});
   return result;
@@ -66,11 +67,13 @@ AccelerationDerivatives mean(const AccelerationDerivatives& a, const Acceleratio
 }
 
 template <class Model>
-std::vector<PartDerivatives> parts_on_side(const ActingShip<Model>& model, const OperatingPoint& point, std::optional<Side> side) {
+std::vector<PartDerivatives> parts_on_side(const ActingShip<Model>& model, const OperatingPoint& point,
+                                           std::optional<Side> side) {
   if (side) return parts_on(model, point, *side);
   auto parts = parts_on(model, point, Side::port);
   const auto starboard = parts_on(model, point, Side::starboard);
-  for (std::size_t i = 0; i < parts.size(); ++i) parts[i].derivatives = mean(parts[i].derivatives, starboard[i].derivatives);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i].derivatives = mean(parts[i].derivatives, starboard[i].derivatives);
   return parts;
 }
 
@@ -86,7 +89,8 @@ std::array<std::complex<double>, 3> poles_of(const AccelerationDerivatives& a) {
 template <class Model>
 SnameDerivatives<double> masses_of(const Model& model) {
   const PlanarMotion<double> rest{0.0, 0.0, 0.0};
-  const auto by_force = acceleration(model, rest, {0.0, 1.0, 0.0}), by_moment = acceleration(model, rest, {0.0, 0.0, 1.0});
+  const auto by_force = acceleration(model, rest, {0.0, 1.0, 0.0}),
+             by_moment = acceleration(model, rest, {0.0, 0.0, 1.0});
   const double det = by_force.v * by_moment.r - by_force.r * by_moment.v;
   const double L = model.particulars.L, unit = 0.5 * model.water.rho * L * L * L;
   const auto own = rigid_body(model);
@@ -110,16 +114,22 @@ void require_steady(const ActingShip<Model>& acting, const OperatingPoint& point
   const auto a = acceleration(model, m, steady_force(model, acting.added, m, c));
   const double size = std::max({std::abs(a.u), std::abs(a.v), std::abs(a.r) * L}) / unit;
   if (!(size <= 1e-6))
-    throw Refusal(fmt::format("u = {:.6g} m/s, v = {:.6g} m/s, r = {:.6g} rad/s, delta = {:.6g} rad is no steady motion: the ship accelerates by {:.3g} U2/L",
-                              m.u, m.v, m.r, c.delta, size));
+    throw Refusal(
+        fmt::format("u = {:.6g} m/s, v = {:.6g} m/s, r = {:.6g} rad/s, delta = {:.6g} rad is no steady motion: the "
+                    "ship accelerates by {:.3g} U2/L",
+                    m.u, m.v, m.r, c.delta, size));
 }
 
 template <class Model>
 Linearization linearize_model(const ActingShip<Model>& acting, const OperatingPoint& point, std::optional<Side> side) {
   const auto& model = acting.model;
   require_steady(acting, point);
-  Linearization result{.point = point, .scale = {.L = model.particulars.L, .U = speed(point.motion)}, .whole = {},
-                       .parts = parts_on_side(acting, point, side), .masses = masses_of(model), .poles = {}};
+  Linearization result{.point = point,
+                       .scale = {.L = model.particulars.L, .U = speed(point.motion)},
+                       .whole = {},
+                       .parts = parts_on_side(acting, point, side),
+                       .masses = masses_of(model),
+                       .poles = {}};
   for (const auto& part : result.parts) result.whole += part.derivatives;
   result.poles = poles_of(result.whole);
   return result;
@@ -157,7 +167,9 @@ SwayYawCoefficients<double> sway_yaw(const AccelerationDerivatives& a, const Pri
   return to_prime(d, scale);
 }
 
-SnameDerivatives<double> sname(const Linearization& linear) { return sname_derivatives(sway_yaw(linear.whole, linear.scale), linear.masses); }
+SnameDerivatives<double> sname(const Linearization& linear) {
+  return sname_derivatives(sway_yaw(linear.whole, linear.scale), linear.masses);
+}
 
 LinearShip linear_ship(const Ship& ship, const Linearization& linear) {
   return {.name = ship.name,
@@ -167,7 +179,9 @@ LinearShip linear_ship(const Ship& ship, const Linearization& linear) {
           .confidence = {}};
 }
 
-OperatingPoint straight_course(const Ship& ship, double speed) { return settled(ship, self_propulsion(ship, speed), speed); }
+OperatingPoint straight_course(const Ship& ship, double speed) {
+  return settled(ship, self_propulsion(ship, speed), speed);
+}
 
 OperatingPoint straight_course(const Ship& ship, const Controls<double>& propulsion) {
   return settled(ship, propulsion, service_speed(ship));

@@ -7,7 +7,8 @@
 
 namespace swayaw {
 
-std::optional<ValueAndRate> local_fit(const Recording& run, Channel channel, double time, double from, double to, int degree) {
+std::optional<ValueAndRate> local_fit(const Recording& run, Channel channel, double time, double from, double to,
+                                      int degree) {
   const auto values = run[channel];
   if (values.empty()) return std::nullopt;
   const auto first = std::ranges::lower_bound(run.time, from) - run.time.begin();

@@ -16,6 +16,7 @@ struct ValueAndRate {
 ///
 /// @param degree  1 or 2; lowered where there are too few samples
 /// @return nothing when no sample lies there; rate 0 when only one does
-std::optional<ValueAndRate> local_fit(const Recording& run, Channel channel, double time, double from, double to, int degree);
+std::optional<ValueAndRate> local_fit(const Recording& run, Channel channel, double time, double from, double to,
+                                      int degree);
 
 }  // namespace swayaw

@@ -9,8 +9,8 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/rounding.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "swayaw/nonlinear/steady_motion.hpp"
 #include "swayaw/nonlinear/sensors.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
 #include "voyage.hpp"
 
 /// What the manoeuvres share. Not installed.
@@ -44,7 +44,8 @@ Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest) {
   const double time_unit = ship.particulars.L / speed;
   const double end = require_positive(options.duration.value_or(longest * time_unit), "duration [s]");
   const double step = require_positive(options.step.value_or(round_down(0.02 * time_unit)), "step [s]");
-  return {speed, propulsion(ship, speed, options.rev, options.thrust), end, options.sampled ? sample_times(step, end) : std::vector<double>{}};
+  return {speed, propulsion(ship, speed, options.rev, options.thrust), end,
+          options.sampled ? sample_times(step, end) : std::vector<double>{}};
 }
 
 template <class Sailing>
@@ -52,7 +53,8 @@ Moment now(const Sailing& voyage) {
   return {voyage.time(), voyage.state(), voyage.controls()};
 }
 
-/// Way made until a time, ∫ U dt by the trapezoidal rule over the samples and the moment `last` after them [m]; nothing without samples.
+/// Way made until a time, ∫ U dt by the trapezoidal rule over the samples and the moment `last` after them [m]; nothing
+/// without samples.
 inline std::optional<double> way_made(const std::vector<Moment>& samples, const Moment& last, double until) {
   if (samples.size() < 2) return std::nullopt;
   double way = 0.0;
@@ -85,7 +87,8 @@ Recording recording_of(const std::vector<Moment>& moments, const ActingShip<Mode
   fill(Channel::delta, [](const Moment& m) { return m.shown; });
   const bool by_thrust = !moments.empty() && moments.front().controls.by_thrust;
   if (!by_thrust && takes_shaft_speed(ship)) fill(Channel::rev, [](const Moment& m) { return m.controls.rev; });
-  fill(Channel::thrust, [&](const Moment& m) { return thrust(ship, m.state.motion, driven(acting.added, m.state.motion, m.controls)); });
+  fill(Channel::thrust,
+       [&](const Moment& m) { return thrust(ship, m.state.motion, driven(acting.added, m.state.motion, m.controls)); });
   if (acting.added.roll) fill(Channel::phi, [](const Moment& m) { return m.hidden.phi; });
   return acting.sensors.empty() ? run : as_recorded(std::move(run), acting.sensors);
 }

@@ -50,8 +50,10 @@ Column solved_cyclic(Tridiagonal m, const Column& right) {
 
 void require_nodes(std::span<const double> angle, std::size_t values) {
   if (angle.size() != values)
-    throw std::domain_error(fmt::format("a curve needs one value for each angle, got {} values and {} angles", values, angle.size()));
-  if (angle.size() < 3) throw std::domain_error(fmt::format("a periodic curve needs three different angles, got {}", angle.size()));
+    throw std::domain_error(
+        fmt::format("a curve needs one value for each angle, got {} values and {} angles", values, angle.size()));
+  if (angle.size() < 3)
+    throw std::domain_error(fmt::format("a periodic curve needs three different angles, got {}", angle.size()));
   const bool increase = std::ranges::adjacent_find(angle, [](double a, double b) { return !(a < b); }) == angle.end();
   if (!increase || !(angle.front() >= -pi) || !(angle.back() < pi))
     throw std::domain_error("angles of a periodic curve must increase in [-pi, pi)");
@@ -81,7 +83,8 @@ PeriodicSpline periodic_spline(std::span<const double> angle, std::span<const do
   for (std::size_t i = 0; i < n; ++i) {
     // f_i + t ((f_(i+1) − f_i)/h − h (2 M_i + M_(i+1))/6) + t² M_i/2 + t³ (M_(i+1) − M_i)/(6h)
     const double M_0 = M[i], M_1 = M[next(i)];
-    spline.pieces.push_back({angle[i], {value[i], slope[i] - h[i] * (2.0 * M_0 + M_1) / 6.0, 0.5 * M_0, (M_1 - M_0) / (6.0 * h[i])}});
+    spline.pieces.push_back(
+        {angle[i], {value[i], slope[i] - h[i] * (2.0 * M_0 + M_1) / 6.0, 0.5 * M_0, (M_1 - M_0) / (6.0 * h[i])}});
   }
   return spline;
 }

@@ -11,7 +11,9 @@ namespace swayaw {
 namespace {
 
 /// Share of the change of yaw rate that is left.
-double left(const PullOutSide& side, const Moment& m) { return std::abs((m.state.motion.r - side.residual) / (side.turning - side.residual)); }
+double left(const PullOutSide& side, const Moment& m) {
+  return std::abs((m.state.motion.r - side.residual) / (side.turning - side.residual));
+}
 
 /// When the share falls between two samples; its logarithm is a straight line there.
 double crossing(const PullOutSide& side, const Moment& a, const Moment& b, double share) {
@@ -30,11 +32,13 @@ std::optional<double> fall(const std::vector<Moment>& samples, const PullOutSide
   return time;
 }
 
-/// Last falls, since the yaw rate of a ship that is not the same to both sides may pass its final value before it comes back.
+/// Last falls, since the yaw rate of a ship that is not the same to both sides may pass its final value before it comes
+/// back.
 void measure_decay(PullOutSide& side, const std::vector<Moment>& samples) {
   if (const auto e = fall(samples, side, std::exp(-1.0), true)) side.fall_time = *e - side.execute;
   const auto thousandth = fall(samples, side, 1e-3, false), tenth_of_it = fall(samples, side, 1e-4, false);
-  if (side.settled && thousandth && tenth_of_it && *tenth_of_it > *thousandth) side.decay_time = (*tenth_of_it - *thousandth) / std::log(10.0);
+  if (side.settled && thousandth && tenth_of_it && *tenth_of_it > *thousandth)
+    side.decay_time = (*tenth_of_it - *thousandth) / std::log(10.0);
 }
 
 /// Slower time constant of sway and yaw on the straight course [s]; nothing without a straight course or real poles.
@@ -48,7 +52,8 @@ std::optional<double> linear_T1(const Ship& ship, const Controls<double>& propul
 }
 
 template <class Model>
-PullOutSide sail_pull_out(const Ship& ship, const ActingShip<Model>& acting, const TurnOrder& order, const Settling& settling, const ManoeuvreOptions& options) {
+PullOutSide sail_pull_out(const Ship& ship, const ActingShip<Model>& acting, const TurnOrder& order,
+                          const Settling& settling, const ManoeuvreOptions& options) {
   const auto& model = acting.model;
   ManoeuvreOptions whole = options;
   whole.duration.reset();
@@ -82,9 +87,13 @@ PullOut pull_out(const Ship& ship, const PullOutOrder& order, const ManoeuvreOpt
   require_rudder(order.rudder, steering_gear(ship));
   const auto both = [&](const auto& acting) {
     const auto& model = acting.model;
-    const auto from = [&](Side side) { return sail_pull_out(ship, acting, {order.rudder, side}, order.settling, options); };
+    const auto from = [&](Side side) {
+      return sail_pull_out(ship, acting, {order.rudder, side}, order.settling, options);
+    };
     const double speed = options.speed.value_or(model.particulars.U_0);
-    return PullOut{.sides = {from(Side::port), from(Side::starboard)}, .approach_speed = speed, .propulsion = propulsion(model, speed, options.rev, options.thrust)};
+    return PullOut{.sides = {from(Side::port), from(Side::starboard)},
+                   .approach_speed = speed,
+                   .propulsion = propulsion(model, speed, options.rev, options.thrust)};
   };
   return visit_acting(ship, both);
 }

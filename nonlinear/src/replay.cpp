@@ -24,8 +24,10 @@ struct Neighbourhood {
 double rudder_moves(const Recording& run) {
   const Channel rudder = run.has(Channel::delta) ? Channel::delta : Channel::delta_order;
   const Interpolant angle(run, rudder);
-  const auto moved = std::ranges::find_if(angle.values(), [&](double a) { return std::abs(a - angle.values().front()) > radians(1.0); });
-  return moved == angle.values().end() ? run.time.back() : angle.times()[static_cast<std::size_t>(moved - angle.values().begin())];
+  const auto moved = std::ranges::find_if(
+      angle.values(), [&](double a) { return std::abs(a - angle.values().front()) > radians(1.0); });
+  return moved == angle.values().end() ? run.time.back()
+                                       : angle.times()[static_cast<std::size_t>(moved - angle.values().begin())];
 }
 
 Neighbourhood neighbourhood(const Recording& run, double time, double time_unit) {
@@ -48,14 +50,16 @@ std::optional<ValueAndRate> fit(const Recording& run, Channel channel, const Nei
 }
 
 /// Body velocity over ground from the track: u = ẋ cos ψ + ẏ sin ψ, v = ẏ cos ψ − ẋ sin ψ.
-std::optional<PlanarMotion<double>> velocity_from_track(const Recording& run, const Neighbourhood& near, double psi, double r) {
+std::optional<PlanarMotion<double>> velocity_from_track(const Recording& run, const Neighbourhood& near, double psi,
+                                                        double r) {
   const auto x = fit(run, Channel::x, near), y = fit(run, Channel::y, near);
   if (!x || !y) return std::nullopt;
   const double c = std::cos(psi), s = std::sin(psi);
   return PlanarMotion<double>{x->rate * c + y->rate * s, y->rate * c - x->rate * s, r};
 }
 
-std::optional<double> first_value(const Recording& run, const Neighbourhood& near, std::initializer_list<Channel> channels) {
+std::optional<double> first_value(const Recording& run, const Neighbourhood& near,
+                                  std::initializer_list<Channel> channels) {
   for (const Channel channel : channels)
     if (const auto found = fit(run, channel, near)) return found->value;
   return std::nullopt;
@@ -96,7 +100,8 @@ namespace {
 Interpolant in_time(const Ship& ship, const Recording& run) {
   std::vector<Effect> late;
   for (const auto& effect : sensor_effects(ship))
-    if (const auto* delay = std::get_if<ChannelDelay<>>(&effect); delay && delay->channel == Channel::delta) late.push_back(effect);
+    if (const auto* delay = std::get_if<ChannelDelay<>>(&effect); delay && delay->channel == Channel::delta)
+      late.push_back(effect);
   return late.empty() ? Interpolant(run, Channel::delta) : Interpolant(as_it_was(run, late), Channel::delta);
 }
 
@@ -111,7 +116,8 @@ Interpolant rudder_of(const Ship& ship, const Recording& run) {
   auto angle = followed.fill(Channel::delta);
   angle[0] = order.values()[0];
   for (std::size_t i = 1; i < angle.size(); ++i) {
-    const auto motion = RudderMotion<>::ordered(steering_gear(ship), followed.time[i - 1], angle[i - 1], order.values()[i]);
+    const auto motion =
+        RudderMotion<>::ordered(steering_gear(ship), followed.time[i - 1], angle[i - 1], order.values()[i]);
     angle[i] = motion.at(followed.time[i]);
   }
   return Interpolant(followed, Channel::delta);
@@ -129,7 +135,8 @@ RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const
   const auto& propulsion = rev_ ? rev_ : thrust_;
   const auto propulsion_times = propulsion ? propulsion->times() : std::span<const double>{};
   std::ranges::set_union(rudder_.times(), propulsion_times, std::back_inserter(knots_));
-  if (const auto actuator = rudder_actuator(ship); actuator.any()) track_.emplace(actuator, lines_through(rudder_.times(), rudder_.values()));
+  if (const auto actuator = rudder_actuator(ship); actuator.any())
+    track_.emplace(actuator, lines_through(rudder_.times(), rudder_.values()));
 }
 
 Controls<double> RecordedControls::at(double time) const {
@@ -146,8 +153,10 @@ namespace {
 
 /// Change of the controls per second.
 Controls<double> slope(const Controls<double>& from, const Controls<double>& to, double duration) {
-  return {(to.delta - from.delta) / duration, (to.rev - from.rev) / duration,
-          {(to.thrust.port - from.thrust.port) / duration, (to.thrust.starboard - from.thrust.starboard) / duration}, to.by_thrust};
+  return {(to.delta - from.delta) / duration,
+          (to.rev - from.rev) / duration,
+          {(to.thrust.port - from.thrust.port) / duration, (to.thrust.starboard - from.thrust.starboard) / duration},
+          to.by_thrust};
 }
 
 /// Sails from knot to knot of the recorded controls.
@@ -177,7 +186,8 @@ Recording replay_from(const Ship& ship, const RecordedControls& controls, const 
                       std::span<const double> times, const ReplayOptions& options) {
   return visit_acting(ship, [&](const auto& acting) {
     const Moment from{times.front(), start, with_rudder(controls.at(times.front()), controls.shown()(times.front()))};
-    return with_voyage(acting, from, options.tolerance, [&](auto& voyage) { return recording_of(sail_along(voyage, controls, times), acting); });
+    return with_voyage(acting, from, options.tolerance,
+                       [&](auto& voyage) { return recording_of(sail_along(voyage, controls, times), acting); });
   });
 }
 

@@ -17,10 +17,14 @@ std::size_t line_at(std::span<const Line> lines, double time, auto&& begin) {
 }
 
 /// When the next line begins.
-double end_of(std::span<const AngleLine> lines, std::size_t i) { return i + 1 < lines.size() ? lines[i + 1].time : never; }
+double end_of(std::span<const AngleLine> lines, std::size_t i) {
+  return i + 1 < lines.size() ? lines[i + 1].time : never;
+}
 
 /// Angle of a line some time after it begins; a line at rest may last for ever.
-double after(const AngleLine& line, double time) { return line.rate == 0.0 ? line.angle : line.angle + line.rate * time; }
+double after(const AngleLine& line, double time) {
+  return line.rate == 0.0 ? line.angle : line.angle + line.rate * time;
+}
 
 }  // namespace
 
@@ -95,7 +99,8 @@ class Follower {
     double time = x.time;
     while (time < end) {
       const double e = after(x, time - x.time) - y_;
-      const double way = std::copysign(1.0, e == 0.0 ? x.rate : e), gain = rate_ - way * x.rate;  // gain = −d|e|/dt at the largest rate
+      const double way = std::copysign(1.0, e == 0.0 ? x.rate : e),
+                   gain = rate_ - way * x.rate;  // gain = −d|e|/dt at the largest rate
       const bool far = std::abs(e) > reach + slack, leaves = gain < 0.0 && std::abs(e) >= reach - slack;
       if (far || leaves) time = hurry(x, time, e, reach, way, gain, end, motions);
       else time = trail(x, time, e, reach, end, motions);
@@ -104,7 +109,8 @@ class Follower {
 
  private:
   /// At the largest rate, until |e| has come down to the reach. @return when that is
-  double hurry(const AngleLine& x, double time, double e, double reach, double way, double gain, double end, std::vector<RudderMotion<>>& motions) {
+  double hurry(const AngleLine& x, double time, double e, double reach, double way, double gain, double end,
+               std::vector<RudderMotion<>>& motions) {
     const double needed = gain > 0.0 ? (std::abs(e) - reach) / gain : never;
     const bool arrives = time + needed < end;
     motions.push_back(RudderMotion<>::moving(time, y_, way * rate_));
@@ -114,7 +120,8 @@ class Follower {
   }
 
   /// e(t) = b T + (e_0 − b T) exp(−t/T), until it reaches the largest rate. @return when that is
-  double trail(const AngleLine& x, double time, double e, double reach, double end, std::vector<RudderMotion<>>& motions) {
+  double trail(const AngleLine& x, double time, double e, double reach, double end,
+               std::vector<RudderMotion<>>& motions) {
     const double line = after(x, time - x.time), behind = x.rate * T_;  // of a rudder that follows a long line
     if (T_ > 0.0) motions.push_back(RudderMotion<>::trailing(time, line - behind, x.rate, e - behind, T_));
     else motions.push_back(RudderMotion<>::moving(time, line, x.rate));
@@ -145,12 +152,14 @@ RudderTrack::RudderTrack(const RudderActuator& actuator, std::span<const AngleLi
   follow(actuator, recorded, recorded.front().angle, recorded.front().angle);
 }
 
-RudderTrack::RudderTrack(const RudderActuator& actuator, std::span<const AngleLine> recorded, const RudderTrack& before) {
+RudderTrack::RudderTrack(const RudderActuator& actuator, std::span<const AngleLine> recorded,
+                         const RudderTrack& before) {
   const double now = recorded.front().time;
   follow(actuator, recorded, angle_at(before.played_, now), before.at(now) - before.offset_);
 }
 
-void RudderTrack::follow(const RudderActuator& actuator, std::span<const AngleLine> recorded, double played, double lagged) {
+void RudderTrack::follow(const RudderActuator& actuator, std::span<const AngleLine> recorded, double played,
+                         double lagged) {
   offset_ = actuator.offset;
   played_ = behind_play(recorded, actuator.width, played);
   motions_ = behind_lag(played_, actuator.lag, actuator.rate, lagged);

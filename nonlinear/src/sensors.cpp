@@ -28,10 +28,12 @@ void move_velocity(Recording& run, double x, double y) {
 /// The same for speed and course.
 void move_course(Recording& run, double x, double y) {
   if (!run.has(Channel::r) || !run.has(Channel::speed_over_ground) || !run.has(Channel::course_over_ground)) return;
-  auto &speed = run.channels[index_of(Channel::speed_over_ground)], &course = run.channels[index_of(Channel::course_over_ground)];
+  auto &speed = run.channels[index_of(Channel::speed_over_ground)],
+       &course = run.channels[index_of(Channel::course_over_ground)];
   for (std::size_t i = 0; i < run.samples(); ++i) {
     const double c = std::cos(run[Channel::psi][i]), s = std::sin(run[Channel::psi][i]), r = run[Channel::r][i];
-    const double north = speed[i] * std::cos(course[i]) - r * (y * c + x * s), east = speed[i] * std::sin(course[i]) + r * (x * c - y * s);
+    const double north = speed[i] * std::cos(course[i]) - r * (y * c + x * s),
+                 east = speed[i] * std::sin(course[i]) + r * (x * c - y * s);
     speed[i] = std::hypot(north, east);
     course[i] += std::remainder(std::atan2(east, north) - course[i], 2.0 * pi);
   }

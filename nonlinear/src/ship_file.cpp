@@ -7,8 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/parts_writer.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -24,7 +24,8 @@ namespace {
 void require_consistent(const MmgShip<double>& ship, const PartsReader& file) {
   if (!ship.engine.torque_limited()) return;
   if (ship.engine.Q_max == 0.0) file.fail("engine", "kind", "a torque limited engine needs torque_limit_kN_m");
-  if (ship.propeller.q_0 == 0.0) file.fail("engine", "kind", "a torque limited engine needs the torque curve kq in [propeller]");
+  if (ship.propeller.q_0 == 0.0)
+    file.fail("engine", "kind", "a torque limited engine needs the torque curve kq in [propeller]");
 }
 
 /// PI and PU ships.
@@ -33,12 +34,15 @@ void require_consistent(const PrimeShip& ship, const PartsReader& file) {
   const auto& [p, propeller] = std::tie(ship.particulars, ship.propeller);
   constexpr std::string_view rule = "one of inertia_z_kg_m2 and radius_of_gyration_m is needed in [particulars]";
   if (p.I_z == 0.0 && p.k_zz == 0.0) file.fail("particulars", "", fmt::format("{}; none is there", rule));
-  if (p.I_z > 0.0 && p.k_zz > 0.0) file.fail("particulars", "radius_of_gyration_m", fmt::format("{}; both are there", rule));
+  if (p.I_z > 0.0 && p.k_zz > 0.0)
+    file.fail("particulars", "radius_of_gyration_m", fmt::format("{}; both are there", rule));
   if (p.I_z > 0.0 && p.I_z <= ship.water.rho * p.nabla * p.x_G * p.x_G)
-    file.fail("particulars", "inertia_z_kg_m2", "inertia_z_kg_m2 in [particulars] is about midship and must be larger than m x_G2");
+    file.fail("particulars", "inertia_z_kg_m2",
+              "inertia_z_kg_m2 in [particulars] is about midship and must be larger than m x_G2");
   if (!propeller.wake_changes()) return;
   for (const auto* key : {"x_m", "wake_C1", "wake_C2_positive", "wake_C2_negative"})
-    if (!file.has("propeller", key)) file.fail("propeller", "wake", fmt::format("wake = \"mmg\" needs {} in [propeller]", key));
+    if (!file.has("propeller", key))
+      file.fail("propeller", "wake", fmt::format("wake = \"mmg\" needs {} in [propeller]", key));
 }
 
 void require_consistent(const AbkowitzShip<double>&, const PartsReader&) {}
@@ -70,7 +74,8 @@ void read_numbers(Effect& effect, const FileEffect& given, const PartsReader& fi
     if (found == given.numbers.end() && p.required) file.fail(given, fmt::format("{} needs {}", given.kind, p.key));
     some = some || found != given.numbers.end();
     number = found == given.numbers.end() ? p.fallback : found->second;
-    if (found != given.numbers.end() && !p.range.contains(number)) file.fail(given, fmt::format("{} in [[effect]] cannot be {}", p.key, number));
+    if (found != given.numbers.end() && !p.range.contains(number))
+      file.fail(given, fmt::format("{} in [[effect]] cannot be {}", p.key, number));
   });
   if (!some) file.fail(given, fmt::format("{} has no numbers", given.kind));
 }
@@ -150,9 +155,11 @@ void take_type(WindageTable& table, const PartsReader& file) {
 WindSpline spline_of(const WindageTable& table, const PartsReader& file) {
   const auto rows = table.angle.size();
   for (const auto& [key, list] : {std::pair{"C_X", &table.C_X}, {"C_Y", &table.C_Y}, {"C_N", &table.C_N}})
-    if (list->size() != rows) file.fail("windage", key, fmt::format("{} in [windage] has {} numbers, angle_deg {}", key, list->size(), rows));
+    if (list->size() != rows)
+      file.fail("windage", key, fmt::format("{} in [windage] has {} numbers, angle_deg {}", key, list->size(), rows));
   WindTable coefficients;
-  for (std::size_t i = 0; i < rows; ++i) coefficients.push_back({table.angle[i], table.C_X[i], table.C_Y[i], table.C_N[i]});
+  for (std::size_t i = 0; i < rows; ++i)
+    coefficients.push_back({table.angle[i], table.C_X[i], table.C_Y[i], table.C_N[i]});
   const bool one_side = std::ranges::max(table.angle) <= pi * (1.0 + 1e-9) && std::ranges::min(table.angle) >= 0.0;
   try {
     return wind_spline(one_side ? both_sides(coefficients) : coefficients);
@@ -190,9 +197,14 @@ Ship read_as(const PartsReader& file) {
   auto head = file.read(keys);
   apply_labels(model, head.confidence);
   require_consistent(model, file);
-  Surroundings<double> around{.windage = own_windage ? windage_of(table, file) : windage_of(model), .wind = {}, .current = {}};
+  Surroundings<double> around{
+      .windage = own_windage ? windage_of(table, file) : windage_of(model), .wind = {}, .current = {}};
   auto effects = read_effects(model, around.windage, file);
-  return {.name = std::move(head.name), .model = model, .confidence = std::move(head.confidence), .surroundings = around, .effects = std::move(effects)};
+  return {.name = std::move(head.name),
+          .model = model,
+          .confidence = std::move(head.confidence),
+          .surroundings = around,
+          .effects = std::move(effects)};
 }
 
 }  // namespace
@@ -220,7 +232,8 @@ std::string_view model_name(const AbkowitzShip<double>&) { return "abkowitz"; }
 /// Coefficients over the angle as the lists they were read from.
 void add_lists(WindageTable& table) {
   const auto* spline = std::get_if<WindSpline>(&table.windage.given);
-  if (std::holds_alternative<WindSeries<>>(table.windage.given)) throw Refusal("wind coefficients that are a Fourier series cannot be written to a ship file");
+  if (std::holds_alternative<WindSeries<>>(table.windage.given))
+    throw Refusal("wind coefficients that are a Fourier series cannot be written to a ship file");
   if (!spline) return;
   for (std::size_t i = 0; i < spline->X.pieces.size(); ++i) {
     table.angle.push_back(spline->X.pieces[i].start);
@@ -242,7 +255,8 @@ FileEffect written(const Effect& effect) {
   for_each_parameter(effect, [&](const auto& p, double number) {
     const bool is_fallback = number == p.fallback || (std::isnan(number) && std::isnan(p.fallback));
     if (!p.required && is_fallback) return;
-    if (!std::isfinite(number) || !p.range.contains(number)) throw std::domain_error(fmt::format("{} of {} cannot be {}", p.key, result.kind, number));
+    if (!std::isfinite(number) || !p.range.contains(number))
+      throw std::domain_error(fmt::format("{} of {} cannot be {}", p.key, result.kind, number));
     result.numbers.emplace_back(p.key, number);
   });
   return result;
@@ -258,7 +272,8 @@ std::vector<FileEffect> effects_of(const Ship& ship) {
   if (own_wind) effects.push_back(written(SteadyWind<>{around.wind.speed, around.wind.from}));
   if (own_current) effects.push_back(written(SteadyCurrent<>{around.current.speed, around.current.to}));
   for (const auto& effect : ship.effects) {
-    const bool merged = (own_wind && std::holds_alternative<SteadyWind<>>(effect)) || (own_current && std::holds_alternative<SteadyCurrent<>>(effect));
+    const bool merged = (own_wind && std::holds_alternative<SteadyWind<>>(effect)) ||
+                        (own_current && std::holds_alternative<SteadyCurrent<>>(effect));
     if (!merged) effects.push_back(written(effect));
   }
   return effects;
@@ -280,7 +295,9 @@ std::string ship_text(const Ship& ship, std::string_view remark) {
   return std::visit([&](const auto& model) { return text_as(ship, model, remark); }, ship.model);
 }
 
-void write_ship(const std::filesystem::path& file, const Ship& ship, std::string_view remark) { write_text(file, ship_text(ship, remark)); }
+void write_ship(const std::filesystem::path& file, const Ship& ship, std::string_view remark) {
+  write_text(file, ship_text(ship, remark));
+}
 
 Ship read_ship(const std::filesystem::path& file) { return parse_ship(read_text(file), file); }
 

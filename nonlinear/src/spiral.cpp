@@ -10,7 +10,7 @@
 namespace swayaw {
 namespace {
 
-constexpr double differing = 1e-3;   // of yaw rates over U/L
+constexpr double differing = 1e-3;    // of yaw rates over U/L
 constexpr double curve_step = 0.005;  // of the exact curve
 
 std::optional<SpiralLoop> loop_of(const Spiral& s, double L) {
@@ -43,14 +43,23 @@ Spiral sail_spiral(const ActingShip<Model>& acting, const SpiralOrder& order, co
   ManoeuvreOptions whole = options;
   whole.duration.reset();
   if (!whole.step) whole.step = round_down(0.2 * model.particulars.L / options.speed.value_or(model.particulars.U_0));
-  const auto [U, propulsion, end, times] = plan(model, whole, order.settling.longest * 2.0 * static_cast<double>(angles.size()));
+  const auto [U, propulsion, end, times] =
+      plan(model, whole, order.settling.longest * 2.0 * static_cast<double>(angles.size()));
   const double L = model.particulars.L, sign = rudder_sign(order.first);
   return with_voyage(acting, approach(U, propulsion), options.tolerance, [&](auto& voyage) {
     voyage.sample_at(times);
-    Spiral result{.down = {}, .up = {}, .loop = {}, .curve = {}, .exact = {}, .approach_speed = U, .propulsion = propulsion, .run = {}};
+    Spiral result{.down = {},
+                  .up = {},
+                  .loop = {},
+                  .curve = {},
+                  .exact = {},
+                  .approach_speed = U,
+                  .propulsion = propulsion,
+                  .run = {}};
     for (const double angle : angles) result.down.push_back(hold(voyage, sign * angle, order.settling, L, U));
     result.up.push_back(result.down.back());
-    for (std::size_t i = angles.size() - 1; i-- > 0;) result.up.push_back(hold(voyage, sign * angles[i], order.settling, L, U));
+    for (std::size_t i = angles.size() - 1; i-- > 0;)
+      result.up.push_back(hold(voyage, sign * angles[i], order.settling, L, U));
     if (options.sampled) result.run = recording_of(voyage.samples(), acting);
     return result;
   });
@@ -74,7 +83,9 @@ std::vector<double> even_yaw_rates(double largest, int steps) {
 
 std::vector<double> spiral_angles(double largest, double step) {
   require_positive(step, "step of the rudder angle [rad]");
-  if (step > largest) throw std::domain_error(fmt::format("steps of {:.6g} deg are larger than the largest rudder angle, {:.6g} deg", degrees(step), degrees(largest)));
+  if (step > largest)
+    throw std::domain_error(fmt::format("steps of {:.6g} deg are larger than the largest rudder angle, {:.6g} deg",
+                                        degrees(step), degrees(largest)));
   std::vector<double> angles{largest};
   const auto inner = static_cast<int>(std::ceil(largest / step - 1e-9)) - 1;
   for (int k = inner; k >= -inner; --k) angles.push_back(k * step);
@@ -98,17 +109,22 @@ Spiral spiral(const Ship& ship, const SpiralOrder& order, const ManoeuvreOptions
 ReverseSpiral reverse_spiral(const Ship& ship, const ReverseSpiralOrder& order, const ManoeuvreOptions& options) {
   require_calm(ship, "reverse spiral");
   require_rudder(order.largest, steering_gear(ship));
-  if (order.steps < 1) throw std::domain_error(fmt::format("a reverse spiral needs at least one yaw rate on each side, got {}", order.steps));
+  if (order.steps < 1)
+    throw std::domain_error(
+        fmt::format("a reverse spiral needs at least one yaw rate on each side, got {}", order.steps));
   const double speed = require_positive(options.speed.value_or(service_speed(ship)), "approach speed [m/s]");
   const auto propulsion = swayaw::propulsion(ship, speed, options.rev, options.thrust);
   const auto curve = steady_turn_curve(ship, propulsion, order.largest);
-  const double largest = std::min(end_rate(ship, propulsion, curve.front(), order.largest), end_rate(ship, propulsion, curve.back(), order.largest));
+  const double largest = std::min(end_rate(ship, propulsion, curve.front(), order.largest),
+                                  end_rate(ship, propulsion, curve.back(), order.largest));
   const auto rates = even_yaw_rates(largest, order.steps);
-  return {.points = held_yaw_rates(ship, propulsion, rates, order.largest), .approach_speed = speed, .propulsion = propulsion};
+  return {.points = held_yaw_rates(ship, propulsion, rates, order.largest),
+          .approach_speed = speed,
+          .propulsion = propulsion};
 }
 
-std::vector<HeldYawRate> held_yaw_rates(const Ship& ship, const Controls<double>& propulsion, std::span<const double> yaw_rates,
-                                        double largest) {
+std::vector<HeldYawRate> held_yaw_rates(const Ship& ship, const Controls<double>& propulsion,
+                                        std::span<const double> yaw_rates, double largest) {
   const auto curve = steady_turn_curve(ship, propulsion, largest);
   std::vector<HeldYawRate> points;
   for (const double r : yaw_rates) points.push_back({r, turn_at_yaw_rate(ship, propulsion, curve, r, largest)});

@@ -24,7 +24,8 @@ struct Balance {
 };
 
 template <class Model>
-Balance balance_at(const Model& ship, const AddedForces<Dual<3>>& added, const Controls<double>& controls, const Vector& motion) {
+Balance balance_at(const Model& ship, const AddedForces<Dual<3>>& added, const Controls<double>& controls,
+                   const Vector& motion) {
   using D = Dual<3>;
   const PlanarMotion<D> m{D(motion[0], 0), D(motion[1], 1), D(motion[2], 2)};
   const auto c = cast<D>(controls);
@@ -35,7 +36,8 @@ Balance balance_at(const Model& ship, const AddedForces<Dual<3>>& added, const C
 }
 
 template <class Model>
-std::optional<SteadyMotion> newton(const ActingShip<Model>& acting, const Controls<double>& controls, const PlanarMotion<double>& guess) {
+std::optional<SteadyMotion> newton(const ActingShip<Model>& acting, const Controls<double>& controls,
+                                   const PlanarMotion<double>& guess) {
   const auto& model = acting.model;
   const auto ship = cast<Dual<3>>(model);
   const auto added = cast<Dual<3>>(acting.added);
@@ -63,13 +65,15 @@ std::optional<SteadyMotion> newton(const ActingShip<Model>& acting, const Contro
 double self_propulsion_rev(const MmgShip<double>& ship, double speed) {
   require_positive(speed, "speed [m/s]");
   const auto& p = ship.propeller;
-  const double resistance = 0.5 * ship.water.rho * ship.particulars.L * ship.particulars.d * speed * speed * ship.hull.R_0;
+  const double resistance =
+      0.5 * ship.water.rho * ship.particulars.L * ship.particulars.d * speed * speed * ship.hull.R_0;
   const double u_P = (1.0 - p.w_P0) * speed;
   const double needed = resistance / ((1.0 - p.t_P) * ship.water.rho * p.D * p.D);  // k_0 (nD)² + k_1 u_P nD + k_2 u_P²
   const double half = 0.5 * p.k_1 * u_P;
   const double discriminant = half * half - p.k_0 * (p.k_2 * u_P * u_P - needed);
   if (!(discriminant >= 0.0))
-    throw Refusal(fmt::format("no shaft speed propels the ship at {} m/s: the thrust curve kt does not reach its resistance", speed));
+    throw Refusal(fmt::format(
+        "no shaft speed propels the ship at {} m/s: the thrust curve kt does not reach its resistance", speed));
   return (-half + std::sqrt(discriminant)) / (p.k_0 * p.D);
 }
 
@@ -82,7 +86,8 @@ Controls<double> self_propulsion(const AbkowitzShip<double>& ship, double speed)
   require_positive(speed, "speed [m/s]");
   const double U_0 = ship.particulars.U_0;
   if (std::abs(speed - U_0) <= 1e-6 * U_0) return {.delta = 0.0};
-  throw Refusal(fmt::format("an abkowitz ship is propelled at the speed of its polynomial, {:.6g} m/s, and at no other", U_0));
+  throw Refusal(
+      fmt::format("an abkowitz ship is propelled at the speed of its polynomial, {:.6g} m/s, and at no other", U_0));
 }
 
 Controls<double> self_propulsion(const Ship& ship, double speed) {
@@ -99,20 +104,24 @@ bool takes_shaft_speed(const Ship& ship) {
 
 void require_drive(const ShipModel& model, const std::optional<double>& rev, const std::optional<double>& thrust) {
   if ((rev || thrust) && std::holds_alternative<AbkowitzShip<double>>(model))
-    throw Refusal("the propulsion of an abkowitz ship is part of its polynomial: it takes neither shaft speed nor thrust");
+    throw Refusal(
+        "the propulsion of an abkowitz ship is part of its polynomial: it takes neither shaft speed nor thrust");
   const bool by_rev = std::visit([](const auto& ship) { return takes_shaft_speed(ship); }, model);
   if (rev && !by_rev) throw Refusal("this ship file does not tell the thrust at a shaft speed; give a thrust");
 }
 
-Controls<double> propulsion(const ShipModel& model, double speed, const std::optional<double>& rev, const std::optional<double>& thrust) {
+Controls<double> propulsion(const ShipModel& model, double speed, const std::optional<double>& rev,
+                            const std::optional<double>& thrust) {
   require_drive(model, rev, thrust);
   if (thrust) return {.delta = 0.0, .thrust = {0.5 * *thrust, 0.5 * *thrust}, .by_thrust = true};
   if (rev) return {.delta = 0.0, .rev = require_positive(*rev, "shaft speed [1/s]")};
   return std::visit([&](const auto& ship) { return self_propulsion(ship, speed); }, model);
 }
 
-Controls<double> propulsion(const Ship& ship, double speed, const std::optional<double>& rev, const std::optional<double>& thrust) {
-  return visit_acting(ship, [&](const auto& acting) { return propulsion(ShipModel(acting.model), speed, rev, thrust); });
+Controls<double> propulsion(const Ship& ship, double speed, const std::optional<double>& rev,
+                            const std::optional<double>& thrust) {
+  return visit_acting(ship,
+                      [&](const auto& acting) { return propulsion(ShipModel(acting.model), speed, rev, thrust); });
 }
 
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,

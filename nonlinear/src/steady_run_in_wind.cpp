@@ -30,8 +30,15 @@ class StraightRun {
  public:
   StraightRun(const ActingShip<Model>& acting, const Windage<double>& windage, const Wind<double>& wind,
               const WindRunOrder& order, const Controls<double>& propulsion)
-      : ship_(cast<D>(acting.model)), added_(cast<D>(acting.added)), windage_(cast_part<D>(windage)), current_(acting.surroundings.current), wind_(wind),
-        order_(order), propulsion_(cast<D>(propulsion)), U_(acting.model.particulars.U_0), L_(acting.model.particulars.L) {}
+      : ship_(cast<D>(acting.model)),
+        added_(cast<D>(acting.added)),
+        windage_(cast_part<D>(windage)),
+        current_(acting.surroundings.current),
+        wind_(wind),
+        order_(order),
+        propulsion_(cast<D>(propulsion)),
+        U_(acting.model.particulars.U_0),
+        L_(acting.model.particulars.L) {}
 
   Point still() const { return {1.0, 0.0, 0.0, order_.direction}; }
 
@@ -42,7 +49,8 @@ class StraightRun {
     const auto c = with_rudder(propulsion_, delta);
     const auto ground = over_ground(Current<D>{D(current_.speed), D(current_.to)}, {D(0.0), D(0.0), psi, m});
     const Wind<D> wind{D(share * wind_.speed), D(wind_.from)};
-    const auto a = acceleration(ship_, m, own_force({D(0.0), D(0.0), psi, m}, c) + wind_force(windage_, wind, ground, psi));
+    const auto a =
+        acceleration(ship_, m, own_force({D(0.0), D(0.0), psi, m}, c) + wind_force(windage_, wind, ground, psi));
     const double unit = L_ / (U_ * U_);
     const D equations[] = {a.u * unit, a.v * unit, a.r * unit * L_, kept(ground, psi)};
     Balance b;
@@ -134,7 +142,8 @@ std::optional<Point> raise_wind(const Equations& equations) {
 }
 
 template <class Model>
-std::optional<WindRun> run_of(const ActingShip<Model>& acting, const Windage<double>& windage, const Wind<double>& wind, const WindRunOrder& order) {
+std::optional<WindRun> run_of(const ActingShip<Model>& acting, const Windage<double>& windage, const Wind<double>& wind,
+                              const WindRunOrder& order) {
   const auto& model = acting.model;
   const auto propulsion = order.propulsion ? *order.propulsion : self_propulsion(model, model.particulars.U_0);
   const StraightRun<Model> equations(acting, windage, wind, order, propulsion);
@@ -145,15 +154,18 @@ std::optional<WindRun> run_of(const ActingShip<Model>& acting, const Windage<dou
 
 }  // namespace
 
-std::optional<WindRun> steady_run_in_wind(const Ship& ship, const Windage<double>& windage, const Wind<double>& wind, const WindRunOrder& order) {
-  if (!(wind.speed >= 0.0)) throw std::domain_error(fmt::format("wind speed [m/s] must not be negative, got {}", wind.speed));
+std::optional<WindRun> steady_run_in_wind(const Ship& ship, const Windage<double>& windage, const Wind<double>& wind,
+                                          const WindRunOrder& order) {
+  if (!(wind.speed >= 0.0))
+    throw std::domain_error(fmt::format("wind speed [m/s] must not be negative, got {}", wind.speed));
   return visit_acting(ship, [&](const auto& acting) { return run_of(acting, windage, wind, order); });
 }
 
-std::vector<WindRunRow> steady_runs_in_wind(const Ship& ship, const Windage<double>& windage, double wind_speed, std::span<const double> relative,
-                                            const WindRunOrder& order) {
+std::vector<WindRunRow> steady_runs_in_wind(const Ship& ship, const Windage<double>& windage, double wind_speed,
+                                            std::span<const double> relative, const WindRunOrder& order) {
   std::vector<WindRunRow> rows;
-  for (const double angle : relative) rows.push_back({angle, steady_run_in_wind(ship, windage, {wind_speed, order.direction + angle}, order)});
+  for (const double angle : relative)
+    rows.push_back({angle, steady_run_in_wind(ship, windage, {wind_speed, order.direction + angle}, order)});
   return rows;
 }
 

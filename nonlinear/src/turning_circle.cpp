@@ -25,7 +25,9 @@ void measure_first_half(Sailing& voyage, TurningCircle& circle, double turn, dou
 /// Sails on until the heading has changed by 540 deg, or the ship no longer moves ahead.
 template <class Sailing>
 void sail_towards_steady(Sailing& voyage, TurningCircle& circle, double turn, double end) {
-  const auto watch = [&](const auto& s) { return std::min(radians(540.0) - turn * s.psi, s.motion.u / circle.approach_speed); };
+  const auto watch = [&](const auto& s) {
+    return std::min(radians(540.0) - turn * s.psi, s.motion.u / circle.approach_speed);
+  };
   if (voyage.sail(end, watch) && turn * voyage.state().psi < radians(539.0)) circle.way_lost = voyage.time();
 }
 
@@ -34,14 +36,16 @@ void measure_steady_turn(const Ship& ship, TurningCircle& circle, const Moment& 
   const auto& m = last.state.motion;
   const auto steady = steady_motion(ship, last.controls, m);
   if (!steady || !steady->stable) return;
-  const bool near = std::abs(speed(steady->motion) - speed(m)) < 0.2 * speed(m) && std::abs(steady->motion.r - m.r) < 0.2 * std::abs(m.r);
+  const bool near = std::abs(speed(steady->motion) - speed(m)) < 0.2 * speed(m) &&
+                    std::abs(steady->motion.r - m.r) < 0.2 * std::abs(m.r);
   if (!near) return;
   circle.steady = steady->motion;
   circle.final_diameter = 2.0 * speed(steady->motion) / std::abs(steady->motion.r);
 }
 
 template <class Model>
-TurningCircle sail_circle(const Ship& ship, const ActingShip<Model>& acting, const TurnOrder& order, const ManoeuvreOptions& options) {
+TurningCircle sail_circle(const Ship& ship, const ActingShip<Model>& acting, const TurnOrder& order,
+                          const ManoeuvreOptions& options) {
   const auto& model = acting.model;
   const auto [speed, propulsion, end, times] = plan(model, options, 100.0);
   return with_voyage(acting, approach(speed, propulsion), options.tolerance, [&](auto& voyage) {

@@ -16,13 +16,18 @@ std::array<double, 6> numbers(const TurningIndices& t) { return {t.u_s, t.v_s, t
 std::optional<TurningIndices> turning_indices(const TurningCircle& circle, double L) {
   if (!circle.steady || !circle.tactical_diameter) return std::nullopt;
   const auto& [u, v, r] = *circle.steady;
-  return TurningIndices{.u_s = u, .v_s = std::copysign(1.0, r) * v, .r_s = std::abs(r),
-                        .D = *circle.final_diameter / L, .Ad = *circle.advance / L, .Td = *circle.tactical_diameter / L};
+  return TurningIndices{.u_s = u,
+                        .v_s = std::copysign(1.0, r) * v,
+                        .r_s = std::abs(r),
+                        .D = *circle.final_diameter / L,
+                        .Ad = *circle.advance / L,
+                        .Td = *circle.tactical_diameter / L};
 }
 
 IndexError index_error(std::span<const TurningIndices> turns, std::span<const TurningIndices> measured) {
   if (turns.size() != measured.size())
-    throw std::domain_error(fmt::format("{} turns cannot be compared with {} measured ones", turns.size(), measured.size()));
+    throw std::domain_error(
+        fmt::format("{} turns cannot be compared with {} measured ones", turns.size(), measured.size()));
   IndexError error{0.0, 0.0};
   for (std::size_t i = 0; i < turns.size(); ++i) {
     const auto is = numbers(turns[i]), should = numbers(measured[i]);

@@ -38,8 +38,10 @@ struct PropulsionLine {
 
   Controls<double> at(double time, double delta) const {
     const double t = time - start;
-    return {delta, value.rev + slope.rev * t,
-            {value.thrust.port + slope.thrust.port * t, value.thrust.starboard + slope.thrust.starboard * t}, value.by_thrust};
+    return {delta,
+            value.rev + slope.rev * t,
+            {value.thrust.port + slope.thrust.port * t, value.thrust.starboard + slope.thrust.starboard * t},
+            value.by_thrust};
   }
 };
 
@@ -82,9 +84,9 @@ struct Moment {
 /// Sails a ship through time with Dormand–Prince steps.
 ///
 /// The rudder follows `steer` or `order`, the propulsion is linear in time between calls of `drive`. Within a step the
-/// ship stays on one branch of its force model; where a branch function passes zero, or the rudder rate jumps, the step ends.
-/// Any event time is the root of the dense output, and the state there comes from a step that ends there. Where the wind changes, the
-/// step ends too.
+/// ship stays on one branch of its force model; where a branch function passes zero, or the rudder rate jumps, the step
+/// ends. Any event time is the root of the dense output, and the state there comes from a step that ends there. Where
+/// the wind changes, the step ends too.
 ///
 /// A ship whose effects go on out of sight needs HiddenStates = 4; see with_voyage.
 template <class Model, std::size_t HiddenStates = 0>
@@ -178,7 +180,11 @@ class Voyage {
       const BranchChange change = branch_change(stretch);
       const bool branch_first = change.time < event || (change.time == event && !fired);
       advance(stretch, branch_first ? change.time : event);
-      note(branch_first ? StepEnd::branch : fired ? StepEnd::watch : time_ >= rudder_kink_ ? StepEnd::kink : StepEnd::none, change.index);
+      note(branch_first            ? StepEnd::branch
+           : fired                 ? StepEnd::watch
+           : time_ >= rudder_kink_ ? StepEnd::kink
+                                   : StepEnd::none,
+           change.index);
       if (time_ >= rudder_kink_) pass_rudder_kink();
       if (time_ >= next_change_) pass_changes();
       if (branch_first) switch_branch(change);
@@ -217,7 +223,8 @@ class Voyage {
   }
 
   static State joined(const ShipState<double>& state, const Hidden<double>& h) {
-    if constexpr (HiddenStates > 0) return {state.x, state.y, state.psi, state.motion.u, state.motion.v, state.motion.r, h.phi, h.p, h.v, h.r};
+    if constexpr (HiddenStates > 0)
+      return {state.x, state.y, state.psi, state.motion.u, state.motion.v, state.motion.r, h.phi, h.p, h.v, h.r};
     else return vector_of(state);
   }
 
@@ -231,7 +238,9 @@ class Voyage {
   auto rates() const {
     return [this](const State& s, State& rate, double time) {
       if constexpr (HiddenStates > 0) rate = rates_with_hidden(s, time);
-      else if (with_added_) rate = rates_of(ship_, surroundings_, added_, visible(s), steady_hidden(added_, visible(s).motion), controls_at(time), branch_);
+      else if (with_added_)
+        rate = rates_of(ship_, surroundings_, added_, visible(s), steady_hidden(added_, visible(s).motion),
+                        controls_at(time), branch_);
       else rate = rates_of(ship_, surroundings_, visible(s), controls_at(time), branch_);
     };
   }
@@ -335,8 +344,10 @@ class Voyage {
     const double left = u / -rate[3];  // until u = 0, at that deceleration
     const bool stops = u <= 0.1 * approach && left >= 0.0 && left <= 0.1 * time_unit_;
     if (!stops) return;
-    throw Refusal(fmt::format("the ship loses her way at {:.4g} s, adrift with u = {:.2g}, v = {:.2g} m/s: the model holds for way ahead only",
-                              time + left, u, state_[4]));
+    throw Refusal(
+        fmt::format("the ship loses her way at {:.4g} s, adrift with u = {:.2g}, v = {:.2g} m/s: the model holds for "
+                    "way ahead only",
+                    time + left, u, state_[4]));
   }
 
   State dense(double time) const {
@@ -379,8 +390,8 @@ class Voyage {
     if (g1 == 0.0) return stretch.to;
     std::uintmax_t iterations = 60;
     const auto tolerance = [this](double a, double b) { return b - a < 1e-13 * time_unit_ + 4e-16 * std::abs(b); };
-    const auto bracket = boost::math::tools::toms748_solve([&](double t) { return g(dense(t), t); }, stretch.from, stretch.to, g0, g1,
-                                                           tolerance, iterations);
+    const auto bracket = boost::math::tools::toms748_solve([&](double t) { return g(dense(t), t); }, stretch.from,
+                                                           stretch.to, g0, g1, tolerance, iterations);
     return 0.5 * (bracket.first + bracket.second);
   }
 

@@ -16,14 +16,15 @@ namespace swayaw {
 
 /// Sails the steps of a Voyage once more in duals.
 ///
-/// Time is a dual too: an event comes sooner or later with the numbers of the ship, and the step that ends there grows or
-/// shrinks by that. The last derivative is by time and serves for that alone; the others are by numbers of the ship.
+/// Time is a dual too: an event comes sooner or later with the numbers of the ship, and the step that ends there grows
+/// or shrinks by that. The last derivative is by time and serves for that alone; the others are by numbers of the ship.
 template <template <class> class Model, int N>
 class VoyageReplay {
  public:
   using S = Dual<N>;
 
-  VoyageReplay(const Model<S>& ship, const Current<double>& current, const S& speed, const Controls<S>& propulsion, std::span<const ManoeuvreStep> steps)
+  VoyageReplay(const Model<S>& ship, const Current<double>& current, const S& speed, const Controls<S>& propulsion,
+               std::span<const ManoeuvreStep> steps)
       : ship_(ship), propulsion_(propulsion), left_(steps), rudder_(RudderMotion<S>::moving(S(0.0), S(0.0), S(0.0))) {
     around_.current = {S(current.speed), S(current.to)};
     state_.fill(S(0.0));
@@ -31,7 +32,9 @@ class VoyageReplay {
   }
 
   const S& time() const { return time_; }
-  ShipState<S> state() const { return state_of(StateVector<S>{state_[0], state_[1], state_[2], state_[3], state_[4], state_[5]}); }
+  ShipState<S> state() const {
+    return state_of(StateVector<S>{state_[0], state_[1], state_[2], state_[3], state_[4], state_[5]});
+  }
 
   /// Way made, ∫ U dt [m].
   const S& way() const { return state_[6]; }
@@ -39,7 +42,9 @@ class VoyageReplay {
   /// Under the last rudder order.
   Controls<S> controls_at(const S& time) const { return with_rudder(propulsion_, rudder_.at(time)); }
 
-  void order(double angle) { rudder_ = RudderMotion<S>::ordered(ship_.steering_gear, time_, rudder_.at(time_), S(angle)); }
+  void order(double angle) {
+    rudder_ = RudderMotion<S>::ordered(ship_.steering_gear, time_, rudder_.at(time_), S(angle));
+  }
 
   /// Sails until the watch of the voyage passed zero. @return whether it did
   template <class Watch>
@@ -49,9 +54,13 @@ class VoyageReplay {
       left_ = left_.subspan(1);
       take(step);
       if (step.end == StepEnd::branch)
-        meet([&](const State& s, const S& t) { return branch_functions(ship_, motion_of(s), controls_at(t))[step.function]; });
+        meet([&](const State& s, const S& t) {
+          return branch_functions(ship_, motion_of(s), controls_at(t))[step.function];
+        });
       if (step.end != StepEnd::watch) continue;
-      meet([&](const State& s, const S&) { return watch(state_of(StateVector<S>{s[0], s[1], s[2], s[3], s[4], s[5]})); });
+      meet([&](const State& s, const S&) {
+        return watch(state_of(StateVector<S>{s[0], s[1], s[2], s[3], s[4], s[5]}));
+      });
       return true;
     }
     return false;
@@ -60,7 +69,8 @@ class VoyageReplay {
  private:
   /// x, y, psi, u, v, r and the way made.
   using State = std::array<S, 7>;
-  using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State, double, State, S, boost::numeric::odeint::array_algebra>;
+  using Stepper =
+      boost::numeric::odeint::runge_kutta_dopri5<State, double, State, S, boost::numeric::odeint::array_algebra>;
   static constexpr int by_time = N - 1;
 
   static PlanarMotion<S> motion_of(const State& s) { return {s[3], s[4], s[5]}; }
@@ -76,7 +86,8 @@ class VoyageReplay {
     const S to = step.end == StepEnd::kink ? rudder_.next_kink(time_) : S(step.to);
     if (step.to > time_.a) {
       Stepper stepper;
-      stepper.do_step([this](const State& s, State& rate, const S& time) { rates(s, rate, time); }, State(state_), time_, state_, S(to - time_));
+      stepper.do_step([this](const State& s, State& rate, const S& time) { rates(s, rate, time); }, State(state_),
+                      time_, state_, S(to - time_));
     }
     time_ = to;
   }

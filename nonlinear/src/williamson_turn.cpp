@@ -31,13 +31,21 @@ void sail_orders(Sailing& voyage, WilliamsonTurn& result, const WilliamsonOrder&
 }
 
 template <class Model>
-WilliamsonTurn sail_williamson(const ActingShip<Model>& acting, const WilliamsonOrder& order, const ManoeuvreOptions& options) {
+WilliamsonTurn sail_williamson(const ActingShip<Model>& acting, const WilliamsonOrder& order,
+                               const ManoeuvreOptions& options) {
   const auto& model = acting.model;
   const auto [speed, propulsion, end, times] = plan(model, options, 100.0);
   return with_voyage(acting, approach(speed, propulsion), options.tolerance, [&](auto& voyage) {
     voyage.sample_at(times);
-    WilliamsonTurn result{.shifted = {}, .amidships = {}, .reciprocal = {}, .way = {}, .heading = 0.0, .yaw_rate = 0.0,
-                          .approach_speed = speed, .propulsion = propulsion, .run = {}};
+    WilliamsonTurn result{.shifted = {},
+                          .amidships = {},
+                          .reciprocal = {},
+                          .way = {},
+                          .heading = 0.0,
+                          .yaw_rate = 0.0,
+                          .approach_speed = speed,
+                          .propulsion = propulsion,
+                          .run = {}};
     const double turn = yaw_sign(order.first);
     sail_orders(voyage, result, order, turn, end);
     if (result.reciprocal) result.way = way_made(voyage.samples(), now(voyage), result.reciprocal->time);
@@ -55,11 +63,14 @@ WilliamsonTurn williamson_turn(const Ship& ship, const WilliamsonOrder& order, c
   require_rudder(order.rudder, steering_gear(ship));
   require_positive(order.heading, "heading angle [rad]");
   require_positive(order.before, "angle before the reciprocal heading [rad]");
-  if (!(order.before < pi)) throw std::domain_error(fmt::format("{:.6g} deg before the reciprocal heading is the approach heading or beyond", degrees(order.before)));
+  if (!(order.before < pi))
+    throw std::domain_error(fmt::format("{:.6g} deg before the reciprocal heading is the approach heading or beyond",
+                                        degrees(order.before)));
   auto result = visit_acting(ship, [&](const auto& acting) { return sail_williamson(acting, order, options); });
   result.run.name = ship.name;
   result.run.facts.execute = 0.0;
-  result.run.facts.manoeuvre = fmt::format("williamson turn {:.6g} first {}", degrees(order.rudder), name_of(order.first));
+  result.run.facts.manoeuvre =
+      fmt::format("williamson turn {:.6g} first {}", degrees(order.rudder), name_of(order.first));
   return result;
 }
 

@@ -23,7 +23,13 @@ Zigzag sail_zigzag(const ActingShip<Model>& acting, const ZigzagOrder& order, co
     voyage.sample_at(times);
     voyage.trace(options.traced);
     voyage.order(rudder_sign(order.first) * order.rudder);
-    Zigzag result{.reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = speed, .propulsion = propulsion, .run = {}, .steps = {}};
+    Zigzag result{.reversals = {},
+                  .period = {},
+                  .initial_turning = {},
+                  .approach_speed = speed,
+                  .propulsion = propulsion,
+                  .run = {},
+                  .steps = {}};
     constexpr std::size_t enough = 4;
     double turn = yaw_sign(order.first);
     while (reverse(voyage, result, order, turn, end)) {
@@ -47,7 +53,8 @@ Zigzag zigzag(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions
   auto result = visit_acting(ship, [&](const auto& acting) { return sail_zigzag(acting, order, options); });
   result.run.name = ship.name;
   result.run.facts.execute = 0.0;
-  result.run.facts.manoeuvre = fmt::format("zigzag {:.6g}/{:.6g} first {}", degrees(order.rudder), degrees(order.heading), name_of(order.first));
+  result.run.facts.manoeuvre =
+      fmt::format("zigzag {:.6g}/{:.6g} first {}", degrees(order.rudder), degrees(order.heading), name_of(order.first));
   return result;
 }
 

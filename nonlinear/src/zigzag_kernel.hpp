@@ -23,8 +23,8 @@ struct ZigzagJob {
   double rudder, heading, turn, tolerance;
   std::size_t rows, reversals;
   double *time, *peak, *overshoot;
-  unsigned char* peaks;    ///< how many overshoots, by row
-  Left* left;              ///< by ship
+  unsigned char* peaks;  ///< how many overshoots, by row
+  Left* left;            ///< by ship
 };
 
 using ZigzagKernel = void (*)(const ZigzagJob&);

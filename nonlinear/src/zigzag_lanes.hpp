@@ -9,9 +9,9 @@
 
 /// The zigzag of MMG ships over packs. Only for the units of the batch kernels; see zigzag_kernel.hpp.
 ///
-/// Each lane sails its own ship as Voyage does (docs/simulation.md), with its own time and its own Dormand–Prince step. All lanes
-/// try a step at once. A lane whose error is too large tries a shorter one next time; a lane that runs over an event tries
-/// one that ends there; a lane that has finished takes the next ship.
+/// Each lane sails its own ship as Voyage does (docs/simulation.md), with its own time and its own Dormand–Prince step.
+/// All lanes try a step at once. A lane whose error is too large tries a shorter one next time; a lane that runs over
+/// an event tries one that ends there; a lane that has finished takes the next ship.
 namespace swayaw::mmg_batch {
 
 /// Dormand–Prince 5(4). Source: [Dormand1980]; the dense output: [Hairer1993] II.6
@@ -24,9 +24,12 @@ struct DormandPrince {
                                      {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
                                      {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
                                      {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
-  static constexpr double e[7] = {71.0 / 57600, 0.0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
-  static constexpr double d[7] = {-12715105075.0 / 11282082432,  0.0,                         87487479700.0 / 32700410799, -10690763975.0 / 1880347072,
-                                  701980252875.0 / 199316789632, -1453857185.0 / 822651844, 69997945.0 / 29380423};
+  static constexpr double e[7] = {71.0 / 57600,      0.0,        -71.0 / 16695, 71.0 / 1920,
+                                  -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
+  static constexpr double d[7] = {-12715105075.0 / 11282082432,  0.0,
+                                  87487479700.0 / 32700410799,   -10690763975.0 / 1880347072,
+                                  701980252875.0 / 199316789632, -1453857185.0 / 822651844,
+                                  69997945.0 / 29380423};
 };
 
 template <class Arch>
@@ -60,7 +63,8 @@ class ZigzagLanes {
   }
 
  private:
-  static constexpr std::size_t lanes = P::size, branches = MmgShip<P>::branch_count, numbers = number_count<MmgShip<P>>();
+  static constexpr std::size_t lanes = P::size, branches = MmgShip<P>::branch_count,
+                               numbers = number_count<MmgShip<P>>();
   static constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
   static constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -69,7 +73,9 @@ class ZigzagLanes {
 
   static P select(const M& m, const P& a, const P& b) { return xsimd::select(m, a, b); }
   static M choose(const M& m, const M& a, const M& b) { return (m & a) | (~m & b); }
-  static M exchanged(const M& a, const M& who) { return choose(who, ~a, a); }  // xsimd 8.1 has an or for the xor of masks
+  static M exchanged(const M& a, const M& who) {
+    return choose(who, ~a, a);
+  }  // xsimd 8.1 has an or for the xor of masks
   static State select(const M& m, const State& a, const State& b) {
     return {select(m, a[0], b[0]), select(m, a[1], b[1]), select(m, a[2], b[2]), select(m, a[3], b[3])};
   }
@@ -112,7 +118,8 @@ class ZigzagLanes {
   void cast_off(const M& who) {
     const P U = P::load_aligned(speed_.data()), L = ship_.particulars.L;
     time_unit_ = L / U;
-    weight_ = {P(1.0 / job_.tolerance), P(1.0 / job_.tolerance) / U, P(1.0 / job_.tolerance) / U, P(1.0 / job_.tolerance) * time_unit_};
+    weight_ = {P(1.0 / job_.tolerance), P(1.0 / job_.tolerance) / U, P(1.0 / job_.tolerance) / U,
+               P(1.0 / job_.tolerance) * time_unit_};
     y_ = select(who, State{P(0.0), U, P(0.0), P(0.0)}, y_);
     t_ = select(who, P(0.0), t_);
     h_ = select(who, P(0.02) * time_unit_, h_);
@@ -229,7 +236,8 @@ class ZigzagLanes {
 
   P at(const Dense& p, const P& s, std::size_t i) const {
     const P rest = P(1.0) - s;
-    return xsimd::fma(s, xsimd::fma(rest, xsimd::fma(s, xsimd::fma(rest, p.fourth[i], p.third[i]), p.bend[i]), p.rise[i]), y_[i]);
+    return xsimd::fma(
+        s, xsimd::fma(rest, xsimd::fma(s, xsimd::fma(rest, p.fourth[i], p.third[i]), p.bend[i]), p.rise[i]), y_[i]);
   }
 
   /// Root of a function on [0, 1], by false position. Source: [Anderson1973]
@@ -249,13 +257,15 @@ class ZigzagLanes {
     }
   };
 
-  /// Where both ends of a step are on the wrong side of a branch function, the step is tried once more on the other branch.
+  /// Where both ends of a step are on the wrong side of a branch function, the step is tried once more on the other
+  /// branch.
   M change_of_branch(const M& good) {
     g_end_ = branch_functions(ship_, motion_of(end_state_), Controls<P>{P(0.0), rev_});
     M changed(false);
     for (std::size_t i = 0; i < branches; ++i) {
       const P side = select(branch_[i], P(1.0), P(-1.0));
-      const M wrong = good & ~flipped_ & (g_end_[i] * side < P(0.0)) & ~(g_[i] * side > P(0.0)) & (pending_ != P(pending_branch(i)));
+      const M wrong = good & ~flipped_ & (g_end_[i] * side < P(0.0)) & ~(g_[i] * side > P(0.0)) &
+                      (pending_ != P(pending_branch(i)));
       branch_[i] = exchanged(branch_[i], wrong);
       changed = changed | wrong;
     }
@@ -308,7 +318,8 @@ class ZigzagLanes {
     return root;
   }
 
-  /// The first branch that is left. The forces are continuous there, so a root to 1e-4 of a step makes an error of 1e-8 of the kink.
+  /// The first branch that is left. The forces are continuous there, so a root to 1e-4 of a step makes an error of 1e-8
+  /// of the kink.
   void leave_branch(const Dense& p, const M& leaves, const std::array<M, branches>& crosses, P& first, P& which) const {
     Bracket bracket{P(0.0), P(1.0), P(1.0), P(-1.0)};
     P estimate(2.0), index(0.0);
@@ -351,7 +362,8 @@ class ZigzagLanes {
     pending_ = select(taken, P(0.0), pending_);
     kink_ = select(to_end, rudder_.next_kink(t_), kink_);
     if (xsimd::any(seen)) note(seen);
-    const M complete = done_ >= P(static_cast<double>(job_.reversals)), over = t_ >= end_, lost = ~(h_ > P(1e-8) * time_unit_);
+    const M complete = done_ >= P(static_cast<double>(job_.reversals)), over = t_ >= end_,
+            lost = ~(h_ > P(1e-8) * time_unit_);
     if (xsimd::any(complete | over | lost)) leave(complete, over, lost);
   }
 
@@ -378,7 +390,9 @@ class ZigzagLanes {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       if (ship_of_[lane] == nobody || !(is_complete[lane] || is_over[lane] || is_lost[lane])) continue;
       job_.peaks[job_.row[ship_of_[lane]]] = static_cast<unsigned char>(peaks[lane]);
-      job_.left[ship_of_[lane]] = is_complete[lane] ? Left::complete : is_over[lane] ? Left::time_over : Left::unbounded;
+      job_.left[ship_of_[lane]] = is_complete[lane] ? Left::complete
+                                  : is_over[lane]   ? Left::time_over
+                                                    : Left::unbounded;
     }
     board(complete | over | lost);
   }
@@ -387,7 +401,8 @@ class ZigzagLanes {
     const auto wanted = lanes_of(who);
     const auto row = numbers_of(done_), values = numbers_of(value);
     for (std::size_t lane = 0; lane < lanes; ++lane)
-      if (wanted[lane] && ship_of_[lane] != nobody) table[static_cast<std::size_t>(row[lane]) * job_.rows + job_.row[ship_of_[lane]]] = values[lane];
+      if (wanted[lane] && ship_of_[lane] != nobody)
+        table[static_cast<std::size_t>(row[lane]) * job_.rows + job_.row[ship_of_[lane]]] = values[lane];
   }
 
   struct alignas(64) Numbers {
@@ -434,7 +449,7 @@ class ZigzagLanes {
   RudderMotion<P> rudder_;
   // the step
   P step_, cut_ = P(0.0), pending_ = P(0.0);  ///< the event at which the step is to end, 0 for none
-  M redone_, arrives_;       ///< it ends at that event; it ends at a kink of the rudder's motion or at the end
+  M redone_, arrives_;  ///< it ends at that event; it ends at a kink of the rudder's motion or at the end
   State end_state_, k_[7];
 };
 

@@ -33,10 +33,11 @@ std::string write_runs(const Scratch& scratch) {
   const ManoeuvreOptions options{.duration = 200.0, .step = 0.2};
   write_recording(zigzag(ship, {.rudder = radians(10), .heading = radians(10)}, options).run, scratch / "zz10.csv");
   write_recording(zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, options).run, scratch / "zz20.csv");
-  write_recording(zigzag(ship, {.rudder = radians(15), .heading = radians(10), .first = Side::port}, options).run, scratch / "zz15_10_port.csv");
+  write_recording(zigzag(ship, {.rudder = radians(15), .heading = radians(10), .first = Side::port}, options).run,
+                  scratch / "zz15_10_port.csv");
   write_recording(zigzag(ship, {.rudder = radians(20), .heading = radians(10)}, options).run, scratch / "held.csv");
-  return (scratch / "zz10.csv").string() + " " + (scratch / "zz20.csv").string() + " " + (scratch / "zz15_10_port.csv").string() + " --holdout " +
-         (scratch / "held.csv").string();
+  return (scratch / "zz10.csv").string() + " " + (scratch / "zz20.csv").string() + " " +
+         (scratch / "zz15_10_port.csv").string() + " --holdout " + (scratch / "held.csv").string();
 }
 
 /// Numbers of a list, none of them missing.
@@ -64,7 +65,8 @@ TEST_CASE("diagnose writes a page that holds its document, the missing force and
   for (const auto& [key, value] : printed.items())
     if (key != "effects") CHECK(shown.at(key) == value);
   REQUIRE(printed.at("effects").size() > 0);
-  for (std::size_t i = 0; i < printed.at("effects").size(); ++i) CHECK(shown.at("effects")[i].at("parameters") == printed.at("effects")[i].at("parameters"));
+  for (std::size_t i = 0; i < printed.at("effects").size(); ++i)
+    CHECK(shown.at("effects")[i].at("parameters") == printed.at("effects")[i].at("parameters"));
   CHECK_FALSE(printed.contains("runs"));
 
   REQUIRE(shown.at("runs").size() == 4);
@@ -76,7 +78,8 @@ TEST_CASE("diagnose writes a page that holds its document, the missing force and
     for (const char* stage : {"missing_before", "missing_after"})
       for (const auto& [key, list] : series.at(stage).items()) CHECK((list.size() == points && all_numbers(list)));
     for (const char* replayed : {"given", "refitted", "after"})
-      for (const char* channel : {"x_m", "y_m", "psi_rad", "r_rad_s"}) CHECK(series.at(replayed).at(channel).size() == points);
+      for (const char* channel : {"x_m", "y_m", "psi_rad", "r_rad_s"})
+        CHECK(series.at(replayed).at(channel).size() == points);
     CHECK(all_numbers(series.at("motion").at("drift_rad")));
   }
 }
@@ -84,7 +87,8 @@ TEST_CASE("diagnose writes a page that holds its document, the missing force and
 TEST_CASE("a report to a folder that does not exist is refused before the work begins", "[app][refusal]") {
   const Scratch scratch;
   const auto file = (scratch / "no/such.html").string();
-  CHECK_THAT(refusal("diagnose " + ship_path + " " + (test::example_recordings / "weak_rudder_zz10_10.csv").string() + " --report " + file),
+  CHECK_THAT(refusal("diagnose " + ship_path + " " + (test::example_recordings / "weak_rudder_zz10_10.csv").string() +
+                     " --report " + file),
              ContainsSubstring(file));
 }
 

@@ -59,8 +59,9 @@ TEST_CASE("identify finds the hull of a simulated ship from noisy zigzags and wr
   const Scratch scratch;
   const auto truth = published_ship("kvlcc2_l7");
   const auto out = (scratch / "new.toml").string();
-  const auto json = document("identify " + recordings_of(truth, scratch) + "--ship " + start_file(truth, scratch, linear_hull) +
-                             " --model mmg --find Y_v,Y_r,N_v,N_r --out " + out);
+  const auto json =
+      document("identify " + recordings_of(truth, scratch) + "--ship " + start_file(truth, scratch, linear_hull) +
+               " --model mmg --find Y_v,Y_r,N_v,N_r --out " + out);
   CHECK(json["schema"] == "swayaw.identification/1");
   CHECK(json["method"] == "trajectories");
   const auto found = ship_numbers(read_ship(out), linear_hull), known = ship_numbers(truth, linear_hull);
@@ -81,7 +82,8 @@ TEST_CASE("identify takes a PI ship for the physics-uninformed model and says th
   const Scratch scratch;
   const auto truth = published_ship("kvlcc2_pi");
   const auto out = (scratch / "pu.toml").string();
-  const auto words = "identify " + recordings_of(truth, scratch) + "--ship kvlcc2_pi --model pu --fit forces --resample --out " + out;
+  const auto words =
+      "identify " + recordings_of(truth, scratch) + "--ship kvlcc2_pi --model pu --fit forces --resample --out " + out;
   const auto outcome = run(scratch, words);
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
@@ -93,7 +95,8 @@ TEST_CASE("identify takes a PI ship for the physics-uninformed model and says th
 TEST_CASE("identify fits the linear equations to recorded drift", "[app]") {
   const Scratch scratch;
   const auto out = (scratch / "linear.toml").string();
-  const auto json = document("identify " + recordings_of(published_ship("kvlcc2_l7"), scratch) + "--ship kvlcc2_l7 --model linear --out " + out);
+  const auto json = document("identify " + recordings_of(published_ship("kvlcc2_l7"), scratch) +
+                             "--ship kvlcc2_l7 --model linear --out " + out);
   CHECK(json["model"] == "linear");
   CHECK(json["coefficients"].size() == 12);
   CHECK(model_of(read_text(out), out) == "linear");
@@ -104,7 +107,8 @@ TEST_CASE("identify refuses what cannot be found in one line and writes nothing"
   const Scratch scratch;
   const auto truth = published_ship("kvlcc2_l7");
   const auto out = (scratch / "new.toml").string();
-  const auto base = "identify " + recordings_of(truth, scratch) + "--ship " + test::ship_file("kvlcc2_l7.toml") + " --out " + out;
+  const auto base =
+      "identify " + recordings_of(truth, scratch) + "--ship " + test::ship_file("kvlcc2_l7.toml") + " --out " + out;
   CHECK_THAT(refusal(base + " --model mmg --find N_x"), Catch::Contains("her model has no number N_x"));
   CHECK_THAT(refusal(base + " --model mmg --find kappa --fit forces"), Catch::Contains("not linear in kappa"));
   CHECK_THAT(refusal(base + " --model pi"), Catch::Contains("does not tell what model \"pi\" needs"));

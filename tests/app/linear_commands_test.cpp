@@ -35,7 +35,8 @@ json golden() {
 /// A ship file with that form in the folder.
 std::string written(const Scratch& folder, const std::string& form) {
   const auto file = folder / "ship.toml";
-  write_text(file, "name = \"a\"\nmodel = \"linear\"\n[particulars]\nlength_m = 100\nservice_speed_m_s = 8\n" + form + "\n[rudder]\nrate_deg_s = 2.5\nmax_angle_deg = 35\n");
+  write_text(file, "name = \"a\"\nmodel = \"linear\"\n[particulars]\nlength_m = 100\nservice_speed_m_s = 8\n" + form +
+                       "\n[rudder]\nrate_deg_s = 2.5\nmax_angle_deg = 35\n");
   return file.string();
 }
 
@@ -55,12 +56,14 @@ Told told(const std::string& form, const std::string& command, const std::string
 
 std::string coefficients_form(double a1, double b1, double c1, double a2, double b2, double c2) {
   const auto line = [](const char* key, double value) { return std::string(key) + " = " + json(value).dump() + "\n"; };
-  return "[linear]\n" + line("a1", a1) + line("b1", b1) + line("c1", c1) + line("a2", a2) + line("b2", b2) + line("c2", c2);
+  return "[linear]\n" + line("a1", a1) + line("b1", b1) + line("c1", c1) + line("a2", a2) + line("b2", b2) +
+         line("c2", c2);
 }
 
 std::string nomoto_form(double T3b, double T3w, double Kb, double Kw) {
   const auto text = [](double value) { return json(value).dump(); };
-  return "[nomoto]\nT1 = 10\nT2 = 0.3\nT3b = " + text(T3b) + "\nT3w = " + text(T3w) + "\nKb = " + text(Kb) + "\nKw = " + text(Kw) + "\n";
+  return "[nomoto]\nT1 = 10\nT2 = 0.3\nT3b = " + text(T3b) + "\nT3w = " + text(T3w) + "\nKb = " + text(Kb) +
+         "\nKw = " + text(Kw) + "\n";
 }
 
 void check_near(const json& found, const json& wanted, double tolerance = 1e-9) {
@@ -158,14 +161,16 @@ TEST_CASE("a nonlinear ship is linearized first, and that is said", "[app]") {
     CHECK(outcome.code == 0);
     CHECK_THAT(outcome.err, ContainsSubstring("linearized about the straight course"));
   }
-  CHECK_THAT(refusal("replay " + nomoto_ship + " run.csv --out o.csv"), ContainsSubstring("a ship of a nonlinear model is needed here, got \"linear\""));
+  CHECK_THAT(refusal("replay " + nomoto_ship + " run.csv --out o.csv"),
+             ContainsSubstring("a ship of a nonlinear model is needed here, got \"linear\""));
 }
 
 // ---------------------------------------------------------------- invert
 
 TEST_CASE("invert of the printed indices agrees with the reference", "[app][published]") {
   const auto found = document("invert " + nomoto_ship);
-  for (const auto& [key, value] : golden().at("printed_TK_to_abc").items()) check_near(found.at("coefficients").at(key), value);
+  for (const auto& [key, value] : golden().at("printed_TK_to_abc").items())
+    check_near(found.at("coefficients").at(key), value);
   CHECK(found.at("parts").is_null());
   CHECK(found.at("known").is_null());
   CHECK_THAT(found.at("elasticity").at("a1").at("T3w").get<double>(), WithinAbs(-1.09, 0.01));
@@ -174,8 +179,9 @@ TEST_CASE("invert of the printed indices agrees with the reference", "[app][publ
 
 TEST_CASE("invert down to hull and rudder agrees with the reference", "[app][published]") {
   const auto cases = golden().at("section7").at("from_printed_abc");
-  const std::pair<const char*, const char*> keys[] = {{"a_H", "aH"}, {"c_Ry", "cRy"}, {"x_R_eff_prime", "xR"}, {"Y_b_per_deg", "Yb"},
-                                                      {"Y_w", "Yw"}, {"N_b_per_deg", "Nb"}, {"N_w", "Nw"}};
+  const std::pair<const char*, const char*> keys[] = {{"a_H", "aH"},         {"c_Ry", "cRy"}, {"x_R_eff_prime", "xR"},
+                                                      {"Y_b_per_deg", "Yb"}, {"Y_w", "Yw"},   {"N_b_per_deg", "Nb"},
+                                                      {"N_w", "Nw"}};
   for (const auto& [known, name] : {std::pair{"Y_b", "Yb"}, std::pair{"N_w", "Nw"}, std::pair{"c_Ry", "cRy"}}) {
     const auto found = document("invert " + abc_ship + " --parts " + parts_ship + " --known " + known);
     CHECK(found.at("known") == known);
@@ -219,7 +225,8 @@ TEST_CASE("the zigzag of the loop agrees with the reference, the loop with its n
   check_near(found.at("omega_max"), limit.at("omega_max"), 2e-3);
   check_near(found.at("omega_at_beta_zero"), limit.at("omega_at_beta0"), 2e-3);
   CHECK(found.at("settled") == true);
-  for (const char* key : {"length", "width", "inclination_rad", "beta_max_rad", "beta_at_omega_zero_rad", "distance_from_line", "period", "limit_overshoot_deg"})
+  for (const char* key : {"length", "width", "inclination_rad", "beta_max_rad", "beta_at_omega_zero_rad",
+                          "distance_from_line", "period", "limit_overshoot_deg"})
     CHECK(found.at(key).is_number());
 }
 
@@ -233,13 +240,17 @@ TEST_CASE("T3b moves the loop and leaves the yaw as it is", "[app]") {
 }
 
 TEST_CASE("sensitivities of the loop are differences between ships", "[app][second-route]") {
-  const auto area = [](double T3w) { return told(nomoto_form(0.15, T3w, -3, -4), "loop", "--zigzag 20/10").document.at("area").get<double>(); };
+  const auto area = [](double T3w) {
+    return told(nomoto_form(0.15, T3w, -3, -4), "loop", "--zigzag 20/10").document.at("area").get<double>();
+  };
   const auto found = told(nomoto_form(0.15, 0.98, -3, -4), "loop", "--zigzag 20/10").document;
-  CHECK_THAT(found.at("sensitivity").at("T3w").at("area").get<double>(), WithinRel((area(0.9801) - area(0.9799)) / 0.0002, 1e-5));
+  CHECK_THAT(found.at("sensitivity").at("T3w").at("area").get<double>(),
+             WithinRel((area(0.9801) - area(0.9799)) / 0.0002, 1e-5));
 }
 
 TEST_CASE("a ship without inverse has a loop without sensitivities, said in words", "[app][limit]") {
-  for (const auto& form : {coefficients_form(-1.0, 0.0, 0.0, 0.0, -0.1, -0.5), coefficients_form(-0.5, 0.5, -0.2, 2.0, -2.0, -1.0)}) {
+  for (const auto& form :
+       {coefficients_form(-1.0, 0.0, 0.0, 0.0, -0.1, -0.5), coefficients_form(-0.5, 0.5, -0.2, 2.0, -2.0, -1.0)}) {
     const auto [code, found, err] = told(form, "loop", "--zigzag 10/10");
     REQUIRE(code == 0);
     CHECK(found.at("sensitivity").is_null());
@@ -249,14 +260,16 @@ TEST_CASE("a ship without inverse has a loop without sensitivities, said in word
 }
 
 TEST_CASE("with T3b = T3w the loop is a line, and the yaw as with any T3b", "[app][limit]") {
-  const auto line = told(nomoto_form(0.98, 0.98, -3, -4), "loop", "--zigzag 10/10"), loop = told(nomoto_form(0.15, 0.98, -3, -4), "loop", "--zigzag 10/10");
+  const auto line = told(nomoto_form(0.98, 0.98, -3, -4), "loop", "--zigzag 10/10"),
+             loop = told(nomoto_form(0.15, 0.98, -3, -4), "loop", "--zigzag 10/10");
   REQUIRE(line.code == 0);
   CHECK_THAT(line.err, ContainsSubstring("the loop is a line"));
   CHECK(line.document.at("area") == 0.0);
   CHECK(line.document.at("sensitivity").is_null());
   check_near(line.document.at("omega_max"), loop.document.at("omega_max"));
   check_near(line.document.at("beta_max_rad"), 0.75 * line.document.at("omega_max").get<double>());
-  for (std::size_t k = 0; k < 6; ++k) check_near(line.document.at("overshoot_deg")[k], loop.document.at("overshoot_deg")[k]);
+  for (std::size_t k = 0; k < 6; ++k)
+    check_near(line.document.at("overshoot_deg")[k], loop.document.at("overshoot_deg")[k]);
   const auto zigzag = told(nomoto_form(0.98, 0.98, -3, -4), "simulate", "--zigzag 10/10");
   check_near(zigzag.document.at("overshoot_deg")[0], line.document.at("overshoot_deg")[0]);
   CHECK(told(nomoto_form(0.98, 0.98, -3, -4), "simulate", "--zigzag 10/10 --out /dev/null").code == 1);
@@ -286,13 +299,15 @@ TEST_CASE("simulate sails the exact zigzag of a linear ship", "[app][published]"
     check_near(found.at("execute_s")[k + 1], wanted.at("execute_s")[k].get<double>() * 13.39);
     check_near(found.at("peak_s")[k], wanted.at("peak_s")[k].get<double>() * 13.39);
   }
-  check_near(found.at("period_s"), (wanted.at("execute_s")[3].get<double>() - wanted.at("execute_s")[1].get<double>()) * 13.39);
+  check_near(found.at("period_s"),
+             (wanted.at("execute_s")[3].get<double>() - wanted.at("execute_s")[1].get<double>()) * 13.39);
 }
 
 TEST_CASE("the time series of a linear zigzag is a recording", "[app][round-trip]") {
   const Scratch scratch;
   const auto file = (scratch / "run.csv").string();
-  for (const std::string& command : {"simulate " + abc_ship + " --zigzag 10/10", "loop " + abc_ship + " --zigzag 10/10"}) {
+  for (const std::string& command :
+       {"simulate " + abc_ship + " --zigzag 10/10", "loop " + abc_ship + " --zigzag 10/10"}) {
     REQUIRE(run(scratch, command + " --out " + file).code == 0);
     const auto recording = read_recording(file).recording;
     CHECK(recording.facts.manoeuvre == "zigzag 10/10 first starboard");
@@ -331,7 +346,8 @@ TEST_CASE("invert tells how sure the coefficients of uncertain indices are", "[a
     return json::parse(outcome.out).at("uncertainty");
   };
   const auto sure = uncertainty_with("coefficients = 0.01"), unsure = uncertainty_with("coefficients = 0.02");
-  CHECK_THAT(unsure.at("standard_error").at("a1").get<double>(), WithinRel(2.0 * sure.at("standard_error").at("a1").get<double>(), 1e-9));
+  CHECK_THAT(unsure.at("standard_error").at("a1").get<double>(),
+             WithinRel(2.0 * sure.at("standard_error").at("a1").get<double>(), 1e-9));
   CHECK(sure.at("interval_95").at("b1")[0] < sure.at("interval_95").at("b1")[1]);
   CHECK(uncertainty_with("T3b = 6.0").at("separation") < 1.0);
   CHECK(document("invert " + abc_ship).at("uncertainty").is_null());

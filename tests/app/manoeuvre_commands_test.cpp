@@ -113,17 +113,21 @@ TEST_CASE("zigzag and turning circle judge themselves by the criteria they conce
   CHECK(names("--zigzag 20/10").empty());
   CHECK(names("--turn 35") == "advance tactical_diameter ");
   CHECK(names("--turn 10") == "initial_turning ");
-  const auto linear = json::parse(run(scratch, "simulate " + (test::ships / "tanker97.toml").string() + " --zigzag 10/10 --json").out);
+  const auto linear =
+      json::parse(run(scratch, "simulate " + (test::ships / "tanker97.toml").string() + " --zigzag 10/10 --json").out);
   REQUIRE(linear.at("criteria").size() == 3);
   CHECK(linear.at("criteria")[1].at("value") == linear.at("overshoot_deg")[0]);
 }
 
-TEST_CASE("a straight run tells the drift and the helm that keep a course in the wind of the ship file", "[app][symmetry]") {
+TEST_CASE("a straight run tells the drift and the helm that keep a course in the wind of the ship file",
+          "[app][symmetry]") {
   const Scratch scratch;
   const auto windy = [&](const std::string& name, double from) {
     const auto file = scratch / name;
-    write_text(file, read_text(test::ships / "kvlcc2.toml") + "\n[windage]\nfrontal_area_m2 = 1200\nlateral_area_m2 = 3700\nlength_over_all_m = 333\n" +
-                         "\n[[effect]]\nkind = \"steady_wind\"\nwind_speed_m_s = 20\nwind_from_rad = " + std::to_string(from) + "\n");
+    write_text(file, read_text(test::ships / "kvlcc2.toml") +
+                         "\n[windage]\nfrontal_area_m2 = 1200\nlateral_area_m2 = 3700\nlength_over_all_m = 333\n" +
+                         "\n[[effect]]\nkind = \"steady_wind\"\nwind_speed_m_s = 20\nwind_from_rad = " +
+                         std::to_string(from) + "\n");
     return json::parse(run(scratch, "simulate " + file.string() + " --straight 0 --json").out);
   };
   const auto starboard = windy("s.toml", 1.0), port = windy("p.toml", -1.0);

@@ -36,8 +36,11 @@ TEST_CASE("the same thrust is the same force, whether by shaft speed or given", 
   const auto by_rev = document("forces " + tanker + " --state u=1.0,v=0.1,delta=0.1,rev=11");
   const double thrust = by_rev.at("parts").at("propeller").at("X").get<double>() / (1.0 - 0.22);
   const auto given = document("forces " + tanker + " --state u=1.0,v=0.1,delta=0.1,thrust=" + std::to_string(thrust));
-  const auto sides = document("forces " + tanker + " --state u=1.0,v=0.1,delta=0.1,thrust_port=" + std::to_string(thrust) + ",thrust_starboard=0");
-  for (const auto* other : {&given, &sides}) CHECK(other->at("total").at("N").get<double>() == Approx(by_rev.at("total").at("N").get<double>()).epsilon(1e-6));
+  const auto sides =
+      document("forces " + tanker + " --state u=1.0,v=0.1,delta=0.1,thrust_port=" + std::to_string(thrust) +
+               ",thrust_starboard=0");
+  for (const auto* other : {&given, &sides})
+    CHECK(other->at("total").at("N").get<double>() == Approx(by_rev.at("total").at("N").get<double>()).epsilon(1e-6));
 }
 
 TEST_CASE("a state that makes no sense is refused in words", "[app][refusal]") {
@@ -73,14 +76,16 @@ TEST_CASE("linearize gives the keys of indices, and parts that add up to the who
       for (const auto& [name, part] : found.at("parts").items()) sum += part.at(key).get<double>();
       CHECK(sum == Approx(found.at(key).get<double>()).epsilon(1e-12));
     }
-    for (const char* key : {"T1", "T2", "T3b", "T3w", "Kb", "Kw", "T_b", "T_w", "stable", "complex_poles", "dimensional", "sname", "operating_point"})
+    for (const char* key : {"T1", "T2", "T3b", "T3w", "Kb", "Kw", "T_b", "T_w", "stable", "complex_poles",
+                            "dimensional", "sname", "operating_point"})
       CHECK(found.contains(key));
   }
 }
 
 TEST_CASE("linearize tells both sides where they differ, and their mean", "[app]") {
   const auto found = document("linearize " + tanker);
-  CHECK(found.at("a1").get<double>() == Approx(0.5 * (found.at("port").at("a1").get<double>() + found.at("starboard").at("a1").get<double>())));
+  CHECK(found.at("a1").get<double>() ==
+        Approx(0.5 * (found.at("port").at("a1").get<double>() + found.at("starboard").at("a1").get<double>())));
   CHECK(found.at("port").at("stable") == false);
   CHECK(found.at("starboard").at("stable") == true);
   CHECK_FALSE(document("linearize " + tanker + " --side port").contains("port"));
@@ -92,7 +97,8 @@ TEST_CASE("a ship is linearized in a steady turn, and refused where she has none
   CHECK(turn.at("operating_point").at("r_rad_s") > 0.0);
   CHECK(turn.at("operating_point").at("delta_rad").get<double>() == Approx(-0.34906585));
   CHECK_THAT(refusal("linearize " + mariner + " --rev 2"), ContainsSubstring("neither shaft speed nor thrust"));
-  CHECK_THAT(refusal("simulate " + mariner + " --turn 20 --thrust 1e6"), ContainsSubstring("neither shaft speed nor thrust"));
+  CHECK_THAT(refusal("simulate " + mariner + " --turn 20 --thrust 1e6"),
+             ContainsSubstring("neither shaft speed nor thrust"));
   CHECK_THAT(refusal("forces " + wpcc + " --state u=1,rev=2"), ContainsSubstring("give a thrust"));
   CHECK_THAT(refusal("linearize " + mariner + " --speed 2"), ContainsSubstring("and at no other"));
   CHECK_THAT(refusal("linearize " + test::ship_file("tanker97.toml")), ContainsSubstring("this ship is linear"));

@@ -23,8 +23,9 @@ const std::string mmg_ship = test::ship_file("kvlcc2_l7.toml");
 
 /// Every command with a plot.
 const std::string plotting[] = {
-    "loop " + linear_ship + " --zigzag 10/10", "indices " + linear_ship, "simulate " + linear_ship + " --zigzag 10/10",
-    "simulate " + mmg_ship + " --zigzag 20/20", "simulate " + mmg_ship + " --turn 35",
+    "loop " + linear_ship + " --zigzag 10/10",     "indices " + linear_ship,
+    "simulate " + linear_ship + " --zigzag 10/10", "simulate " + mmg_ship + " --zigzag 20/20",
+    "simulate " + mmg_ship + " --turn 35",
 };
 
 const bool has_gnuplot = std::system("gnuplot --version >/dev/null 2>&1") == 0;
@@ -111,12 +112,17 @@ TEST_CASE("every plot is an SVG document whose elements match", "[app]") {
 
 TEST_CASE("plots name their axes and curves", "[app]") {
   if (!can_plot()) return;
-  const auto loop = plot_of(plotting[0]), bode = plot_of(plotting[1]), zigzag = plot_of(plotting[3]), turn = plot_of(plotting[4]);
-  for (const char* text : {"Chemical tanker, 97.4 m, printed T and K: zigzag 10/10 first starboard", "Drift angle, deg", "Yaw rate ω′", "first-order line", "from straight ahead", "limit cycle"})
+  const auto loop = plot_of(plotting[0]), bode = plot_of(plotting[1]), zigzag = plot_of(plotting[3]),
+             turn = plot_of(plotting[4]);
+  for (const char* text : {"Chemical tanker, 97.4 m, printed T and K: zigzag 10/10 first starboard", "Drift angle, deg",
+                           "Yaw rate ω′", "first-order line", "from straight ahead", "limit cycle"})
     CHECK(drawn(loop, text) == 1);
-  for (const char* text : {"Frequency, rad per ship length", "drift angle β / δ", "yaw rate ω′ / δ"}) CHECK(drawn(bode, text) == 2);
+  for (const char* text : {"Frequency, rad per ship length", "drift angle β / δ", "yaw rate ω′ / δ"})
+    CHECK(drawn(bode, text) == 2);
   for (const char* text : {"Gain", "Phase, deg"}) CHECK(drawn(bode, text) == 1);
-  for (const char* text : {"KVLCC2 model 1:45.7 (L7): zigzag 20/20 first starboard", "Time, s", "Heading, rudder, deg", "heading", "rudder, to port"}) CHECK(drawn(zigzag, text) == 1);
+  for (const char* text : {"KVLCC2 model 1:45.7 (L7): zigzag 20/20 first starboard", "Time, s", "Heading, rudder, deg",
+                           "heading", "rudder, to port"})
+    CHECK(drawn(zigzag, text) == 1);
   for (const char* text : {"East, m", "North, m", "track of midship"}) CHECK(drawn(turn, text) == 1);
 }
 
@@ -126,7 +132,8 @@ TEST_CASE("a ship's name is drawn as it is and commands nothing", "[app][refusal
   auto text = read_text(linear_ship);
   const auto name = text.find("name = \"");
   const std::string made = (scratch / "made").string();
-  const std::string evil = R"(a'b ''c\"7 `touch )" + made + R"(` <g> & _x^2 {/Bold y} @z \\ \nsystem 'touch )" + made + R"(' # $0)";
+  const std::string evil =
+      R"(a'b ''c\"7 `touch )" + made + R"(` <g> & _x^2 {/Bold y} @z \\ \nsystem 'touch )" + made + R"(' # $0)";
   text.replace(name, text.find('\n', name) - name, "name = \"" + evil + "\"");
   write_text(scratch / "ship.toml", text);
   const auto svg = plot_of("indices " + (scratch / "ship.toml").string());
@@ -157,7 +164,8 @@ TEST_CASE("a gnuplot that fails leaves the old plot", "[app][refusal]") {
   std::filesystem::permissions(scratch / "gnuplot", std::filesystem::perms::owner_all);
   const auto file = scratch / "plot.svg";
   write_text(file, "old");
-  const auto said = refusal("indices " + linear_ship + " --svg " + file.string(), 1, "PATH=" + (scratch / "").string() + " ");
+  const auto said =
+      refusal("indices " + linear_ship + " --svg " + file.string(), 1, "PATH=" + (scratch / "").string() + " ");
   CHECK(said == "swayaw: gnuplot ended with code 3: line 0: no memory\n");
   CHECK(read_text(file) == "old");
 }
@@ -170,15 +178,18 @@ TEST_CASE("curves reach the plot with all their points", "[app]") {
 }
 
 TEST_CASE("the turn of a linear ship has no track to plot", "[app][refusal]") {
-  CHECK_THAT(refusal("simulate " + linear_ship + " --turn 20 --svg /dev/null"), ContainsSubstring("no track for --svg"));
+  CHECK_THAT(refusal("simulate " + linear_ship + " --turn 20 --svg /dev/null"),
+             ContainsSubstring("no track for --svg"));
 }
 
 TEST_CASE("with T3b = T3w plot and page draw drift proportional to yaw", "[app][regression]") {
   // 2026-11-21: T3b = T3w = 0.98, the page drew the drift of another ship
   const Scratch scratch;
   const auto ship = scratch / "ship.toml", page = scratch / "page.html";
-  write_text(ship, "name = \"a\"\nmodel = \"linear\"\n[particulars]\nlength_m = 100\nservice_speed_m_s = 8\n[nomoto]\nT1 = 10\nT2 = 0.3\nT3b = 0.98\nT3w = 0.98\n"
-                   "Kb = -3\nKw = -4\n[rudder]\nrate_deg_s = 2.5\nmax_angle_deg = 35\n");
+  write_text(ship,
+             "name = \"a\"\nmodel = \"linear\"\n[particulars]\nlength_m = 100\nservice_speed_m_s = 8\n[nomoto]\nT1 = "
+             "10\nT2 = 0.3\nT3b = 0.98\nT3w = 0.98\n"
+             "Kb = -3\nKw = -4\n[rudder]\nrate_deg_s = 2.5\nmax_angle_deg = 35\n");
   REQUIRE(run(scratch, "loop " + ship.string() + " --zigzag 10/10 --report " + page.string()).code == 0);
   const auto text = read_text(page);
   const auto cycle = text.find("\"cycle\":{");

@@ -31,7 +31,8 @@ TEST_CASE("the program tells its version and its commands", "[app]") {
   CHECK(std::regex_match(version.out, std::regex("swayaw \\d+\\.\\d+\\.\\d+\n")));
   const auto help = run(scratch, "--help");
   CHECK(help.code == 0);
-  for (const char* command : {"simulate", "replay", "compare", "forces", "indices", "invert", "linearize", "loop", "tune"}) {
+  for (const char* command :
+       {"simulate", "replay", "compare", "forces", "indices", "invert", "linearize", "loop", "tune"}) {
     CHECK_THAT(help.out, ContainsSubstring(command));
     CHECK(run(scratch, std::string(command) + " --help").code == 0);
   }
@@ -70,13 +71,17 @@ TEST_CASE("bad data ends with code 1, names the place, and writes nothing", "[ap
   const auto line = std::ranges::count(ship_text.substr(0, ship_text.find("density_kg_m3")), '\n') + 1;
   ship_text.replace(ship_text.find("density_kg_m3 = 1000"), 20, "density_kg_m3 = -1");
   write_text(scratch / "bad.toml", ship_text);
-  const auto bad_run = refusal("replay " + ship + " " + (scratch / "bad.csv").string() + " --out " + (scratch / "out.csv").string());
+  const auto bad_run =
+      refusal("replay " + ship + " " + (scratch / "bad.csv").string() + " --out " + (scratch / "out.csv").string());
   CHECK_THAT(bad_run, ContainsSubstring((scratch / "bad.csv").string() + ":3:5: "));
   CHECK_FALSE(std::filesystem::exists(scratch / "out.csv"));
-  CHECK_THAT(refusal("simulate " + (scratch / "bad.toml").string() + " --turn 35"), ContainsSubstring((scratch / "bad.toml").string() + ":" + std::to_string(line) + ":17: density_kg_m3 in [water] must be positive, got -1"));
+  CHECK_THAT(refusal("simulate " + (scratch / "bad.toml").string() + " --turn 35"),
+             ContainsSubstring((scratch / "bad.toml").string() + ":" + std::to_string(line) +
+                               ":17: density_kg_m3 in [water] must be positive, got -1"));
   CHECK_THAT(refusal("simulate no_such_ship.toml --turn 35"), ContainsSubstring("no_such_ship.toml"));
   CHECK_THAT(refusal("simulate " + ship + " --turn 36"), ContainsSubstring("beyond the ship's largest"));
-  CHECK_THAT(refusal("simulate " + ship + " --turn 35 --out /no/such/folder/f.csv"), ContainsSubstring("/no/such/folder/f.csv"));
+  CHECK_THAT(refusal("simulate " + ship + " --turn 35 --out /no/such/folder/f.csv"),
+             ContainsSubstring("/no/such/folder/f.csv"));
 }
 
 TEST_CASE("simulate prints the indices of a zigzag as JSON", "[app]") {
@@ -95,8 +100,8 @@ TEST_CASE("simulate prints the indices of a zigzag as JSON", "[app]") {
 
 TEST_CASE("simulate prints the indices of a turning circle as JSON, null for what was not reached", "[app]") {
   const auto whole = document("simulate " + ship + " --turn 35");
-  for (const char* key : {"advance_m", "transfer_m", "tactical_diameter_m", "final_diameter_m", "time_90_s", "time_180_s", "final_speed_m_s",
-                          "final_drift_rad", "final_yaw_rate_rad_s"})
+  for (const char* key : {"advance_m", "transfer_m", "tactical_diameter_m", "final_diameter_m", "time_90_s",
+                          "time_180_s", "final_speed_m_s", "final_drift_rad", "final_yaw_rate_rad_s"})
     CHECK(whole.at(key).is_number());
   CHECK(whole.at("final_yaw_rate_rad_s").get<double>() > 0.0);
   const auto part = document("simulate " + ship + " --turn 35 --duration 30");
@@ -112,13 +117,15 @@ TEST_CASE("a simulated run can be read back and replayed", "[app][round-trip]") 
   const auto first = read_recording(made).recording, second = read_recording(again).recording;
   CHECK(first.facts.manoeuvre == "zigzag 10/10 first starboard");
   REQUIRE(first.time == second.time);
-  for (std::size_t i = 0; i < first.samples(); ++i) CHECK_THAT(second[Channel::psi][i], WithinAbs(first[Channel::psi][i], 1e-4));
+  for (std::size_t i = 0; i < first.samples(); ++i)
+    CHECK_THAT(second[Channel::psi][i], WithinAbs(first[Channel::psi][i], 1e-4));
 }
 
 TEST_CASE("compare prints a document without NaN, a table, and a page", "[app]") {
   const Scratch scratch;
   const auto page = (scratch / "page.html").string();
-  const auto outcome = run(scratch, "compare " + ship + " " + example_zigzag + " " + example_turn + " --json --report " + page);
+  const auto outcome =
+      run(scratch, "compare " + ship + " " + example_zigzag + " " + example_turn + " --json --report " + page);
   REQUIRE(outcome.code == 0);
   const auto document = json::parse(outcome.out);
   CHECK(document.at("schema") == "swayaw.comparison/1");
@@ -153,7 +160,8 @@ TEST_CASE("unknown columns are named on stderr, not on stdout", "[app]") {
 TEST_CASE("a bare name stands for the published ship, which is told on stderr", "[app]") {
   const test::Scratch scratch;
   const auto by_name = test::run(scratch, "simulate nawigator_ym --turn 35 --rev 3.7 --json");
-  const auto by_file = test::run(scratch, "simulate " + test::ship_file("nawigator_ym.toml") + " --turn 35 --rev 3.7 --json");
+  const auto by_file =
+      test::run(scratch, "simulate " + test::ship_file("nawigator_ym.toml") + " --turn 35 --rev 3.7 --json");
   CHECK(by_name.code == 0);
   CHECK(by_name.out == by_file.out);
   CHECK(by_name.err == "swayaw: nawigator_ym: no such file here; the published ship of that name is used\n");
@@ -162,16 +170,20 @@ TEST_CASE("a bare name stands for the published ship, which is told on stderr", 
 }
 
 TEST_CASE("a name that is no published ship is refused with the one that was probably meant", "[app][refusal]") {
-  CHECK(test::refusal("simulate nawigator_n8 --turn 35") == "swayaw: there is no file and no published ship \"nawigator_n8\"; did you mean \"nawigator_n7\"?\n");
-  CHECK_THAT(test::refusal("replay titanic run.csv --out o.csv"), ContainsSubstring("no published ship \"titanic\"; published are esso_osaka_3m, kcs, kvlcc2, kvlcc2_l7"));
-  CHECK_THAT(test::refusal("compare nawigator_n7.toml run.csv"), ContainsSubstring("nawigator_n7.toml:1:1: cannot be read"));
+  CHECK(test::refusal("simulate nawigator_n8 --turn 35") ==
+        "swayaw: there is no file and no published ship \"nawigator_n8\"; did you mean \"nawigator_n7\"?\n");
+  CHECK_THAT(test::refusal("replay titanic run.csv --out o.csv"),
+             ContainsSubstring("no published ship \"titanic\"; published are esso_osaka_3m, kcs, kvlcc2, kvlcc2_l7"));
+  CHECK_THAT(test::refusal("compare nawigator_n7.toml run.csv"),
+             ContainsSubstring("nawigator_n7.toml:1:1: cannot be read"));
 }
 
 TEST_CASE("a turn in which the ship loses her way says so and keeps the indices reached", "[app]") {
   const test::Scratch scratch;
   const auto turn = test::run(scratch, "simulate nawigator_n7 --turn 35 --rev 3.7");
   CHECK(turn.code == 0);
-  CHECK_THAT(turn.out, ContainsSubstring("1.714 L") && ContainsSubstring("no steady turn: the ship no longer moves ahead at 99.3 s"));
+  CHECK_THAT(turn.out, ContainsSubstring("1.714 L") &&
+                           ContainsSubstring("no steady turn: the ship no longer moves ahead at 99.3 s"));
 }
 
 }  // namespace

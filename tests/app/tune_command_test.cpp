@@ -44,7 +44,8 @@ TEST_CASE("the ship file that tune writes does what tune says", "[app][round-tri
   CHECK_THAT(text, ContainsSubstring("nawigator_ym.toml and the indices of nawigator_turns.toml"));
   const auto circle = document("simulate " + (scratch / "new.toml").string() + " --turn 35 --rev 3.7 --speed 5.91");
   CHECK_THAT(circle["advance_m"].get<double>() / 56.85, WithinRel(json["indices"][4]["after"].get<double>(), 1e-8));
-  CHECK_THAT(circle["final_diameter_m"].get<double>() / 56.85, WithinRel(json["indices"][3]["after"].get<double>(), 1e-8));
+  CHECK_THAT(circle["final_diameter_m"].get<double>() / 56.85,
+             WithinRel(json["indices"][3]["after"].get<double>(), 1e-8));
 }
 
 TEST_CASE("tune changes the numbers it is told and no other", "[app]") {
@@ -60,7 +61,8 @@ TEST_CASE("tune tells its tables in words", "[app]") {
   const auto outcome = run(scratch, tune_words(scratch));
   CHECK(outcome.code == 0);
   CHECK(outcome.err.empty());
-  for (const char* words : {"turn 35 to starboard", "Y_vrr", "undetermined", "determine 7 of 16 combinations", "sum of squared relative errors: turns 0.3384 before"})
+  for (const char* words : {"turn 35 to starboard", "Y_vrr", "undetermined", "determine 7 of 16 combinations",
+                            "sum of squared relative errors: turns 0.3384 before"})
     CHECK_THAT(outcome.out, ContainsSubstring(words));
 }
 
@@ -68,12 +70,16 @@ TEST_CASE("tune refuses bad indices with their place, and writes nothing", "[app
   const Scratch scratch;
   const auto file = (scratch / "bad.toml").string(), out = (scratch / "new.toml").string();
   write_text(scratch / "bad.toml", "[[turn]]\nrudder_deg = 35\nadvance_L = \"three\"\n");
-  CHECK_THAT(refusal("tune " + ship + " --indices " + file + " --out " + out), ContainsSubstring(file + ":3:13: advance_L must be a number"));
+  CHECK_THAT(refusal("tune " + ship + " --indices " + file + " --out " + out),
+             ContainsSubstring(file + ":3:13: advance_L must be a number"));
   write_text(scratch / "bad.toml", "[[turn]]\nrudder_deg = 50\nadvance_L = 3\n");
-  CHECK_THAT(refusal("tune " + ship + " --indices " + file + " --out " + out), ContainsSubstring("beyond the ship's largest"));
+  CHECK_THAT(refusal("tune " + ship + " --indices " + file + " --out " + out),
+             ContainsSubstring("beyond the ship's largest"));
   CHECK_THAT(refusal("tune " + ship + " --indices " + turns + " --numbers N_q --out " + out), ContainsSubstring("N_q"));
-  CHECK_THAT(refusal("tune " + test::ship_file("nawigator_n7.toml") + " --indices " + turns + " --out " + out), ContainsSubstring("no steady turn was found"));
-  CHECK_THAT(refusal("tune " + test::ship_file("tanker97.toml") + " --indices " + turns + " --out " + out), ContainsSubstring("linear"));
+  CHECK_THAT(refusal("tune " + test::ship_file("nawigator_n7.toml") + " --indices " + turns + " --out " + out),
+             ContainsSubstring("no steady turn was found"));
+  CHECK_THAT(refusal("tune " + test::ship_file("tanker97.toml") + " --indices " + turns + " --out " + out),
+             ContainsSubstring("linear"));
   CHECK_FALSE(std::filesystem::exists(out));
 }
 

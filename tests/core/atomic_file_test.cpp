@@ -16,7 +16,10 @@ std::size_t entries(const fs::path& folder) {
 
 TEST_CASE("text is written and read as it is", "[core][round-trip]") {
   const test::Scratch scratch;
-  const std::string text("a\r\n\0\xFF" "b", 6);
+  const std::string text(
+      "a\r\n\0\xFF"
+      "b",
+      6);
   write_text(scratch / "file", text);
   CHECK(read_text(scratch / "file") == text);
   write_text(scratch / "file", "");
@@ -51,7 +54,8 @@ TEST_CASE("a file that takes the place of a folder is refused", "[core][refusal]
 
 TEST_CASE("a full device is told", "[core][refusal]") {
   if (!fs::exists("/dev/full")) return;
-  CHECK_THROWS_WITH(write_text("/dev/full", std::string(100000, 'x')), "/dev/full: cannot be written (No space left on device)");
+  CHECK_THROWS_WITH(write_text("/dev/full", std::string(100000, 'x')),
+                    "/dev/full: cannot be written (No space left on device)");
   CHECK_THROWS_AS(write_text("/dev/full", "x"), FileError);
   CHECK(fs::exists("/dev/full"));
 }

@@ -9,7 +9,9 @@ namespace {
 
 TEST_CASE("elementary functions of packs are those of numbers", "[core][second-route]") {
   std::mt19937_64 engine(11);
-  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
   for (int i = 0; i < 100'000; ++i) {
     const double angle = i % 3 == 0 ? uniform(-9e4, 9e4) : uniform(-2.0, 2.0);
     const auto [s, c] = sin_cos(Pack(angle));
@@ -24,7 +26,8 @@ TEST_CASE("elementary functions of packs are those of numbers", "[core][second-r
 
 TEST_CASE("the angle of a vector on an axis is exact, and that of none is nothing", "[core][limit]") {
   for (const double y : {-2.0, 0.0, 2.0})
-    for (const double x : {-3.0, 3.0}) CHECK(angle_of(Pack(y == 0.0 ? 0.0 : y * 1e-300), Pack(x)).get(0) == std::atan2(y == 0.0 ? 0.0 : y * 1e-300, x));
+    for (const double x : {-3.0, 3.0})
+      CHECK(angle_of(Pack(y == 0.0 ? 0.0 : y * 1e-300), Pack(x)).get(0) == std::atan2(y == 0.0 ? 0.0 : y * 1e-300, x));
   CHECK(angle_of(Pack(1.0), Pack(0.0)).get(0) == std::atan2(1.0, 0.0));
   CHECK(angle_of(Pack(0.0), Pack(0.0)).get(0) == 0.0);
 }

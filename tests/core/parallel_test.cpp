@@ -47,9 +47,15 @@ TEST_CASE("parts of a part stay on its thread", "[core][limit]") {
 }
 
 TEST_CASE("what fails in a part reaches the caller, and later work is shared as before", "[core][refusal]") {
-  CHECK_THROWS_AS(in_parallel(4, 2, [](std::size_t i) { if (i == 2) throw std::runtime_error("part"); }), std::runtime_error);
+  CHECK_THROWS_AS(in_parallel(4, 2,
+                              [](std::size_t i) {
+                                if (i == 2) throw std::runtime_error("part");
+                              }),
+                  std::runtime_error);
   CHECK_FALSE(on_a_part);
-  CHECK_THROWS_AS(in_parallel(3, 2, [](std::size_t) { in_parallel(2, 2, [](std::size_t) { throw std::runtime_error("inner"); }); }), std::runtime_error);
+  CHECK_THROWS_AS(
+      in_parallel(3, 2, [](std::size_t) { in_parallel(2, 2, [](std::size_t) { throw std::runtime_error("inner"); }); }),
+      std::runtime_error);
   CHECK_FALSE(on_a_part);
 }
 

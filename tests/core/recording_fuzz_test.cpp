@@ -44,7 +44,8 @@ std::string damaged(unsigned seed) {
 
 bool is_one_line_with_place(const std::string& refusal) {
   std::size_t line = 0, column = 0;
-  const bool has_place = std::sscanf(refusal.c_str(), "run.csv:%zu:%zu: ", &line, &column) == 2 && line > 0 && column > 0;
+  const bool has_place =
+      std::sscanf(refusal.c_str(), "run.csv:%zu:%zu: ", &line, &column) == 2 && line > 0 && column > 0;
   return has_place && refusal.find_first_of("\r\n\x1b") == std::string::npos;
 }
 

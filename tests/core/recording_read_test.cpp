@@ -23,7 +23,9 @@ std::string row(const std::vector<double>& cells) {
   return text.str();
 }
 
-std::vector<double> samples(const Recording& run, Channel channel) { return {run[channel].begin(), run[channel].end()}; }
+std::vector<double> samples(const Recording& run, Channel channel) {
+  return {run[channel].begin(), run[channel].end()};
+}
 
 // ---------------------------------------------------------------- units
 
@@ -136,14 +138,16 @@ TEST_CASE("a run key that is not understood is kept as written", "[core]") {
 }
 
 TEST_CASE("a line for human readers is not a run key", "[core]") {
-  const auto file = file_of("# Trial of 31 July, wind slight\n#\n\n# rudder_positive = \"starboard\"\ntime_s,psi_rad,delta_rad\n0,0,0.1\n");
+  const auto file = file_of(
+      "# Trial of 31 July, wind slight\n#\n\n# rudder_positive = \"starboard\"\ntime_s,psi_rad,delta_rad\n0,0,0.1\n");
   CHECK(file.recording[Channel::delta][0] == -0.1);
   CHECK(file.warnings.empty());
 }
 
 TEST_CASE("a misspelt run key is named in a warning", "[core]") {
   const std::string rows = "\ntime_s,psi_rad,delta_rad\n0,0,0.1\n";
-  for (const std::string line : {"# rudder_positve = \"starboard\"", "# Rudder_Positive = \"starboard\"", "# rudder_positive \"starboard\""}) {
+  for (const std::string line :
+       {"# rudder_positve = \"starboard\"", "# Rudder_Positive = \"starboard\"", "# rudder_positive \"starboard\""}) {
     INFO(line);
     const auto file = file_of(line + rows);
     REQUIRE(file.warnings.size() == 1);
@@ -170,7 +174,8 @@ TEST_CASE("a rudder recorded positive to starboard changes sign, actual and orde
 // ---------------------------------------------------------------- samples
 
 TEST_CASE("a missing sample is an empty cell or nan", "[core]") {
-  const auto run = recording_of("time_s,psi_rad,delta_rad,u_m_s\n0,0,0,\n1,nan,0,1\n2,0,NaN,1\n3,0,-nan, \n4,0,\"\",1\n");
+  const auto run =
+      recording_of("time_s,psi_rad,delta_rad,u_m_s\n0,0,0,\n1,nan,0,1\n2,0,NaN,1\n3,0,-nan, \n4,0,\"\",1\n");
   const auto is_missing = [&](Channel channel) {
     std::vector<bool> result;
     for (const double x : run[channel]) result.push_back(std::isnan(x));
@@ -215,7 +220,8 @@ TEST_CASE("the same recording reads the same in every form of text", "[core][sec
       {"byte order mark before the header", "\xEF\xBB\xBFtime_s,psi_rad,delta_rad,u_kn\n0,0.1,0.2,\n1,0.3,,4\n"},
       {"trailing blank lines", plain + "\n  \n\t\r\n"},
       {"blank lines between", "\n# execute_s = 1\n\ntime_s,psi_rad,delta_rad,u_kn\n\n0,0.1,0.2,\n\n1,0.3,,4\n"},
-      {"blanks round cells", "  # execute_s = 1 \n time_s , psi_rad\t,delta_rad , u_kn \n 0 ,0.1 , 0.2,  \n1 , 0.3, , 4 \n"},
+      {"blanks round cells",
+       "  # execute_s = 1 \n time_s , psi_rad\t,delta_rad , u_kn \n 0 ,0.1 , 0.2,  \n1 , 0.3, , 4 \n"},
       {"quoted header", "# execute_s = 1\n\"time_s\",\"psi_rad\", \"delta_rad\" ,\"u_kn\"\n0,0.1,0.2,\n1,0.3,,4\n"},
       {"no newline at the end", plain.substr(0, plain.size() - 1)},
       {"CRLF without the last", "# execute_s = 1\r\ntime_s,psi_rad,delta_rad,u_kn\r\n0,0.1,0.2,\r\n1,0.3,,4"},
@@ -224,13 +230,15 @@ TEST_CASE("the same recording reads the same in every form of text", "[core][sec
   for (const auto& [form, text] : forms) {
     INFO(form);
     const bool has_key = text.find("execute_s") != std::string::npos;
-    const auto read = recording_text(recording_of(has_key ? text : "# execute_s = 1\n" + recording_text(recording_of(text))));
+    const auto read =
+        recording_text(recording_of(has_key ? text : "# execute_s = 1\n" + recording_text(recording_of(text))));
     CHECK(read == expected);
   }
 }
 
 TEST_CASE("a column that is not understood is kept and named in a warning", "[core]") {
-  const auto file = file_of("time_s,psi_rad,delta_rad,utc,\"mast, top\"\n0,0,0,2020-07-31T13:04:24Z, 1.50\n1,0,0,,\"a, b\"\n");
+  const auto file =
+      file_of("time_s,psi_rad,delta_rad,utc,\"mast, top\"\n0,0,0,2020-07-31T13:04:24Z, 1.50\n1,0,0,,\"a, b\"\n");
   const auto& extra = file.recording.extra;
   REQUIRE(extra.size() == 2);
   CHECK(extra[0].name == "utc");
@@ -257,7 +265,8 @@ TEST_CASE("a wrapped heading is unwrapped", "[core]") {
   const double expected_deg[] = {350.0, 358.0, 366.0, 0.0, 374.0, 355.0};
   const auto radians_run = recording_of("time_s,psi_rad,delta_rad\n0,3.0,0\n1,-3.1,0\n2,-2.9,0\n3,3.1,0\n");
   const double expected_rad[] = {3.0, 2.0 * pi - 3.1, 2.0 * pi - 2.9, 3.1};
-  for (std::size_t i : {0u, 1u, 2u, 4u, 5u}) CHECK_THAT(degrees(degrees_run[Channel::psi][i]), WithinAbs(expected_deg[i], 1e-12));
+  for (std::size_t i : {0u, 1u, 2u, 4u, 5u})
+    CHECK_THAT(degrees(degrees_run[Channel::psi][i]), WithinAbs(expected_deg[i], 1e-12));
   for (std::size_t i = 0; i < 4; ++i) CHECK_THAT(radians_run[Channel::psi][i], WithinAbs(expected_rad[i], 1e-14));
 }
 
@@ -268,7 +277,9 @@ TEST_CASE("a heading that turns full circles to port unwraps to negative angles"
 }
 
 TEST_CASE("an unwrapped heading stays as it is, to the last bit", "[core]") {
-  const auto run = recording_of("time_s,psi_rad,delta_rad\n0,9.3,0\n1,12.4,0\n2,13.1,0\n3,10.7,0\n4,8,0\n5,5,0\n6,2.1,0\n7,1.234567890123e-5,0\n");
+  const auto run = recording_of(
+      "time_s,psi_rad,delta_rad\n0,9.3,0\n1,12.4,0\n2,13.1,0\n3,10.7,0\n4,8,0\n5,5,0\n6,2.1,0\n7,1.234567890123e-5,"
+      "0\n");
   CHECK(samples(run, Channel::psi) == std::vector{9.3, 12.4, 13.1, 10.7, 8.0, 5.0, 2.1, 1.234567890123e-5});
 }
 
@@ -299,7 +310,8 @@ TEST_CASE("latitude and longitude become metres north and east of the first fix"
 }
 
 TEST_CASE("a fix without latitude or longitude is a missing position", "[core]") {
-  const auto run = recording_of("time_s,lat_deg,lon_deg,psi_rad,delta_rad\n0,54,10,0,0\n1,,10,0,0\n2,54,nan,0,0\n3,54,10,0,0\n");
+  const auto run =
+      recording_of("time_s,lat_deg,lon_deg,psi_rad,delta_rad\n0,54,10,0,0\n1,,10,0,0\n2,54,nan,0,0\n3,54,10,0,0\n");
   CHECK(run[Channel::x][0] == 0.0);
   CHECK(std::isnan(run[Channel::x][1]));
   CHECK(std::isnan(run[Channel::y][2]));
@@ -340,13 +352,14 @@ void check_at_midship(const Recording& run, const Circle& c) {
 /// What the reported point sends.
 std::string reported(const Circle& c, double t) {
   const double course = c.psi(t) + std::atan2(c.reported_v(), c.u());
-  return row({t, c.reported_x(t), c.reported_y(t), c.u(), c.reported_v(), c.reported_v(), std::hypot(c.u(), c.reported_v()), wrapped(course),
-              wrapped(c.psi(t)), 0.1, t == 5.0 ? missing : c.r});
+  return row({t, c.reported_x(t), c.reported_y(t), c.u(), c.reported_v(), c.reported_v(),
+              std::hypot(c.u(), c.reported_v()), wrapped(course), wrapped(c.psi(t)), 0.1, t == 5.0 ? missing : c.r});
 }
 
 std::string circle_text(const Circle& c) {
   std::ostringstream text;
-  text << "# reference_x_m = " << c.l << "\ntime_s,x_m,y_m,u_m_s,v_m_s,vg_m_s,sog_m_s,cog_rad,psi_rad,delta_rad,r_rad_s\n";
+  text << "# reference_x_m = " << c.l
+       << "\ntime_s,x_m,y_m,u_m_s,v_m_s,vg_m_s,sog_m_s,cog_rad,psi_rad,delta_rad,r_rad_s\n";
   for (const double t : {0.0, 3.0, 5.0, 40.0, 41.0}) text << reported(c, t);
   return text.str();
 }

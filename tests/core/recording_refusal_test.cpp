@@ -29,7 +29,8 @@ TEST_CASE("a recording without header or samples is refused", "[core][refusal]")
       {"\n \n", "run.csv:2:1: no header row"},
       {"# execute_s = 1\n# nothing else\n", "run.csv:2:1: no header row"},
       {"0,0.1,0.2\n1,0.1,0.2\n", "run.csv:1:1: no header row above the numbers; a line that starts with # is not one"},
-      {"# time_s,psi_rad,delta_rad\n0,0.1,0.2\n", "run.csv:2:1: no header row above the numbers; a line that starts with # is not one"},
+      {"# time_s,psi_rad,delta_rad\n0,0.1,0.2\n",
+       "run.csv:2:1: no header row above the numbers; a line that starts with # is not one"},
       {header, "run.csv:2:1: no samples below the header row"},
       {"# execute_s = 1\n" + header + "\n\n", "run.csv:3:1: no samples below the header row"},
   });
@@ -42,11 +43,14 @@ TEST_CASE("a header without time, heading or rudder is refused", "[core][refusal
       {"# x = 1\ntime_s,u_m_s,delta_rad\n0,0,0\n", "run.csv:2:1: no heading column (psi_rad or psi_deg)"},
       {"\n\ntime_s,psi_deg,u_m_s\n0,0,0\n", "run.csv:3:1: no rudder column " + rudders},
       {"Time_s,psi_rad,delta_rad\n0,0,0\n", "run.csv:1:1: no column time_s; is time_s meant by Time_s?"},
-      {"time_s,PSI_DEG,delta_rad\n0,0,0\n", "run.csv:1:8: no heading column (psi_rad or psi_deg); is psi_deg meant by PSI_DEG?"},
-      {"time_s,psi_rad,U_KN, Delta_deg\n0,0,0,0\n", "run.csv:1:22: no rudder column " + rudders + "; is delta_deg meant by Delta_deg?"},
+      {"time_s,PSI_DEG,delta_rad\n0,0,0\n",
+       "run.csv:1:8: no heading column (psi_rad or psi_deg); is psi_deg meant by PSI_DEG?"},
+      {"time_s,psi_rad,U_KN, Delta_deg\n0,0,0,0\n",
+       "run.csv:1:22: no rudder column " + rudders + "; is delta_deg meant by Delta_deg?"},
       {"time_s;psi_rad;delta_rad\n0;0,1;0\n",
        "run.csv:1:1: no column time_s; is the file separated by semicolons? Commas are needed, and decimal points"},
-      {"time_s\tpsi_rad\tdelta_rad\n0\t0\t0\n", "run.csv:1:1: no column time_s; is the file separated by tabs? Commas are needed"},
+      {"time_s\tpsi_rad\tdelta_rad\n0\t0\t0\n",
+       "run.csv:1:1: no column time_s; is the file separated by tabs? Commas are needed"},
   });
 }
 
@@ -55,7 +59,8 @@ TEST_CASE("a header that gives a quantity twice is refused", "[core][refusal]") 
       {"time_s,psi_rad,delta_rad,psi_rad\n0,0,0,0\n", "run.csv:1:26: column psi_rad appears twice"},
       {"time_s,psi_rad,delta_rad,a,\"a\"\n0,0,0,0,0\n", "run.csv:1:28: column a appears twice"},
       {"time_s,psi_rad, psi_deg,delta_rad\n0,0,0,0\n", "run.csv:1:17: psi_rad and psi_deg both give the same quantity"},
-      {"time_s,psi_rad,delta_rad,rev_rpm,rev_s\n0,0,0,0,0\n", "run.csv:1:34: rev_rpm and rev_s both give the same quantity"},
+      {"time_s,psi_rad,delta_rad,rev_rpm,rev_s\n0,0,0,0,0\n",
+       "run.csv:1:34: rev_rpm and rev_s both give the same quantity"},
       {"time_s,psi_rad,,delta_rad\n0,0,0,0\n", "run.csv:1:16: a column has no name"},
       {"time_s,psi_rad,delta_rad,\n0,0,0,\n", "run.csv:1:26: a column has no name"},
   });
@@ -67,8 +72,10 @@ TEST_CASE("half a position, or two, is refused", "[core][refusal]") {
       {"time_s,lon_deg,psi_rad,delta_rad\n0,0,0,0\n", "run.csv:1:1: lat_deg and lon_deg must come together"},
       {"time_s,x_m,y_m,lat_deg,lon_deg,psi_rad,delta_rad\n0,0,0,0,0,0,0\n",
        "run.csv:1:1: x_m, y_m and lat_deg, lon_deg both give the position"},
-      {"time_s,lat_deg,lon_deg,psi_rad,delta_rad\n0,0,0,0,0\n1, 91,0,0,0\n", "run.csv:3:4: lat_deg must lie between -90 and 90, got 91"},
-      {"time_s,lat_deg,lon_deg,psi_rad,delta_rad\n0,0,999,0,0\n", "run.csv:2:5: lon_deg must lie between -360 and 360, got 999"},
+      {"time_s,lat_deg,lon_deg,psi_rad,delta_rad\n0,0,0,0,0\n1, 91,0,0,0\n",
+       "run.csv:3:4: lat_deg must lie between -90 and 90, got 91"},
+      {"time_s,lat_deg,lon_deg,psi_rad,delta_rad\n0,0,999,0,0\n",
+       "run.csv:2:5: lon_deg must lie between -360 and 360, got 999"},
   });
 }
 
@@ -85,16 +92,20 @@ TEST_CASE("a cell that holds no number is refused", "[core][refusal]") {
       {row + "1,1 000,0\n", "run.csv:3:3: \"1 000\" in column psi_rad is not a number"},
       {row + "1,\"0,5\",0\n", "run.csv:3:4: \"0,5\" in column psi_rad is not a number; a decimal point is needed"},
       {header + "s,rad,rad\n0,0,0\n",
-       "run.csv:2:1: \"s\" in column time_s is not a number; units belong in the column names, not in a row of their own"},
-      {"time_s,psi_rad,delta_rad,thrust_kN\n0,0,0,0\n1,0,0,1e307\n", "run.csv:3:7: \"1e307\" in column thrust_kN is not a number"},
-      {row + "1," + std::string(50, 'x') + "\t\x1b,0\n", "run.csv:3:3: \"" + std::string(40, 'x') + "...\" in column psi_rad is not a number"},
+       "run.csv:2:1: \"s\" in column time_s is not a number; units belong in the column names, not in a row of their "
+       "own"},
+      {"time_s,psi_rad,delta_rad,thrust_kN\n0,0,0,0\n1,0,0,1e307\n",
+       "run.csv:3:7: \"1e307\" in column thrust_kN is not a number"},
+      {row + "1," + std::string(50, 'x') + "\t\x1b,0\n",
+       "run.csv:3:3: \"" + std::string(40, 'x') + "...\" in column psi_rad is not a number"},
   });
 }
 
 TEST_CASE("places are counted in characters", "[core][refusal]") {
   check_refusals({
       {"Größe,time_s,psi_rad,delta_rad\nüber,0,?,0\n",
-       "run.csv:2:8: \"?\" in column psi_rad is not a number; units belong in the column names, not in a row of their own"},
+       "run.csv:2:8: \"?\" in column psi_rad is not a number; units belong in the column names, not in a row of their "
+       "own"},
       {"\xEF\xBB\xBFtime_s,psi_rad,psi_rad\n", "run.csv:1:16: column psi_rad appears twice"},
   });
 }
@@ -103,10 +114,13 @@ TEST_CASE("a row with too few or too many cells is refused", "[core][refusal]") 
   check_refusals({
       {header + "0,0,0\n1,0\n", "run.csv:3:3: 2 cells, but the header row has 3"},
       {header + "0\n", "run.csv:2:1: 1 cell, but the header row has 3"},
-      {header + "0,0,0,0\n", "run.csv:2:7: 4 cells, but the header row has 3; are there decimal commas? Decimal points are needed"},
-      {header + "0,0,0,\n", "run.csv:2:7: 4 cells, but the header row has 3; are there decimal commas? Decimal points are needed"},
+      {header + "0,0,0,0\n",
+       "run.csv:2:7: 4 cells, but the header row has 3; are there decimal commas? Decimal points are needed"},
+      {header + "0,0,0,\n",
+       "run.csv:2:7: 4 cells, but the header row has 3; are there decimal commas? Decimal points are needed"},
       {header + "0;0;0\n",
-       "run.csv:2:1: 1 cell, but the header row has 3; is the file separated by semicolons? Commas are needed, and decimal points"},
+       "run.csv:2:1: 1 cell, but the header row has 3; is the file separated by semicolons? Commas are needed, and "
+       "decimal points"},
       {header + "0,0,0\n# end\n", "run.csv:3:1: 1 cell, but the header row has 3"},
   });
 }
@@ -132,7 +146,8 @@ TEST_CASE("a recording whose heading or rudder is always missing is refused", "[
 TEST_CASE("a run key of the wrong type or value is refused", "[core][refusal]") {
   const std::string samples = "\n" + header + "0,0,0\n";
   check_refusals({
-      {"# rudder_positive = \"left\"" + samples, "run.csv:1:21: rudder_positive must be \"port\" or \"starboard\", got \"left\""},
+      {"# rudder_positive = \"left\"" + samples,
+       "run.csv:1:21: rudder_positive must be \"port\" or \"starboard\", got \"left\""},
       {"# rudder_positive = 1" + samples, "run.csv:1:21: rudder_positive must be a text in quotes"},
       {"#reference_x_m = \"3\"" + samples, "run.csv:1:18: reference_x_m must be a number"},
       {"#reference_x_m = true" + samples, "run.csv:1:18: reference_x_m must be a number"},
@@ -162,8 +177,10 @@ TEST_CASE("a run key that is not TOML is refused where it breaks", "[core][refus
 TEST_CASE("a file that is not text is refused", "[core][refusal]") {
   const std::string utf16("\xFF\xFEt\0i\0m\0e\0_\0s\0", 14);
   CHECK(refusal_of(utf16) == "run.csv:1:4: a zero byte; a recording is plain text in UTF-8");
-  CHECK(refusal_of(header + std::string("0,0\0,0\n", 7)) == "run.csv:2:4: a zero byte; a recording is plain text in UTF-8");
-  CHECK(refusal_of("\x7F" "ELF\x02\x01\x01") == "run.csv:1:1: no column time_s");
+  CHECK(refusal_of(header + std::string("0,0\0,0\n", 7)) ==
+        "run.csv:2:4: a zero byte; a recording is plain text in UTF-8");
+  CHECK(refusal_of("\x7F"
+                   "ELF\x02\x01\x01") == "run.csv:1:1: no column time_s");
 }
 
 std::string refusal_of_file(const std::filesystem::path& file) {
@@ -181,7 +198,8 @@ TEST_CASE("a file that is not there, or a folder, is refused", "[core][refusal]"
   std::filesystem::create_directory(folder);
   CHECK(refusal_of_file(absent) == absent.string() + ":1:1: cannot be read (No such file or directory)");
   CHECK(refusal_of_file(folder) == folder.string() + ":1:1: is a folder, not a file");
-  CHECK(refusal_of_file(absent / "below.csv") == (absent / "below.csv").string() + ":1:1: cannot be read (No such file or directory)");
+  CHECK(refusal_of_file(absent / "below.csv") ==
+        (absent / "below.csv").string() + ":1:1: cannot be read (No such file or directory)");
 }
 
 }  // namespace

@@ -27,8 +27,10 @@ TEST_CASE("a channel to be filled is missing at first and keeps what was filled 
 }
 
 TEST_CASE("samples are joined by straight lines across missing ones and held beyond the ends", "[core]") {
-  const Interpolant speed(run_with_speeds({0.0, 1.0, 2.0, 4.0, 5.0}, {missing, 1.0, missing, 7.0, missing}), Channel::u);
-  const std::pair<double, double> expected[] = {{-9.0, 1.0}, {1.0, 1.0}, {1.5, 2.0}, {2.0, 3.0}, {4.0, 7.0}, {4.5, 7.0}, {99.0, 7.0}};
+  const Interpolant speed(run_with_speeds({0.0, 1.0, 2.0, 4.0, 5.0}, {missing, 1.0, missing, 7.0, missing}),
+                          Channel::u);
+  const std::pair<double, double> expected[] = {{-9.0, 1.0}, {1.0, 1.0}, {1.5, 2.0}, {2.0, 3.0},
+                                                {4.0, 7.0},  {4.5, 7.0}, {99.0, 7.0}};
   for (const auto& [time, value] : expected) CHECK_THAT(speed(time), WithinAbs(value, 1e-15));
   CHECK(speed.times().size() == 2);
 }

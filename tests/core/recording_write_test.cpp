@@ -27,7 +27,8 @@ Recording random_recording(unsigned seed) {
   std::mt19937 random(seed);
   Recording run;
   run.name = "run.csv";
-  for (double t = -5.0; run.time.size() < 40; t += std::uniform_real_distribution(1e-3, 1.0)(random)) run.time.push_back(t);
+  for (double t = -5.0; run.time.size() < 40; t += std::uniform_real_distribution(1e-3, 1.0)(random))
+    run.time.push_back(t);
   for (std::size_t i = 0; i < channel_count; ++i)
     for (double& value : run.fill(static_cast<Channel>(i))) value = any_number(random);
   for (double& psi : run.fill(Channel::psi)) psi = std::uniform_real_distribution(-1.5, 1.5)(random);
@@ -37,7 +38,9 @@ Recording random_recording(unsigned seed) {
   return run;
 }
 
-bool same_bits(double a, double b) { return (std::isnan(a) && std::isnan(b)) || (a == b && std::signbit(a) == std::signbit(b)); }
+bool same_bits(double a, double b) {
+  return (std::isnan(a) && std::isnan(b)) || (a == b && std::signbit(a) == std::signbit(b));
+}
 
 void check_same(const Recording& a, const Recording& b) {
   CHECK(a.time == b.time);
@@ -85,7 +88,9 @@ TEST_CASE("run keys of other programs survive writing", "[core][round-trip]") {
   const std::string keys =
       "# rudder_positive = \"port\"\n"
       "# facility = 'tank \"B\" \\ east'\n"
-      "# draughts_m = " + long_list + " ]\n"
+      "# draughts_m = " +
+      long_list +
+      " ]\n"
       "# \"sea state\" = { wave_m = 0.5, from = \"NE\" }\n"
       "# trial.date = 2020-07-31\n"
       "# trial.number = 4\n";

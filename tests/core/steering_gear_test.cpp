@@ -22,9 +22,13 @@ double rate_of(const SteeringGear<double>& gear, double angle, double order) {
 
 TEST_CASE("the closed-form rudder motion obeys the steering gear's equation at every time", "[core][second-route]") {
   std::mt19937_64 engine(3);
-  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
   for (int i = 0; i < 2000; ++i) {
-    const SteeringGear<double> gear{.rate = uniform(0.02, 0.1), .max_angle = 0.6, .lag = i % 3 == 0 ? 0.0 : uniform(0.1, 5.0),
+    const SteeringGear<double> gear{.rate = uniform(0.02, 0.1),
+                                    .max_angle = 0.6,
+                                    .lag = i % 3 == 0 ? 0.0 : uniform(0.1, 5.0),
                                     .dead_band = i % 2 == 0 ? 0.0 : uniform(0.001, 0.03)};
     const double from = uniform(-0.6, 0.6), order = uniform(-0.6, 0.6), start = uniform(-10.0, 10.0);
     const auto motion = RudderMotion<>::ordered(gear, start, from, order);
@@ -36,7 +40,8 @@ TEST_CASE("the closed-form rudder motion obeys the steering gear's equation at e
       if (std::abs(time - kinks[0]) < 2 * h || std::abs(time - kinks[1]) < 2 * h) continue;
       const double rate = (motion.at(time + h) - motion.at(time - h)) / (2 * h);
       if (gear.lag == 0.0 && std::abs(motion.at(time) - order) <= gear.dead_band + 1e-12) CHECK(std::abs(rate) < 1e-9);
-      else if (std::abs(std::abs(order - motion.at(time)) - gear.dead_band) > 1e-12) CHECK(rate == Approx(rate_of(gear, motion.at(time), order)).margin(1e-9));
+      else if (std::abs(std::abs(order - motion.at(time)) - gear.dead_band) > 1e-12)
+        CHECK(rate == Approx(rate_of(gear, motion.at(time), order)).margin(1e-9));
     }
   }
 }

@@ -37,8 +37,13 @@ TEST_CASE("a ship that moves freely needs no carriage", "[identification][second
     const auto motion = random.motion(model);
     const auto controls = random.controls(model);
     const auto force = forces(model, motion, controls).total();
-    const CaptivePoint point{.run = "", .tests = {}, .moments = {{motion, acceleration(model, motion, force), controls}}, .measured = {}, .with_inertia = true};
-    REQUIRE(size_of(captive_force(named(model), point), model.particulars.L) < 1e-9 * size_of(force, model.particulars.L));
+    const CaptivePoint point{.run = "",
+                             .tests = {},
+                             .moments = {{motion, acceleration(model, motion, force), controls}},
+                             .measured = {},
+                             .with_inertia = true};
+    REQUIRE(size_of(captive_force(named(model), point), model.particulars.L) <
+            1e-9 * size_of(force, model.particulars.L));
   });
 }
 
@@ -49,8 +54,11 @@ TEST_CASE("in steady drift the carriage measures the force of the water", "[iden
     const auto controls = random.controls(model);
     const auto force = force_breakdown(named(model), {0, 0, 0, motion}, controls).total;
     for (const bool with_inertia : {false, true}) {
-      const auto f = captive_force(named(model), {.run = "", .tests = {}, .moments = {{motion, {}, controls}}, .measured = {}, .with_inertia = with_inertia});
-      REQUIRE(size_of({f.X - force.X, f.Y - force.Y, f.N - force.N}, model.particulars.L) < 1e-9 * size_of(force, model.particulars.L));
+      const auto f = captive_force(
+          named(model),
+          {.run = "", .tests = {}, .moments = {{motion, {}, controls}}, .measured = {}, .with_inertia = with_inertia});
+      REQUIRE(size_of({f.X - force.X, f.Y - force.Y, f.N - force.N}, model.particulars.L) <
+              1e-9 * size_of(force, model.particulars.L));
     }
   });
 }
@@ -61,7 +69,8 @@ TEST_CASE("in steady drift the carriage measures the force of the water", "[iden
 class Basin {
  public:
   explicit Basin(const Ship& truth) : truth_(truth), L_(length(truth)), U_(service_speed(truth)) {
-    const double T = 0.5 * std::visit([](const auto& m) { return m.water.rho; }, truth.model) * L_ * L_ * U_ * U_ * 1.2e-3;
+    const double T =
+        0.5 * std::visit([](const auto& m) { return m.water.rho; }, truth.model) * L_ * L_ * U_ * U_ * 1.2e-3;
     controls_ = {.delta = 0.0, .thrust = {0.5 * T, 0.5 * T}, .by_thrust = true};
   }
 
@@ -103,7 +112,8 @@ class Basin {
 
   template <class At>
   void oscillating(const std::string& test, At&& at) {
-    for (const auto& [name, multiple, shift] : {std::tuple{":velocity", 1.0, 0.0}, {":acceleration", 1.0, 0.25}, {":second", 2.0, 0.0}}) {
+    for (const auto& [name, multiple, shift] :
+         {std::tuple{":velocity", 1.0, 0.0}, {":acceleration", 1.0, 0.25}, {":second", 2.0, 0.0}}) {
       CaptivePoint point{.run = test, .tests = {test + name}, .moments = {}, .measured = {}, .with_inertia = true};
       for (int k = 0; k < 24; ++k) {
         auto moment = at(2.0 * std::numbers::pi * k / 24.0);
@@ -125,7 +135,9 @@ class Basin {
 
   void swaying(double v_prime) {
     oscillating("pure_sway", [&](double phase) {
-      return CaptiveMoment{{U_, v_prime * U_ * std::cos(phase), 0.0}, {0.0, -v_prime * U_ * 1.5 * U_ / L_ * std::sin(phase), 0.0}, controls_};
+      return CaptiveMoment{{U_, v_prime * U_ * std::cos(phase), 0.0},
+                           {0.0, -v_prime * U_ * 1.5 * U_ / L_ * std::sin(phase), 0.0},
+                           controls_};
     });
   }
 
@@ -171,7 +183,8 @@ TEST_CASE("the steps find every coefficient of a ship whose tests have no noise"
   }
 }
 
-TEST_CASE("the velocity part of an oscillating yaw test is Y_r r + 3/4 Y_rrr r³ less the mass that is turned", "[identification][second-route]") {
+TEST_CASE("the velocity part of an oscillating yaw test is Y_r r + 3/4 Y_rrr r³ less the mass that is turned",
+          "[identification][second-route]") {
   RandomModels random(4);
   auto ship = random.ship<PiShip<double>>();
   ship.rudder.A_RC = ship.rudder.A_RU = ship.rudder.A_R = 1e-12;
@@ -182,7 +195,8 @@ TEST_CASE("the velocity part of an oscillating yaw test is Y_r r + 3/4 Y_rrr r³
     const auto& m = point.moments.front().motion;
     const double L = ship.particulars.L, U = m.u, r = m.r * L / U;
     const double q = 0.5 * ship.water.rho * L * L * U * U;
-    const double Y = q * (ship.hull.Y_r * r + 0.75 * ship.hull.Y_rrr * r * r * r) - ship.water.rho * ship.particulars.nabla * U * m.r;
+    const double Y = q * (ship.hull.Y_r * r + 0.75 * ship.hull.Y_rrr * r * r * r) -
+                     ship.water.rho * ship.particulars.nabla * U * m.r;
     CHECK_THAT(point.measured.Y, WithinRel(Y, 1e-9));
   }
 }
@@ -202,15 +216,21 @@ TEST_CASE("the error of a ship on her own tests is zero, of twice her forces one
 
 // ---------------------------------------------------------------- files
 
-TEST_CASE("primes, newtons of a smaller model and components of velocity read as the same point", "[identification][symmetry]") {
+TEST_CASE("primes, newtons of a smaller model and components of velocity read as the same point",
+          "[identification][symmetry]") {
   const Scratch scratch;
-  write_text(scratch / "primes.csv", "run,test,U_m_s,beta_deg,delta_deg,r_prime,T_prime,X_prime,Y_prime,N_prime\n7,a+b,1.5,-10,5,0.2,1e-3,-1e-3,2e-3,-3e-4\n");
+  write_text(scratch / "primes.csv",
+             "run,test,U_m_s,beta_deg,delta_deg,r_prime,T_prime,X_prime,Y_prime,N_prime\n7,a+b,1.5,-10,5,0.2,1e-3,-1e-"
+             "3,2e-3,-3e-4\n");
   const double q = 500.0 * 4.0 * 2.25;  // ½ρL²U² of a model of 2 m
   const auto text = [](double x) { return std::to_string(x); };
-  write_text(scratch / "newtons.csv", "# a comment\nrun,test,u_m_s,v_m_s,delta_rad,r_rad_s,thrust_N,X_N,Y_N,N_N_m\n7,a+b," + text(1.5 * std::cos(radians(10))) + "," +
-                                          text(1.5 * std::sin(radians(10))) + "," + text(radians(5)) + "," + text(0.2 * 1.5 / 7.0) + "," + text(q * 1e-3) + "," +
-                                          text(-q * 1e-3) + "," + text(q * 2e-3) + "," + text(-q * 2.0 * 3e-4) + "\n");
-  const auto a = read_captive(scratch / "primes.csv", {.L = 7.0}), b = read_captive(scratch / "newtons.csv", {.L = 7.0, .towed_L = 2.0});
+  write_text(scratch / "newtons.csv",
+             "# a comment\nrun,test,u_m_s,v_m_s,delta_rad,r_rad_s,thrust_N,X_N,Y_N,N_N_m\n7,a+b," +
+                 text(1.5 * std::cos(radians(10))) + "," + text(1.5 * std::sin(radians(10))) + "," + text(radians(5)) +
+                 "," + text(0.2 * 1.5 / 7.0) + "," + text(q * 1e-3) + "," + text(-q * 1e-3) + "," + text(q * 2e-3) +
+                 "," + text(-q * 2.0 * 3e-4) + "\n");
+  const auto a = read_captive(scratch / "primes.csv", {.L = 7.0}),
+             b = read_captive(scratch / "newtons.csv", {.L = 7.0, .towed_L = 2.0});
   REQUIRE(a.size() == 1);
   REQUIRE(b.size() == 1);
   CHECK(a[0].run == "7");
@@ -226,10 +246,13 @@ TEST_CASE("primes, newtons of a smaller model and components of velocity read as
   CHECK(m.motion.v > 0.0);
 }
 
-TEST_CASE("the files of an oscillating test give velocity, acceleration and second harmonic", "[identification][round-trip]") {
+TEST_CASE("the files of an oscillating test give velocity, acceleration and second harmonic",
+          "[identification][round-trip]") {
   const Scratch scratch;
-  write_text(scratch / "yaw.csv", "run,beta_deg,U_m_s,freq_hz,r_prime_amp,rdot_prime_amp,Y_in_prime,N_in_prime,Y_out_prime,N_out_prime,Y_in2_prime,N_in2_prime\n"
-                                  "1,8,1.2,0.03,0.2,-0.3,1e-3,2e-3,3e-3,4e-3,5e-3,6e-3\n");
+  write_text(scratch / "yaw.csv",
+             "run,beta_deg,U_m_s,freq_hz,r_prime_amp,rdot_prime_amp,Y_in_prime,N_in_prime,Y_out_prime,N_out_prime,Y_"
+             "in2_prime,N_in2_prime\n"
+             "1,8,1.2,0.03,0.2,-0.3,1e-3,2e-3,3e-3,4e-3,5e-3,6e-3\n");
   const auto points = read_captive(scratch / "yaw.csv", {.L = 7.0, .test = "yaw_drift", .thrust_prime = 1e-3});
   REQUIRE(points.size() == 3);
   const double q = 500.0 * 49.0 * 1.44;
@@ -267,11 +290,17 @@ TEST_CASE("captive files and plans that make no sense are refused in words", "[i
   const auto ship = named(random.ship<MmgShip<double>>());
   const auto points = Basin(ship).all_tests();
   using enum ForceComponent;
-  CHECK_THROWS_WITH(fit_captive(ship, points, {.steps = {{{.tests = {"static_drift_rudder"}}, Y, {"Y_v"}}}, .validation = {.tests = {"static_drift_rudder"}}}),
+  CHECK_THROWS_WITH(fit_captive(ship, points,
+                                {.steps = {{{.tests = {"static_drift_rudder"}}, Y, {"Y_v"}}},
+                                 .validation = {.tests = {"static_drift_rudder"}}}),
                     ContainsSubstring("kept for validation"));
-  CHECK_THROWS_WITH(fit_captive(ship, points, {.steps = {{{.tests = {"static_rudder"}}, Y, {"epsilon"}}}, .validation = {}}), ContainsSubstring("not linear in epsilon"));
-  CHECK_THROWS_WITH(fit_captive(ship, points, {.steps = {{{.tests = {"static_drift"}}, Y, {"Y_x"}}}, .validation = {}}), ContainsSubstring("no number Y_x"));
-  CHECK_THROWS_WITH(fit_captive(ship, points, {.steps = {{{.tests = {"moonshine"}}, Y, {"Y_v"}}}, .validation = {}}), ContainsSubstring("no Y was measured in moonshine"));
+  CHECK_THROWS_WITH(
+      fit_captive(ship, points, {.steps = {{{.tests = {"static_rudder"}}, Y, {"epsilon"}}}, .validation = {}}),
+      ContainsSubstring("not linear in epsilon"));
+  CHECK_THROWS_WITH(fit_captive(ship, points, {.steps = {{{.tests = {"static_drift"}}, Y, {"Y_x"}}}, .validation = {}}),
+                    ContainsSubstring("no number Y_x"));
+  CHECK_THROWS_WITH(fit_captive(ship, points, {.steps = {{{.tests = {"moonshine"}}, Y, {"Y_v"}}}, .validation = {}}),
+                    ContainsSubstring("no Y was measured in moonshine"));
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ CourseRun course_run(const Ship& ship, const Recording& run) {
     result.time.push_back(run.time[k]);
     result.controls.push_back(controls.at(run.time[k]));
     if (k > 0) result.steps.push_back(2);
-    for (const Channel c : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r}) result.readings.push_back({k, c, run[c][k]});
+    for (const Channel c : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r})
+      result.readings.push_back({k, c, run[c][k]});
     result.readings.push_back({k, Channel::course_over_ground, run[Channel::psi][k]});
   }
   return result;
@@ -39,15 +40,17 @@ RowMatrix slope(const Course& course) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("derivatives of a trajectory by its start and by all coefficients agree with differences", "[identification][second-route]",
-                   MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>) {
+TEMPLATE_TEST_CASE("derivatives of a trajectory by its start and by all coefficients agree with differences",
+                   "[identification][second-route]", MmgShip<double>, PiShip<double>, PuShip<double>,
+                   AbkowitzShip<double>) {
   test::RandomModels random(20261203);
   for (int i = 0; i < 3; ++i) {
     auto [ship, runs] = test::steerable<TestType>(random, {20.0}, 15.0, 0.05);
     ship.surroundings.current = {0.1 * service_speed(ship), 1.0};
     auto numbers = ship_numbers(ship);
     std::erase_if(numbers, [](const ShipNumber& n) { return n.role != Role::coefficient || n.value == 0.0; });
-    const auto sailor = std::visit([&](const auto& model) { return sailor_of(model, ship.surroundings, numbers); }, ship.model);
+    const auto sailor =
+        std::visit([&](const auto& model) { return sailor_of(model, ship.surroundings, numbers); }, ship.model);
     const auto run = course_run(ship, runs.front());
     const Stretch stretch{&run, 0, run.time.size() - 1, run.readings};
     const double L = length(ship), U = service_speed(ship);

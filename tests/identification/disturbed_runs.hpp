@@ -8,7 +8,8 @@
 #include "swayaw/identification/state_estimate.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
-/// Runs of ships that random accelerations disturb, simulated in short steps by code of their own, and what noisy sensors see of them.
+/// Runs of ships that random accelerations disturb, simulated in short steps by code of their own, and what noisy
+/// sensors see of them.
 namespace swayaw::test {
 
 /// Random accelerations as an imperfection describes them.
@@ -21,12 +22,13 @@ struct Disturbance {
 /// What the sensors of a run are like.
 using Sensors = std::vector<std::pair<Channel, double>>;
 
-inline const Sensors good_sensors{{Channel::x, 0.02}, {Channel::y, 0.02}, {Channel::psi, radians(0.1)}, {Channel::r, radians(0.1)}};
+inline const Sensors good_sensors{
+    {Channel::x, 0.02}, {Channel::y, 0.02}, {Channel::psi, radians(0.1)}, {Channel::r, radians(0.1)}};
 
 struct DisturbedRun {
   Recording truth;  ///< x, y, psi, u, v, r and controls
   std::vector<PlanarAcceleration<double>> unmodelled;
-  Recording run;    ///< controls, and what the sensors saw
+  Recording run;  ///< controls, and what the sensors saw
   MeasurementNoise noise{};
 };
 
@@ -56,7 +58,8 @@ class Disturber {
     for (const Channel c : measured_channels) result.run.channels[index_of(c)].clear();
     for (const auto& [channel, deviation] : sensors) {
       auto column = result.run.fill(channel);
-      for (std::size_t i = 0; i < column.size(); ++i) column[i] = result.truth[channel][i] + deviation * normal_(engine_);
+      for (std::size_t i = 0; i < column.size(); ++i)
+        column[i] = result.truth[channel][i] + deviation * normal_(engine_);
       result.noise[index_of(channel)] = deviation;
     }
     return result;
@@ -97,7 +100,9 @@ class Disturber {
     constexpr int steps = 20;
     const double h = duration / steps;
     for (int i = 0; i < steps; ++i) {
-      const auto rudder = [&](double share) { return with_rudder(from, from.delta + (i + share) / steps * (delta - from.delta)); };
+      const auto rudder = [&](double share) {
+        return with_rudder(from, from.delta + (i + share) / steps * (delta - from.delta));
+      };
       const auto a = mean_acceleration(h);
       const auto rate = [&](const StateVector<double>& at, const Controls<double>& c) { return rates(at, c, a); };
       const auto moved = [&](const StateVector<double>& k, double by) {
@@ -105,7 +110,8 @@ class Disturber {
         for (std::size_t j = 0; j < 6; ++j) there[j] += by * k[j];
         return there;
       };
-      const auto k1 = rate(s, rudder(0.0)), k2 = rate(moved(k1, 0.5 * h), rudder(0.5)), k3 = rate(moved(k2, 0.5 * h), rudder(0.5)), k4 = rate(moved(k3, h), rudder(1.0));
+      const auto k1 = rate(s, rudder(0.0)), k2 = rate(moved(k1, 0.5 * h), rudder(0.5)),
+                 k3 = rate(moved(k2, 0.5 * h), rudder(0.5)), k4 = rate(moved(k3, h), rudder(1.0));
       for (std::size_t j = 0; j < 6; ++j) s[j] += h / 6.0 * (k1[j] + 2.0 * k2[j] + 2.0 * k3[j] + k4[j]);
     }
     return s;
@@ -113,13 +119,17 @@ class Disturber {
 
   StateVector<double> rates(const StateVector<double>& s, const Controls<double>& c, const Accelerations& a) const {
     const auto state = state_of(s);
-    const auto of_model = [&](const auto& model) { return rates_of(model, ship_.surroundings, state, c, branch_at(model, state.motion, c)); };
+    const auto of_model = [&](const auto& model) {
+      return rates_of(model, ship_.surroundings, state, c, branch_at(model, state.motion, c));
+    };
     auto rate = std::visit(of_model, ship_.model);
     for (std::size_t i = 0; i < 3; ++i) rate[3 + i] += a[i];
     return rate;
   }
 
-  double size(std::size_t i) const { return std::array{by_.imperfection.size.u, by_.imperfection.size.v, by_.imperfection.size.r}[i]; }
+  double size(std::size_t i) const {
+    return std::array{by_.imperfection.size.u, by_.imperfection.size.v, by_.imperfection.size.r}[i];
+  }
 
   /// The random accelerations over h seconds; keeps their end.
   Accelerations mean_acceleration(double h) {
@@ -131,7 +141,8 @@ class Disturber {
         continue;
       }
       const double fading = h / by_.tau;
-      a_[i] = std::isfinite(by_.tau) ? before * std::exp(-fading) + shock * std::sqrt(-std::expm1(-2.0 * fading)) : before + shock * std::sqrt(h);
+      a_[i] = std::isfinite(by_.tau) ? before * std::exp(-fading) + shock * std::sqrt(-std::expm1(-2.0 * fading))
+                                     : before + shock * std::sqrt(h);
       mean[i] = 0.5 * (before + a_[i]);
     }
     return mean;
@@ -144,7 +155,8 @@ class Disturber {
   Accelerations a_{};
 };
 
-inline DisturbedRun disturbed_run(const Ship& ship, const Disturbance& by, unsigned seed, const DisturbedOptions& options = {}, const Sensors& sensors = good_sensors) {
+inline DisturbedRun disturbed_run(const Ship& ship, const Disturbance& by, unsigned seed,
+                                  const DisturbedOptions& options = {}, const Sensors& sensors = good_sensors) {
   return Disturber(ship, by, seed).run(sensors, options);
 }
 

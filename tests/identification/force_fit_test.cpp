@@ -17,7 +17,8 @@ namespace {
 std::vector<Recording> zigzags(const Ship& ship) {
   const double time_unit = length(ship) / service_speed(ship);
   std::vector<Recording> runs;
-  for (const auto& [rudder, heading, side] : {std::tuple{10.0, 10.0, Side::starboard}, {20.0, 20.0, Side::port}, {30.0, 15.0, Side::starboard}})
+  for (const auto& [rudder, heading, side] :
+       {std::tuple{10.0, 10.0, Side::starboard}, {20.0, 20.0, Side::port}, {30.0, 15.0, Side::starboard}})
     runs.push_back(zigzag(ship, {radians(rudder), radians(heading), side}, {.step = 0.02 * time_unit}).run);
   return runs;
 }
@@ -60,7 +61,8 @@ const std::vector<std::string> linear_hull{"Y_v", "Y_r", "N_v", "N_r"};
 
 }  // namespace
 
-TEST_CASE("coefficients come back from the forces of recorded zigzags, whatever ship the estimate begins with", "[identification][round-trip]") {
+TEST_CASE("coefficients come back from the forces of recorded zigzags, whatever ship the estimate begins with",
+          "[identification][round-trip]") {
   std::mt19937_64 engine(1);
   for (const auto* name : {"kvlcc2_pi_vvr", "wpcc_pi", "wpcc_pu"}) {
     const auto ship = published_ship(name);
@@ -73,7 +75,8 @@ TEST_CASE("coefficients come back from the forces of recorded zigzags, whatever 
     for (const auto& n : ship_numbers(ship, names)) {
       INFO(name << " " << n.name);
       const auto& c = coefficient(fit, n.name);
-      CHECK(std::abs(c.estimate.value - n.value) < 0.04 * std::abs(n.value) + 0.02 * std::abs(ship_numbers(ship, std::array{std::string("N_v")})[0].value));
+      CHECK(std::abs(c.estimate.value - n.value) <
+            0.04 * std::abs(n.value) + 0.02 * std::abs(ship_numbers(ship, std::array{std::string("N_v")})[0].value));
       CHECK(n.value >= c.low);
       CHECK(n.value <= c.high);
       CHECK(ship_numbers(fit.ship, std::array{n.name})[0].value == c.estimate.value);
@@ -98,8 +101,10 @@ TEST_CASE("a number that is not linear, acts twice or does nothing is refused", 
   const auto ship = published_ship("kvlcc2_l7");
   const auto runs = zigzags(ship);
   CHECK_THROWS_WITH(fit_forces(ship, runs, {.numbers = {"kappa"}}), Catch::Contains("not linear in kappa"));
-  CHECK_THROWS_WITH(fit_forces(ship, runs, {.numbers = {"t_R", "a_H"}}), Catch::Contains("a_H acts in more than one force equation"));
-  CHECK_THROWS_WITH(fit_forces(ship, runs, {.numbers = {"displacement_m3"}}), Catch::Contains("does not act on the force"));
+  CHECK_THROWS_WITH(fit_forces(ship, runs, {.numbers = {"t_R", "a_H"}}),
+                    Catch::Contains("a_H acts in more than one force equation"));
+  CHECK_THROWS_WITH(fit_forces(ship, runs, {.numbers = {"displacement_m3"}}),
+                    Catch::Contains("does not act on the force"));
   CHECK_THROWS_WITH(fit_forces(ship, runs, {.numbers = {}}), "no coefficient is to be found");
 }
 
@@ -110,7 +115,9 @@ TEST_CASE("the range of a fit is that of its runs", "[identification]") {
   CHECK(degrees(fit.range.rudder) == Approx(30.0).epsilon(1e-6));
   double omega = 0.0;
   for (const auto& run : runs)
-    for (std::size_t i = 0; i < run.samples(); ++i) omega = std::max(omega, std::abs(run[Channel::r][i]) * length(ship) / std::hypot(run[Channel::u][i], run[Channel::v][i]));
+    for (std::size_t i = 0; i < run.samples(); ++i)
+      omega = std::max(
+          omega, std::abs(run[Channel::r][i]) * length(ship) / std::hypot(run[Channel::u][i], run[Channel::v][i]));
   CHECK(fit.range.omega == Approx(omega).epsilon(0.02));
 }
 

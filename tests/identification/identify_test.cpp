@@ -15,13 +15,16 @@ namespace {
 
 std::vector<Recording> recordings(const std::filesystem::path& folder, std::initializer_list<const char*> names) {
   std::vector<Recording> runs;
-  for (const auto* name : names) runs.push_back(read_recording(folder / (std::string("hsva_zz") + name + ".csv")).recording);
+  for (const auto* name : names)
+    runs.push_back(read_recording(folder / (std::string("hsva_zz") + name + ".csv")).recording);
   return runs;
 }
 
 const auto of_the_paper = {"10_10_port", "10_10_stbd", "20_10_port", "20_10_stbd"};
 
-double thousandths(const ForceFit& fit, const std::string& name) { return 1e3 * ship_numbers(fit.ship, std::array{name})[0].value; }
+double thousandths(const ForceFit& fit, const std::string& name) {
+  return 1e3 * ship_numbers(fit.ship, std::array{name})[0].value;
+}
 
 const Regression& equation(const ForceFit& fit, ForceComponent component) {
   return std::ranges::find(fit.equations, component, &ForceEquation::component)->fit;
@@ -43,7 +46,8 @@ struct PublishedPu {
 
 }  // namespace
 
-TEST_CASE("the physics-informed hull of KVLCC2 is found from four zigzags within 3 percent of what is known of them", "[identification][published]") {
+TEST_CASE("the physics-informed hull of KVLCC2 is found from four zigzags within 3 percent of what is known of them",
+          "[identification][published]") {
   const auto folder = test::benchmark_recordings("kvlcc2");
   if (!folder) return;
   const auto ship = published_ship("kvlcc2_pi");
@@ -59,7 +63,9 @@ TEST_CASE("the physics-informed hull of KVLCC2 is found from four zigzags within
     CHECK(verdict.words.find("r' = 0.42") != std::string::npos);
   }
   SECTION("and predicts the yaw moment that HMRI measured in a towing tank") {
-    std::vector<CaptivePoint> points = read_captive(*folder / "captive" / "hmri_static.csv", {.L = length(fit.ship), .towed_L = 6.8927, .thrust_prime = 0.00122033});
+    std::vector<CaptivePoint> points =
+        read_captive(*folder / "captive" / "hmri_static.csv",
+                     {.L = length(fit.ship), .towed_L = 6.8927, .thrust_prime = 0.00122033});
     CHECK(captive_error(fit.ship, selected(points, {.tests = {"static_drift"}}), radians(12.0)).N < 0.10);
   }
 }
@@ -68,12 +74,14 @@ TEST_CASE("small zigzags tell that KVLCC2 is unstable on a straight course", "[i
   const auto folder = test::benchmark_recordings("kvlcc2");
   if (!folder) return;
   const auto ship = published_ship("kvlcc2_pi");
-  const auto verdict = stability_verdict(fit_forces(ship, recordings(*folder, {"10_01_stbd"}), {.numbers = usual_numbers(ship)}));
+  const auto verdict =
+      stability_verdict(fit_forces(ship, recordings(*folder, {"10_01_stbd"}), {.numbers = usual_numbers(ship)}));
   CHECK(verdict.straight_course == StraightCourse::unstable);
   CHECK(degrees(verdict.range.drift) < 5.0);
 }
 
-TEST_CASE("the physics-uninformed model is ill-conditioned, and its N_v changes sign with one rudder amplitude", "[identification][published]") {
+TEST_CASE("the physics-uninformed model is ill-conditioned, and its N_v changes sign with one rudder amplitude",
+          "[identification][published]") {
   const auto folder = test::benchmark_recordings("kvlcc2");
   if (!folder) return;
   const PublishedPu pu;
@@ -85,8 +93,11 @@ TEST_CASE("the physics-uninformed model is ill-conditioned, and its N_v changes 
     CHECK_FALSE(equation(fit, component).undetermined.empty());
   }
   const auto sets = resample(pu.ship, runs, fit, pu.options);
-  const auto place = static_cast<std::size_t>(std::ranges::find(pu.options.numbers, "N_v") - pu.options.numbers.begin());
-  const auto N_v = [&](const std::string& name) { return *std::ranges::find(sets, name, &Resample::runs)->values[place]; };
+  const auto place =
+      static_cast<std::size_t>(std::ranges::find(pu.options.numbers, "N_v") - pu.options.numbers.begin());
+  const auto N_v = [&](const std::string& name) {
+    return *std::ranges::find(sets, name, &Resample::runs)->values[place];
+  };
   CHECK(sets.size() == 1 + 4 + 4 + 2);
   CHECK(N_v("all runs") < 0.0);
   CHECK(N_v("rudder 10 deg alone") > 0.0);
@@ -106,7 +117,8 @@ TEST_CASE("overshoots of a recorded zigzag are those known of it", "[identificat
   CHECK(degrees(overshoots[1]) == Approx(17.8).margin(0.05));
 }
 
-TEST_CASE("overshoots read from the samples of a simulated zigzag are those of its events", "[identification][second-route]") {
+TEST_CASE("overshoots read from the samples of a simulated zigzag are those of its events",
+          "[identification][second-route]") {
   const auto ship = published_ship("kvlcc2_l7");
   for (const auto side : {Side::port, Side::starboard}) {
     const ZigzagOrder order{radians(20.0), radians(10.0), side};
@@ -121,7 +133,8 @@ TEST_CASE("overshoots read from the samples of a simulated zigzag are those of i
     for (std::size_t i = 0; i < 3; ++i) CHECK(overshoots[i] == Approx(*z.reversals[i].overshoot).margin(radians(0.01)));
     const auto again = simulated_overshoots(ship, z.run, *read, 3);
     REQUIRE(again);
-    for (std::size_t i = 0; i < again->size(); ++i) CHECK((*again)[i] == Approx(*z.reversals[i].overshoot).margin(1e-4));
+    for (std::size_t i = 0; i < again->size(); ++i)
+      CHECK((*again)[i] == Approx(*z.reversals[i].overshoot).margin(1e-4));
   }
 }
 
@@ -137,7 +150,8 @@ TEST_CASE("a run that is no zigzag has no zigzag order", "[identification]") {
   CHECK(zigzag_order(run));
 }
 
-TEST_CASE("a PI ship is taken as a PU ship with a rudder polynomial of zero, and other changes of model are refused", "[identification]") {
+TEST_CASE("a PI ship is taken as a PU ship with a rudder polynomial of zero, and other changes of model are refused",
+          "[identification]") {
   const auto ship = published_ship("kvlcc2_pi");
   const auto pu = in_model(ship, "pu");
   const auto& model = std::get<PuShip<double>>(pu.model);

@@ -63,7 +63,8 @@ class TestShips {
   Ship shaken(const Ship& ship, double share) {
     const auto numbers = coefficients_of(ship, "hull");
     std::vector<double> values;
-    for (const auto& n : numbers) values.push_back(n.value * (n.key == "R_0" ? 1.0 : 1.0 + random_.uniform(-share, share)));
+    for (const auto& n : numbers)
+      values.push_back(n.value * (n.key == "R_0" ? 1.0 : 1.0 + random_.uniform(-share, share)));
     return with_values(ship, numbers, values);
   }
 
@@ -73,7 +74,8 @@ class TestShips {
 
 constexpr double no_prior = 1e6;
 
-TEST_CASE("indices of a known ship come back when she is tuned on them from numbers off by five per cent", "[identification][round-trip]") {
+TEST_CASE("indices of a known ship come back when she is tuned on them from numbers off by five per cent",
+          "[identification][round-trip]") {
   TestShips ships(20261123);
   for (int i = 0; i < 6; ++i) {
     const Ship truth = ships.symmetric();
@@ -91,8 +93,10 @@ TEST_CASE("indices of a known ship come back when she is tuned on them from numb
 TEST_CASE("a symmetric ship is tuned alike on turns to port and to starboard", "[identification][symmetry]") {
   TestShips ships(5);
   const Ship truth = ships.symmetric(), start = ships.shaken(truth, 0.05);
-  const auto port = tune(start, indices_of_ship(truth, Side::port), {.watch = {}}), starboard = tune(start, indices_of_ship(truth, Side::starboard), {.watch = {}});
-  for (std::size_t j = 0; j < port.numbers.size(); ++j) CHECK_THAT(port.numbers[j].value, WithinRel(starboard.numbers[j].value, 1e-7));
+  const auto port = tune(start, indices_of_ship(truth, Side::port), {.watch = {}}),
+             starboard = tune(start, indices_of_ship(truth, Side::starboard), {.watch = {}});
+  for (std::size_t j = 0; j < port.numbers.size(); ++j)
+    CHECK_THAT(port.numbers[j].value, WithinRel(starboard.numbers[j].value, 1e-7));
 }
 
 TEST_CASE("a ship with the measured indices stays as she is", "[identification][limit]") {
@@ -103,7 +107,8 @@ TEST_CASE("a ship with the measured indices stays as she is", "[identification][
   for (const auto& n : t.numbers) CHECK_THAT(n.value, WithinRel(n.number.value, 1e-7));
 }
 
-TEST_CASE("the tighter the prior the nearer the numbers stay, and without trust in one it is not moved at all", "[identification][limit]") {
+TEST_CASE("the tighter the prior the nearer the numbers stay, and without trust in one it is not moved at all",
+          "[identification][limit]") {
   const auto moved = [](double prior) {
     const auto t = tune(nawigator(), nawigator_turns(), {.prior = prior, .watch = {}});
     double sum = 0.0;
@@ -114,7 +119,8 @@ TEST_CASE("the tighter the prior the nearer the numbers stay, and without trust 
   CHECK(moved(0.1) < moved(0.5));
   Ship ship = nawigator();
   ship.confidence.named.emplace_back("N_vrr", 0.0);
-  for (const auto& n : tune(ship, nawigator_turns()).numbers) CHECK((n.value == n.number.value) == (n.number.name == "N_vrr"));
+  for (const auto& n : tune(ship, nawigator_turns()).numbers)
+    CHECK((n.value == n.number.value) == (n.number.name == "N_vrr"));
 }
 
 TEST_CASE("no number changes by more than it may", "[identification][limit]") {
@@ -130,7 +136,10 @@ TEST_CASE("no number changes by more than it may", "[identification][limit]") {
 
 // ---------------------------------------------------------------- MV Nawigator XXI
 
-TEST_CASE("the initial hull of MV Nawigator XXI is tuned on her turns within 300 turning circles to an error that brute force does not reach", "[identification][published]") {
+TEST_CASE(
+    "the initial hull of MV Nawigator XXI is tuned on her turns within 300 turning circles to an error that brute "
+    "force does not reach",
+    "[identification][published]") {
   const auto t = tune(nawigator(), nawigator_turns(), {.prior = 1.0, .most_change = 1.0, .watch = {}});
   CHECK(t.status == TuningStatus::converged);
   CHECK_THAT(t.before.turns, WithinRel(0.3383771805699379, 1e-6));
@@ -138,15 +147,18 @@ TEST_CASE("the initial hull of MV Nawigator XXI is tuned on her turns within 300
   CHECK(t.voyages.turns <= 300);
 }
 
-TEST_CASE("bounds of 100 per cent and no prior give the optimum of an independent program", "[identification][published]") {
+TEST_CASE("bounds of 100 per cent and no prior give the optimum of an independent program",
+          "[identification][published]") {
   const auto t = tune(nawigator(), nawigator_turns(), {.prior = no_prior, .most_change = 1.0, .watch = {}});
   CHECK(t.after.turns < 0.13940);
   CHECK(t.after.turns > 0.1385);
   CHECK(t.voyages.turns <= 300);
 }
 
-TEST_CASE("tuned on turns and the measured zigzag MV Nawigator XXI gets better in both", "[identification][published]") {
-  const auto t = tune(nawigator(), read_indices(examples / "nawigator.toml", 56.85), {.prior = 1.0, .most_change = 1.0, .watch = {}});
+TEST_CASE("tuned on turns and the measured zigzag MV Nawigator XXI gets better in both",
+          "[identification][published]") {
+  const auto t = tune(nawigator(), read_indices(examples / "nawigator.toml", 56.85),
+                      {.prior = 1.0, .most_change = 1.0, .watch = {}});
   CHECK(t.after.turns < 0.15);
   CHECK(t.after.zigzags < 0.5 * t.before.zigzags);
   CHECK(t.voyages.turns <= 300);
@@ -155,31 +167,38 @@ TEST_CASE("tuned on turns and the measured zigzag MV Nawigator XXI gets better i
 TEST_CASE("the turns of the tuned ship last", "[identification][second-route]") {
   const auto t = tune(nawigator(), nawigator_turns(), {.prior = 1.0, .most_change = 1.0, .watch = {}});
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto circle = turning_circle(t.ship, {.rudder = radians(35.0 - 10.0 * static_cast<double>(k))}, {.rev = nawigator_rev, .duration = 3000.0, .sampled = true});
+    const auto circle = turning_circle(t.ship, {.rudder = radians(35.0 - 10.0 * static_cast<double>(k))},
+                                       {.rev = nawigator_rev, .duration = 3000.0, .sampled = true});
     CHECK(t.decay[k] > 0.1);
     REQUIRE(circle.steady);
     CHECK_THAT(circle.run[Channel::u].back(), WithinRel(t.indices[6 * k].after, 1e-6));
   }
 }
 
-TEST_CASE("eighteen turning indices tell six or seven of sixteen combinations of hull numbers to better than a half", "[identification][published]") {
+TEST_CASE("eighteen turning indices tell six or seven of sixteen combinations of hull numbers to better than a half",
+          "[identification][published]") {
   const auto s = index_sensitivity(nawigator(), nawigator_turns(), tuned_numbers(nawigator(), {}));
   const auto combinations = [&](double tolerance) {
     std::vector<double> of_measured;
     for (const auto& trial : nawigator_turns().trials)
-      for (const auto& i : trial.indices) of_measured.push_back(tolerance * std::abs(i.value / s.indices[of_measured.size()]));
+      for (const auto& i : trial.indices)
+        of_measured.push_back(tolerance * std::abs(i.value / s.indices[of_measured.size()]));
     return determined_combinations(s.exact, of_measured);
   };
   // an independent program, by differences, relative to the measured indices
   const std::array expected{4.6, 1.6, 1.4, 0.48, 0.29, 0.27, 0.13, 0.063, 0.029};
   const std::array half_digit{0.05, 0.05, 0.05, 0.005, 0.005, 0.005, 0.005, 0.0005, 0.0005};
-  for (std::size_t i = 0; i < expected.size(); ++i) CHECK_THAT(combinations(1.0)[i].singular_value, WithinAbs(expected[i], half_digit[i]));
-  const auto determined = [&](double tolerance) { return std::ranges::count(combinations(tolerance), true, &IndexCombination::determined); };
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    CHECK_THAT(combinations(1.0)[i].singular_value, WithinAbs(expected[i], half_digit[i]));
+  const auto determined = [&](double tolerance) {
+    return std::ranges::count(combinations(tolerance), true, &IndexCombination::determined);
+  };
   CHECK(determined(0.05) == 7);
   CHECK(determined(0.1) == 6);
 }
 
-TEST_CASE("ten per cent of each number change the turns of MV Nawigator XXI as an independent program says", "[identification][published]") {
+TEST_CASE("ten per cent of each number change the turns of MV Nawigator XXI as an independent program says",
+          "[identification][published]") {
   const auto golden = nlohmann::json::parse(std::ifstream(test::golden / "kulbiej2021.json"));
   const auto numbers = tuned_numbers(nawigator(), {});
   const auto s = index_sensitivity(nawigator(), nawigator_turns(), numbers);
@@ -187,7 +206,8 @@ TEST_CASE("ten per cent of each number change the turns of MV Nawigator XXI as a
   for (std::size_t j = 0; j < numbers.size(); ++j) {
     auto symbol = numbers[j].name;
     symbol.erase(1, 1);
-    for (std::size_t k = 0; k < 6; ++k) CHECK_THAT(100.0 * s.ten_per_cent[k][j], WithinAbs(table[symbol]["35"][k].get<double>(), 1e-3));
+    for (std::size_t k = 0; k < 6; ++k)
+      CHECK_THAT(100.0 * s.ten_per_cent[k][j], WithinAbs(table[symbol]["35"][k].get<double>(), 1e-3));
   }
 }
 
@@ -219,15 +239,19 @@ TEST_CASE("no more turning circles are sailed than allowed", "[identification][l
 
 TEST_CASE("what cannot be tuned is refused in words", "[identification][refusal]") {
   const auto turns = nawigator_turns();
-  CHECK_THROWS_WITH(tune(nawigator_xxi(NawigatorHull::n7), turns), ContainsSubstring("has no final_u_m_s in the turn 35 to starboard to begin with: no steady turn was found"));
-  CHECK_THROWS_WITH(tune(nawigator(), turns, {.numbers = {"N_x"}, .watch = {}}), ContainsSubstring("her model has no number N_x"));
+  CHECK_THROWS_WITH(
+      tune(nawigator_xxi(NawigatorHull::n7), turns),
+      ContainsSubstring("has no final_u_m_s in the turn 35 to starboard to begin with: no steady turn was found"));
+  CHECK_THROWS_WITH(tune(nawigator(), turns, {.numbers = {"N_x"}, .watch = {}}),
+                    ContainsSubstring("her model has no number N_x"));
   CHECK_THROWS_WITH(tune(nawigator(), turns, {.numbers = {"x_g_m"}, .watch = {}}), ContainsSubstring("x_g_m is 0"));
   Ship windy = nawigator();
   windy.surroundings.windy = true;
   CHECK_THROWS_AS(tune(windy, turns), Refusal);
   CHECK_THROWS_AS(tune(nawigator(), turns, {.prior = 0.0, .watch = {}}), std::domain_error);
   CHECK_THROWS_AS(tune(nawigator(), turns, {.most_turns = 0, .watch = {}}), std::domain_error);
-  CHECK_THROWS_AS(tune(nawigator(), parse_indices("[[turn]]\nrudder_deg = 50\nadvance_L = 3\n", "a", 56.85)), std::domain_error);
+  CHECK_THROWS_AS(tune(nawigator(), parse_indices("[[turn]]\nrudder_deg = 50\nadvance_L = 3\n", "a", 56.85)),
+                  std::domain_error);
   CHECK_THROWS_AS(determined_combinations({{1.0}}, {0.1, 0.2}), std::domain_error);
 }
 

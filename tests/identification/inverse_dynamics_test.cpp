@@ -14,7 +14,9 @@ ShipState<double> true_state(const test::DisturbedRun& d, std::size_t k) {
   return {at(Channel::x), at(Channel::y), at(Channel::psi), {at(Channel::u), at(Channel::v), at(Channel::r)}};
 }
 
-Controls<double> true_controls(const Ship& ship, const test::DisturbedRun& d, std::size_t k) { return RecordedControls(ship, d.run).at(d.run.time[k]); }
+Controls<double> true_controls(const Ship& ship, const test::DisturbedRun& d, std::size_t k) {
+  return RecordedControls(ship, d.run).at(d.run.time[k]);
+}
 
 PlanarForce<double> part(const ForceBreakdown& split, std::string_view name) {
   for (const auto& p : split.parts)
@@ -62,7 +64,8 @@ Ship without_hull(Ship ship) {
 /// And one of them in wind and current.
 std::vector<Ship> ships_of_all_models() {
   std::vector<Ship> all;
-  for (const auto name : {"kvlcc2_l7.toml", "wpcc_pi.toml", "wpcc_pu.toml", "mariner.toml"}) all.push_back(read_ship(test::ships / name));
+  for (const auto name : {"kvlcc2_l7.toml", "wpcc_pi.toml", "wpcc_pu.toml", "mariner.toml"})
+    all.push_back(read_ship(test::ships / name));
   all.push_back(test::kvlcc2());
   all.back().surroundings.wind = {.speed = 15.0, .from = 0.8};
   all.back().surroundings.current = {.speed = 1.0, .to = 2.0};
@@ -76,12 +79,14 @@ test::DisturbedOptions in_ship_lengths(const Ship& ship, std::size_t samples, do
   return {.samples = samples, .step = step * unit, .swing = 2.5 * unit};
 }
 
-TEST_CASE("the force found for an acceleration gives that acceleration, for every model", "[identification][round-trip]") {
+TEST_CASE("the force found for an acceleration gives that acceleration, for every model",
+          "[identification][round-trip]") {
   for (const auto& ship : ships_of_all_models()) {
     const double L = length(ship), U = service_speed(ship);
     const PlanarMotion<double> motion{0.9 * U, -0.2 * U, 0.4 * U / L};
     const PlanarAcceleration<double> a{0.02 * U * U / L, -0.1 * U * U / L, 0.3 * U * U / (L * L)};
-    const auto back = std::visit([&](const auto& model) { return acceleration(model, motion, force_of(model, motion, a)); }, ship.model);
+    const auto back = std::visit(
+        [&](const auto& model) { return acceleration(model, motion, force_of(model, motion, a)); }, ship.model);
     CHECK_THAT(back.u, WithinRel(a.u, 1e-10));
     CHECK_THAT(back.v, WithinRel(a.v, 1e-10));
     CHECK_THAT(back.r, WithinRel(a.r, 1e-10));
@@ -91,7 +96,9 @@ TEST_CASE("the force found for an acceleration gives that acceleration, for ever
 TEST_CASE("inverse dynamics of a run without noise returns the forces of the model", "[identification][round-trip]") {
   for (const auto& ship : ships_of_all_models()) {
     const auto d = test::disturbed_run(ship, {}, 1, in_ship_lengths(ship, 200, 0.05), perfect);
-    const auto found = inverse_dynamics(ship, d.run, estimate_states(ship, d.run, {.noise = d.noise, .imperfection = test::ordinary(ship, 1e-4).imperfection}));
+    const auto found = inverse_dynamics(
+        ship, d.run,
+        estimate_states(ship, d.run, {.noise = d.noise, .imperfection = test::ordinary(ship, 1e-4).imperfection}));
     const auto error = hull_error(ship, d, found);
     CHECK(error.Y < 1e-3);
     CHECK(error.N < 1e-3);
@@ -103,7 +110,8 @@ TEST_CASE("a ship whose hull is removed is told the hull force of the true one",
     const Ship ship = without_hull(truth);
     const auto d = test::disturbed_run(truth, {}, 1, in_ship_lengths(truth, 400, 0.02), perfect);
     for (const bool coloured : {true, false}) {
-      const EstimationOptions options{.noise = d.noise, .imperfection = test::ordinary(truth, 0.1).imperfection, .coloured = coloured};
+      const EstimationOptions options{
+          .noise = d.noise, .imperfection = test::ordinary(truth, 0.1).imperfection, .coloured = coloured};
       const auto error = hull_error(truth, d, inverse_dynamics(ship, d.run, estimate_states(ship, d.run, options)));
       CHECK(error.Y < 0.03);
       CHECK(error.N < 0.03);
@@ -117,7 +125,8 @@ TEST_CASE("95 % bands of hull forces hold the truth", "[identification][second-r
     double inside[3] = {}, count = 0.0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
       const auto d = test::disturbed_run(ship, by, seed, {.samples = 150});
-      const auto found = inverse_dynamics(ship, d.run, estimate_states(ship, d.run, {.noise = d.noise, .imperfection = by.imperfection}));
+      const auto found = inverse_dynamics(
+          ship, d.run, estimate_states(ship, d.run, {.noise = d.noise, .imperfection = by.imperfection}));
       for (std::size_t k = 10; k + 10 < found.size(); k += 5, ++count) {
         const auto hull = true_hull(ship, d, k);
         const auto& [force, covariance] = found[k].hull;

@@ -44,7 +44,8 @@ struct Coverage {
 
   void add(const std::array<Estimate, N>& found, const std::array<double, N>& truth) {
     ++ships;
-    for (std::size_t i = 0; i < N; ++i) inside[i] += std::abs(found[i].value - truth[i]) < 1.96 * found[i].standard_error;
+    for (std::size_t i = 0; i < N; ++i)
+      inside[i] += std::abs(found[i].value - truth[i]) < 1.96 * found[i].standard_error;
   }
   double share(std::size_t i) const { return static_cast<double>(inside[i]) / ships; }
 };
@@ -58,8 +59,10 @@ void check(const char* what, const Coverage<N>& coverage, double least, double m
   }
 }
 
-TEST_CASE("of 200 ships, 0.1 deg of noise on heading and 2 % on yaw rate, each constant lies in its 95 % interval for 90 to 99 %",
-          "[identification][second-route]") {
+TEST_CASE(
+    "of 200 ships, 0.1 deg of noise on heading and 2 % on yaw rate, each constant lies in its 95 % interval for 90 to "
+    "99 %",
+    "[identification][second-route]") {
   Coverage<6> coefficients, indices, stable, unstable;
   unsigned seed = 0;
   for (const auto& [ship, clean] : test::random_zigzags(200)) {

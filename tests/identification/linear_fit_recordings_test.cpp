@@ -18,7 +18,8 @@ TEST_CASE("the KVLCC2 looks stable in her large zigzags and not in the small one
   const auto small = fitted(*folder, "hsva_zz10_01_stbd.csv");
   CHECK(small.status == FitStatus::converged);
   CHECK(small.probability_stable < 0.1);
-  for (const auto* name : {"hsva_zz20_10_port.csv", "hsva_zz20_10_stbd.csv", "hsva_zz30_05_stbd.csv", "marin_zz20_20_stbd.csv"}) {
+  for (const auto* name :
+       {"hsva_zz20_10_port.csv", "hsva_zz20_10_stbd.csv", "hsva_zz30_05_stbd.csv", "marin_zz20_20_stbd.csv"}) {
     INFO(name);
     const auto large = fitted(*folder, name);
     CHECK(large.status == FitStatus::converged);
@@ -36,11 +37,13 @@ TEST_CASE("what a recording determines does not hang on how densely it is used",
     const auto dense = fitted(*folder, name, 0.1), thin = fitted(*folder, name, 0.25);
     CHECK_THAT(thin.transfer.e0.value, WithinAbs(dense.transfer.e0.value, 2.0 * dense.transfer.e0.standard_error));
     CHECK_THAT(thin.indices.T3w.value, WithinAbs(dense.indices.T3w.value, 2.0 * dense.indices.T3w.standard_error));
-    CHECK_THAT(thin.coefficients.c2.value, WithinAbs(dense.coefficients.c2.value, 2.0 * dense.coefficients.c2.standard_error));
+    CHECK_THAT(thin.coefficients.c2.value,
+               WithinAbs(dense.coefficients.c2.value, 2.0 * dense.coefficients.c2.standard_error));
   }
 }
 
-TEST_CASE("zigzags begun to port and to starboard give the same ship within their errors", "[identification][second-route]") {
+TEST_CASE("zigzags begun to port and to starboard give the same ship within their errors",
+          "[identification][second-route]") {
   const auto folder = test::benchmark_recordings("kvlcc2");
   if (!folder) return;
   const auto port = fitted(*folder, "hsva_zz20_10_port.csv"), starboard = fitted(*folder, "hsva_zz20_10_stbd.csv");

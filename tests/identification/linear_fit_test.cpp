@@ -24,7 +24,8 @@ std::array<T, 6> listed(const SwayYawCoefficients<T>& m) {
   return {m.a1, m.b1, m.c1, m.a2, m.b2, m.c2};
 }
 
-void require_same(const SwayYawCoefficients<Estimate>& found, const SwayYawCoefficients<double>& truth, double tolerance) {
+void require_same(const SwayYawCoefficients<Estimate>& found, const SwayYawCoefficients<double>& truth,
+                  double tolerance) {
   for (std::size_t i = 0; i < 6; ++i) {
     INFO("constant " << i);
     REQUIRE_THAT(listed(found)[i].value, WithinAbs(listed(truth)[i], tolerance));
@@ -32,13 +33,15 @@ void require_same(const SwayYawCoefficients<Estimate>& found, const SwayYawCoeff
 }
 
 /// How often the 95 % interval of each constant holds the truth.
-std::array<double, 6> coverage(const SwayYawCoefficients<double>& ship, test::RecordedZigzag wish, const LinearFitOptions& options, unsigned runs) {
+std::array<double, 6> coverage(const SwayYawCoefficients<double>& ship, test::RecordedZigzag wish,
+                               const LinearFitOptions& options, unsigned runs) {
   std::array<double, 6> inside{};
   for (unsigned k = 0; k < runs; ++k) {
     wish.seed = k + 1;
     const auto found = listed(fit_linear(recorded(ship, wish), options).coefficients);
     for (std::size_t i = 0; i < 6; ++i)
-      inside[i] += (std::abs(found[i].value - listed(ship)[i]) < 1.96 * found[i].standard_error) / static_cast<double>(runs);
+      inside[i] +=
+          (std::abs(found[i].value - listed(ship)[i]) < 1.96 * found[i].standard_error) / static_cast<double>(runs);
   }
   return inside;
 }
@@ -62,19 +65,22 @@ TEST_CASE("without noise the six constants of any ship come back", "[identificat
 TEST_CASE("irregular time, lost samples and falling speed do no harm", "[identification][round-trip]") {
   for (const auto& ship : {RandomLinearShips::tanker(), unstable_ship()}) {
     auto run = recorded(ship, {.rudder_offset = 0.004, .speed_loss = 0.4, .irregular = 0.8});
-    for (std::size_t i = 0; i < run.samples(); i += 7) run.fill(Channel::psi)[i] = run.fill(Channel::r)[(3 * i) % run.samples()] = missing;
+    for (std::size_t i = 0; i < run.samples(); i += 7)
+      run.fill(Channel::psi)[i] = run.fill(Channel::r)[(3 * i) % run.samples()] = missing;
     require_same(fit_linear(run, {.L = ship_length}).coefficients, ship, 1e-6);
   }
 }
 
 TEST_CASE("several recordings give one ship, each with its own start", "[identification][round-trip]") {
   const auto ship = unstable_ship();
-  const std::vector<Recording> runs{recorded(ship, {.lengths = 8.0, .start = {0.01, 0.0, 0.0}, .rudder_offset = 0.01}),
-                                    recorded(ship, {.heading = radians(5), .lengths = 9.0, .start = {-0.02, 0.1, 3.0}, .rudder_offset = 0.01})};
+  const std::vector<Recording> runs{
+      recorded(ship, {.lengths = 8.0, .start = {0.01, 0.0, 0.0}, .rudder_offset = 0.01}),
+      recorded(ship, {.heading = radians(5), .lengths = 9.0, .start = {-0.02, 0.1, 3.0}, .rudder_offset = 0.01})};
   const auto fit = fit_linear(runs, {.L = ship_length});
   require_same(fit.coefficients, ship, 1e-6);
   REQUIRE(fit.starts.size() == 2);
-  CHECK(fit.samples == fit_linear(runs[0], {.L = ship_length}).samples + fit_linear(runs[1], {.L = ship_length}).samples);
+  CHECK(fit.samples ==
+        fit_linear(runs[0], {.L = ship_length}).samples + fit_linear(runs[1], {.L = ship_length}).samples);
   CHECK_THAT(fit.starts[1].psi.value, WithinAbs(3.0, 1e-6));
   CHECK_THAT(fit.starts[1].omega.value, WithinAbs(0.1, 1e-6));
 }
@@ -102,7 +108,8 @@ TEST_CASE("a mirrored recording gives the same ship", "[identification][symmetry
   const auto mirrored = fit_linear(run, {.L = ship_length});
   for (std::size_t i = 0; i < 6; ++i) {
     CHECK_THAT(listed(mirrored.coefficients)[i].value, WithinRel(listed(fit.coefficients)[i].value, 1e-6));
-    CHECK_THAT(listed(mirrored.coefficients)[i].standard_error, WithinRel(listed(fit.coefficients)[i].standard_error, 1e-3));
+    CHECK_THAT(listed(mirrored.coefficients)[i].standard_error,
+               WithinRel(listed(fit.coefficients)[i].standard_error, 1e-3));
   }
   CHECK_THAT(mirrored.rudder_offset.value, WithinAbs(-fit.rudder_offset.value, 1e-7));
 }
@@ -149,7 +156,8 @@ TEST_CASE("95 % intervals hold the truth in 90 to 99 % of noisy zigzags", "[iden
   }
 }
 
-TEST_CASE("intervals hold under random forces, and do not if these are taken for noise", "[identification][second-route]") {
+TEST_CASE("intervals hold under random forces, and do not if these are taken for noise",
+          "[identification][second-route]") {
   const test::RecordedZigzag wish{.step = 0.14, .noise = 0.002, .disturbance = 0.005};
   for (const auto& ship : {RandomLinearShips::tanker(), unstable_ship()}) {
     const auto with = coverage(ship, wish, {.L = ship_length, .spacing = 0.0}, 60);
@@ -162,7 +170,8 @@ TEST_CASE("intervals hold under random forces, and do not if these are taken for
   }
 }
 
-TEST_CASE("standard errors hold for correlated noise when measurements are as far apart", "[identification][second-route]") {
+TEST_CASE("standard errors hold for correlated noise when measurements are as far apart",
+          "[identification][second-route]") {
   const test::RecordedZigzag wish{.step = 0.14, .noise = 0.003, .correlation = 0.5};
   for (const auto& ship : {RandomLinearShips::tanker(), unstable_ship()}) {
     const auto inside = coverage(ship, wish, {.L = ship_length, .spacing = 0.5}, 60);
@@ -208,20 +217,24 @@ TEST_CASE("only samples that are used are counted", "[identification][limit]") {
 TEST_CASE("known noise is used as given", "[identification][limit]") {
   const auto run = recorded(RandomLinearShips::tanker(), {.noise = 0.003});
   const ChannelNoise noise{.psi = 0.003, .r = 0.0009 * test::ship_speed / ship_length, .beta = 0.003};
-  const auto estimated = fit_linear(run, {.L = ship_length, .spacing = 0.0}), known = fit_linear(run, {.L = ship_length, .spacing = 0.0, .noise = noise});
+  const auto estimated = fit_linear(run, {.L = ship_length, .spacing = 0.0}),
+             known = fit_linear(run, {.L = ship_length, .spacing = 0.0, .noise = noise});
   CHECK_THAT(known.noise.psi, WithinRel(0.003, 1e-5));
   CHECK_THAT(estimated.noise.psi, WithinRel(0.003, 0.1));
   CHECK_THAT(estimated.noise.beta, WithinRel(0.003, 0.1));
   CHECK_THAT(estimated.noise.r, WithinRel(noise.r, 0.1));
-  CHECK_THAT(known.coefficients.a2.value, WithinAbs(estimated.coefficients.a2.value, estimated.coefficients.a2.standard_error));
+  CHECK_THAT(known.coefficients.a2.value,
+             WithinAbs(estimated.coefficients.a2.value, estimated.coefficients.a2.standard_error));
 }
 
 TEST_CASE("what cannot be fitted is refused in words", "[identification][refusal]") {
   auto run = recorded(RandomLinearShips::tanker(), {});
   CHECK_THROWS_WITH(fit_linear(run, {.L = 0.0}), ContainsSubstring("ship length L [m] must be positive"));
-  CHECK_THROWS_WITH(fit_linear(run, {.L = 100.0, .noise = ChannelNoise{.psi = -0.001, .r = 0.001, .beta = 0.001}}), ContainsSubstring("known noise must be positive"));
+  CHECK_THROWS_WITH(fit_linear(run, {.L = 100.0, .noise = ChannelNoise{.psi = -0.001, .r = 0.001, .beta = 0.001}}),
+                    ContainsSubstring("known noise must be positive"));
   CHECK_THROWS_WITH(fit_linear(run, {.L = 100.0, .from = 1e6}), ContainsSubstring("no samples in the interval"));
-  CHECK_THROWS_WITH(fit_linear(run, {.L = 100.0, .use_heading = false, .use_yaw_rate = false}), ContainsSubstring("neither heading nor yaw rate"));
+  CHECK_THROWS_WITH(fit_linear(run, {.L = 100.0, .use_heading = false, .use_yaw_rate = false}),
+                    ContainsSubstring("neither heading nor yaw rate"));
   CHECK_THROWS_WITH(fit_linear(run, {.L = 100.0, .to = 3.0}), ContainsSubstring("fewer than 20 measurements"));
   run.channels[index_of(Channel::u)].clear();
   CHECK_THROWS_WITH(fit_linear(run, {.L = 100.0}), ContainsSubstring("no channel tells the speed"));

@@ -17,16 +17,16 @@ inline constexpr double ship_length = 100.0, ship_speed = 7.0;
 struct RecordedZigzag {
   double rudder = radians(10.0);
   double heading = radians(10.0);
-  double rate = 0.6;               ///< of the rudder, radians per ship length
-  double lengths = 25.0;           ///< duration in ship lengths
-  double step = 0.07;              ///< between samples, ship lengths
+  double rate = 0.6;      ///< of the rudder, radians per ship length
+  double lengths = 25.0;  ///< duration in ship lengths
+  double step = 0.07;     ///< between samples, ship lengths
   LinearState<double> start{};
-  double rudder_offset = 0.0;      ///< acts besides the recorded angle [rad]
-  double noise = 0.0;              ///< of psi and of drift [rad]; of omega' 0.3 times that
-  double disturbance = 0.0;        ///< random forces: growth of beta with the root of time; of omega' three times that
-  double correlation = 0.0;        ///< of the noise of heading and drift, in ship lengths; 0 for white noise
-  double speed_loss = 0.0;         ///< share of the speed lost evenly over the run
-  double irregular = 0.0;          ///< share of the step by which samples are early or late
+  double rudder_offset = 0.0;  ///< acts besides the recorded angle [rad]
+  double noise = 0.0;          ///< of psi and of drift [rad]; of omega' 0.3 times that
+  double disturbance = 0.0;    ///< random forces: growth of beta with the root of time; of omega' three times that
+  double correlation = 0.0;    ///< of the noise of heading and drift, in ship lengths; 0 for white noise
+  double speed_loss = 0.0;     ///< share of the speed lost evenly over the run
+  double irregular = 0.0;      ///< share of the step by which samples are early or late
   bool drift = true;
   unsigned seed = 1;
 };
@@ -60,8 +60,11 @@ inline Recording recorded(const SwayYawCoefficients<double>& ship, const Recorde
   const auto count = static_cast<std::size_t>(wish.lengths / wish.step);
   std::uniform_real_distribution<double> late(-0.5 * wish.irregular, 0.5 * wish.irregular);
   for (std::size_t i = 0; i < count; ++i) run.time.push_back((static_cast<double>(i) + late(engine)) * step_s);
-  const auto speed = [&](std::size_t i) { return ship_speed * (1.0 - wish.speed_loss * static_cast<double>(i) / static_cast<double>(count)); };
-  const auto psi = run.fill(Channel::psi), r = run.fill(Channel::r), delta = run.fill(Channel::delta), u = run.fill(Channel::u);
+  const auto speed = [&](std::size_t i) {
+    return ship_speed * (1.0 - wish.speed_loss * static_cast<double>(i) / static_cast<double>(count));
+  };
+  const auto psi = run.fill(Channel::psi), r = run.fill(Channel::r), delta = run.fill(Channel::delta),
+             u = run.fill(Channel::u);
   const auto v = wish.drift ? run.fill(Channel::v) : std::span<double>{};
   LinearState<double> x = wish.start;
   double order = -wish.rudder;  // to starboard
@@ -69,7 +72,8 @@ inline Recording recorded(const SwayYawCoefficients<double>& ship, const Recorde
   for (std::size_t i = 0; i < count; ++i) {
     if (i > 0) {
       delta[i] = delta[i - 1] + std::clamp(order - delta[i - 1], -reach, reach);
-      const double s = 0.5 * (speed(i) + speed(i - 1)) / ship_length * (run.time[i] - run.time[i - 1]), root = std::sqrt(s) * wish.disturbance;
+      const double s = 0.5 * (speed(i) + speed(i - 1)) / ship_length * (run.time[i] - run.time[i - 1]),
+                   root = std::sqrt(s) * wish.disturbance;
       x = state_after(response, x, {delta[i - 1] + wish.rudder_offset, (delta[i] - delta[i - 1]) / s}, s);
       x.beta += root * normal(engine);
       x.omega += 3.0 * root * normal(engine);
@@ -94,8 +98,9 @@ inline std::vector<ShipAndZigzag> random_zigzags(std::size_t count) {
   RandomLinearShips random(61);
   std::vector<ShipAndZigzag> result;
   while (result.size() < count) {
-    const SwayYawCoefficients<double> ship{random.uniform(-0.9, -0.4), random.uniform(0.3, 0.6), random.uniform(-0.25, -0.1),
-                                           random.uniform(2.0, 5.0),   random.uniform(-3.5, -2.0), random.uniform(-2.0, -1.0)};
+    const SwayYawCoefficients<double> ship{random.uniform(-0.9, -0.4),  random.uniform(0.3, 0.6),
+                                           random.uniform(-0.25, -0.1), random.uniform(2.0, 5.0),
+                                           random.uniform(-3.5, -2.0),  random.uniform(-2.0, -1.0)};
     const auto run = recorded(ship, {.start = {0.01, -0.03, 0.02}, .rudder_offset = 0.005});
     const auto psi = run[Channel::psi];
     if (std::ranges::max(psi) < 1.5 && std::ranges::min(psi) > -1.5) result.push_back({ship, run});

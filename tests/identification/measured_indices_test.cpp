@@ -33,7 +33,8 @@ TEST_CASE("an index is the same in every unit that the file may use", "[identifi
       {"final_drift_deg = 10", "final_drift_rad = 0.17453292519943295"},
   };
   for (const auto& [a, b] : same) {
-    const auto x = parse_indices(turn + a, "a", L).trials[0].indices[0], y = parse_indices(turn + b, "b", L).trials[0].indices[0];
+    const auto x = parse_indices(turn + a, "a", L).trials[0].indices[0],
+               y = parse_indices(turn + b, "b", L).trials[0].indices[0];
     INFO(a);
     CHECK(x.place == y.place);
     CHECK_THAT(x.value, WithinRel(y.value, 1e-14));
@@ -41,8 +42,11 @@ TEST_CASE("an index is the same in every unit that the file may use", "[identifi
   }
 }
 
-TEST_CASE("tolerances are taken from the index, the manoeuvre, the file, or are one in twenty", "[identification][limit]") {
-  const auto deviation = [](const std::string& text) { return parse_indices(text, "a", L).trials[0].indices[0].deviation; };
+TEST_CASE("tolerances are taken from the index, the manoeuvre, the file, or are one in twenty",
+          "[identification][limit]") {
+  const auto deviation = [](const std::string& text) {
+    return parse_indices(text, "a", L).trials[0].indices[0].deviation;
+  };
   CHECK_THAT(deviation(turn + "advance_m = 200"), WithinRel(10.0, 1e-14));
   CHECK_THAT(deviation("tolerance = 0.1\n" + turn + "advance_m = 200"), WithinRel(20.0, 1e-14));
   CHECK_THAT(deviation("tolerance = 0.1\n" + turn + "tolerance = 0.2\nadvance_m = 200"), WithinRel(40.0, 1e-14));
@@ -50,18 +54,22 @@ TEST_CASE("tolerances are taken from the index, the manoeuvre, the file, or are 
   CHECK_THAT(deviation(turn + "final_v_m_s = -2"), WithinRel(0.1, 1e-14));
 }
 
-TEST_CASE("overshoots are counted from the first peak, or from the one that the file names", "[identification][limit]") {
-  const auto from_first = parse_indices(zigzag + "overshoot_deg = [5, { value = 7, sd = 1 }]", "a", L).trials[0].indices;
+TEST_CASE("overshoots are counted from the first peak, or from the one that the file names",
+          "[identification][limit]") {
+  const auto from_first =
+      parse_indices(zigzag + "overshoot_deg = [5, { value = 7, sd = 1 }]", "a", L).trials[0].indices;
   CHECK(ZigzagIndices<>::parameters()[from_first[0].place].key == "overshoot[0]");
   CHECK(from_first[1].name == "overshoot_deg 2");
   CHECK_THAT(from_first[1].deviation, WithinRel(radians(1.0), 1e-14));
-  const auto from_second = parse_indices(zigzag + "first_peak = 2\novershoot_deg = [5, 7]\nperiod_s = 100", "a", L).trials[0].indices;
+  const auto from_second =
+      parse_indices(zigzag + "first_peak = 2\novershoot_deg = [5, 7]\nperiod_s = 100", "a", L).trials[0].indices;
   CHECK(ZigzagIndices<>::parameters()[from_second[1].place].key == "overshoot[2]");
   CHECK(ZigzagIndices<>::parameters()[from_second[2].place].key == "period");
 }
 
 TEST_CASE("the measured indices of MV Nawigator XXI are those of the paper", "[identification][published]") {
-  const auto measured = read_indices(std::filesystem::path(SWAYAW_TEST_EXAMPLES).parent_path() / "indices" / "nawigator.toml", 56.85);
+  const auto measured =
+      read_indices(std::filesystem::path(SWAYAW_TEST_EXAMPLES).parent_path() / "indices" / "nawigator.toml", 56.85);
   CHECK(measured.speed == 5.91);
   CHECK(measured.rev == 3.7);
   REQUIRE(measured.trials.size() == 4);
@@ -96,7 +104,8 @@ TEST_CASE("a bad file of indices is refused with its place", "[identification][r
       {zigzag + "overshoot_deg = [5, -1]\n", "indices.toml:4:21: overshoot_deg must be positive, got -1"},
       {zigzag + "overshoot_deg = [1, 2, 3, 4, 5]\n", "goes beyond the 4 heading peaks"},
       {zigzag + "first_peak = 4\novershoot_deg = [1, 2]\n", "goes beyond the 4 heading peaks"},
-      {zigzag + "first_peak = 1.5\novershoot_deg = [1]\n", "indices.toml:4:14: first_peak must be a whole number from 1 to 4"},
+      {zigzag + "first_peak = 1.5\novershoot_deg = [1]\n",
+       "indices.toml:4:14: first_peak must be a whole number from 1 to 4"},
   };
   for (const auto& [text, what] : cases) {
     INFO(text);

@@ -26,15 +26,18 @@ TEST_CASE("Nomoto's analysis returns K, T and rudder offset of a first-order shi
   }
 }
 
-TEST_CASE("Nomoto's analysis of a second-order ship finds K and T too small, K/T too large", "[identification][limit]") {
+TEST_CASE("Nomoto's analysis of a second-order ship finds K and T too small, K/T too large",
+          "[identification][limit]") {
   test::RandomLinearShips random(72);
   for (int k = 0; k < 50; ++k) {
     // T3 > T1 T2/(T1 + T2 − T3), as of ships
-    const double T1 = random.uniform(3.0, 12.0), T2 = random.uniform(0.2, 0.4), T3 = random.uniform(0.7, 1.2), K = random.uniform(-4.0, -1.5);
+    const double T1 = random.uniform(3.0, 12.0), T2 = random.uniform(0.2, 0.4), T3 = random.uniform(0.7, 1.2),
+                 K = random.uniform(-4.0, -1.5);
     const auto ship = coefficients_from(SteeringIndices<double>{T1 * T2, T1 + T2, 0.15, T3, 0.7 * K, K});
     const auto n = nomoto_zigzag_analysis(recorded(ship, {.lengths = 60.0}));
     const double T = T1 + T2 - T3;
-    INFO("T1 " << T1 << " T2 " << T2 << " T3 " << T3 << " K " << K << ": K " << n.K * time_unit << ", T " << n.T / time_unit);
+    INFO("T1 " << T1 << " T2 " << T2 << " T3 " << T3 << " K " << K << ": K " << n.K * time_unit << ", T "
+               << n.T / time_unit);
     CHECK(std::abs(n.K * time_unit) < std::abs(K));
     CHECK(n.T / time_unit < T);
     CHECK(std::abs(n.K / n.T) * time_unit * time_unit > std::abs(K / T));
@@ -42,7 +45,8 @@ TEST_CASE("Nomoto's analysis of a second-order ship finds K and T too small, K/T
 }
 
 TEST_CASE("a run without three heading peaks is refused", "[identification][refusal]") {
-  CHECK_THROWS_WITH(nomoto_zigzag_analysis(recorded(first_order_ship(-1.5, 2.0), {.lengths = 4.0})), ContainsSubstring("three heading peaks"));
+  CHECK_THROWS_WITH(nomoto_zigzag_analysis(recorded(first_order_ship(-1.5, 2.0), {.lengths = 4.0})),
+                    ContainsSubstring("three heading peaks"));
 }
 
 }  // namespace

@@ -66,7 +66,9 @@ inline Eigen::VectorXd values(const Regression& fit) {
 }
 
 /// Largest difference of the coefficients, each as a share of itself.
-inline double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) { return ((a - b).array() / b.array()).abs().maxCoeff(); }
+inline double difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return ((a - b).array() / b.array()).abs().maxCoeff();
+}
 
 /// Share of intervals that hold the truth, over many noises.
 class Coverage {

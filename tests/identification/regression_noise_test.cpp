@@ -37,7 +37,8 @@ TEST_CASE("with white noise 95 % intervals hold the truth for 92 to 98 %", "[ide
   }
 }
 
-TEST_CASE("with AR(1) noise least squares claims too much; generalised and Newey-West errors hold for 90 to 98 %", "[identification][second-route]") {
+TEST_CASE("with AR(1) noise least squares claims too much; generalised and Newey-West errors hold for 90 to 98 %",
+          "[identification][second-route]") {
   RandomDesigns random(22);
   for (const double phi : {0.5, 0.8}) {
     INFO("phi " << phi);
@@ -59,14 +60,17 @@ TEST_CASE("with AR(1) noise least squares claims too much; generalised and Newey
   }
 }
 
-TEST_CASE("generalised least squares is closer to the truth than least squares when noise is correlated", "[identification][limit]") {
+TEST_CASE("generalised least squares is closer to the truth than least squares when noise is correlated",
+          "[identification][limit]") {
   RandomDesigns random(23);
   double plain = 0.0, generalised = 0.0;
   for (int i = 0; i < 200; ++i) {
     auto [design, truth] = random.design(300, 3);
     design.y += random.correlated(300, 0.95);
     plain += ((values(regress(design)) - truth).array() / truth.array()).square().sum();
-    generalised += ((values(regress(design, {.residuals = Residuals::autoregressive})) - truth).array() / truth.array()).square().sum();
+    generalised += ((values(regress(design, {.residuals = Residuals::autoregressive})) - truth).array() / truth.array())
+                       .square()
+                       .sum();
   }
   CHECK(generalised < 0.5 * plain);
 }
@@ -112,7 +116,8 @@ Noisy with_feature_errors(RandomDesigns& random, Index n) {
   return noisy;
 }
 
-TEST_CASE("known errors of features are taken off: no attenuation, intervals hold for 92 to 98 %", "[identification][second-route]") {
+TEST_CASE("known errors of features are taken off: no attenuation, intervals hold for 92 to 98 %",
+          "[identification][second-route]") {
   RandomDesigns random(26);
   Coverage plain, corrected;
   VectorXd plain_bias = VectorXd::Zero(3), bias = VectorXd::Zero(3), told = VectorXd::Zero(3);
@@ -134,7 +139,8 @@ TEST_CASE("known errors of features are taken off: no attenuation, intervals hol
   CHECK(corrected.share() < 0.98);
 }
 
-TEST_CASE("a covariance for each sample does the same as one for all where they are equal", "[identification][symmetry]") {
+TEST_CASE("a covariance for each sample does the same as one for all where they are equal",
+          "[identification][symmetry]") {
   RandomDesigns random(27);
   const auto [design, truth, covariance] = with_feature_errors(random, 100);
   const auto one = regress(design, {.feature_errors = {{covariance}}});
@@ -157,7 +163,8 @@ TEST_CASE("total least squares is the smallest right singular vector", "[identif
   CHECK_THAT(fit.error_size, WithinRel(0.01, 0.2));
 }
 
-TEST_CASE("total least squares with noise of the right shape holds the truth for 92 to 98 %", "[identification][second-route]") {
+TEST_CASE("total least squares with noise of the right shape holds the truth for 92 to 98 %",
+          "[identification][second-route]") {
   RandomDesigns random(29);
   Coverage coverage;
   for (int i = 0; i < 300; ++i) {
@@ -168,7 +175,8 @@ TEST_CASE("total least squares with noise of the right shape holds the truth for
   CHECK(coverage.share() < 0.98);
 }
 
-TEST_CASE("a coefficient whose force might be half of all is told undetermined, with the combination that is", "[identification][limit]") {
+TEST_CASE("a coefficient whose force might be half of all is told undetermined, with the combination that is",
+          "[identification][limit]") {
   RandomDesigns random(30);
   auto design = random.design(100, 3).design;
   design.X.col(2) = design.X.col(1) + 1e-3 * design.X.col(1).norm() / 10.0 * random.normals(100);

@@ -56,16 +56,19 @@ TEST_CASE("least squares with standard errors is that of orthogonal factors", "[
       REQUIRE_THAT(c.estimate.standard_error, WithinRel(std::sqrt(C(j, j)), 1e-8));
       REQUIRE_THAT(c.variance_inflation, WithinRel(design.X.col(j).squaredNorm() * C(j, j) / s2, 1e-8));
     }
-    const auto singular = (design.X * design.X.colwise().norm().cwiseInverse().asDiagonal()).jacobiSvd().singularValues();
+    const auto singular =
+        (design.X * design.X.colwise().norm().cwiseInverse().asDiagonal()).jacobiSvd().singularValues();
     REQUIRE_THAT(fit.condition_number, WithinRel(singular[0] / singular[p - 1], 1e-8));
   }
 }
 
-TEST_CASE("nearly collinear columns go to orthogonal factors and lose no more than the condition number", "[identification][round-trip]") {
+TEST_CASE("nearly collinear columns go to orthogonal factors and lose no more than the condition number",
+          "[identification][round-trip]") {
   RandomDesigns random(3);
   for (const double apart : {1e-3, 1e-5, 1e-7}) {
     auto [design, truth] = random.design(200, 4);
-    design.X.col(3) = design.X.col(2) * (1.0 + random.uniform(0.0, 1.0)) + apart * design.X.col(2).norm() / 14.0 * random.normals(200);
+    design.X.col(3) = design.X.col(2) * (1.0 + random.uniform(0.0, 1.0)) +
+                      apart * design.X.col(2).norm() / 14.0 * random.normals(200);
     design.y = design.X * truth;
     const auto fit = regress(design);
     CHECK(fit.solver == Solver::qr);
@@ -77,7 +80,8 @@ TEST_CASE("nearly collinear columns go to orthogonal factors and lose no more th
 TEST_CASE("columns at right angles have variance inflation 1 and condition number 1", "[identification][limit]") {
   RandomDesigns random(4);
   const MatrixXd Q = MatrixXd(random.design(100, 6).design.X.householderQr().householderQ()).leftCols(6);
-  Design design{{"a", "b", "c", "d", "e", "f"}, Q * VectorXd::LinSpaced(6, 1.0, 500.0).asDiagonal(), random.normals(100)};
+  Design design{
+      {"a", "b", "c", "d", "e", "f"}, Q * VectorXd::LinSpaced(6, 1.0, 500.0).asDiagonal(), random.normals(100)};
   const auto fit = regress(design);
   CHECK_THAT(fit.condition_number, WithinAbs(1.0, 1e-10));
   for (const auto& c : fit.coefficients) CHECK_THAT(c.variance_inflation, WithinAbs(1.0, 1e-10));
@@ -88,8 +92,9 @@ TEST_CASE("another unit of a column changes its coefficient and nothing else", "
   for (int i = 0; i < 30; ++i) {
     auto [design, truth] = random.design(120, 5);
     design.y += random.correlated(120, 0.5);
-    for (const auto& options : {RegressionOptions{}, RegressionOptions{.residuals = Residuals::autoregressive},
-                                RegressionOptions{.standard_errors = StandardErrors::newey_west}, RegressionOptions{.ridge = 3.0}}) {
+    for (const auto& options :
+         {RegressionOptions{}, RegressionOptions{.residuals = Residuals::autoregressive},
+          RegressionOptions{.standard_errors = StandardErrors::newey_west}, RegressionOptions{.ridge = 3.0}}) {
       auto scaled = design;
       scaled.X.col(1) *= 1e4;
       const auto before = regress(design, options), after = regress(scaled, options);
@@ -119,7 +124,8 @@ TEST_CASE("constraints are kept exactly, and cost nothing where the truth obeys 
   }
 }
 
-TEST_CASE("of a column given twice the difference is not determined, and all other coefficients are", "[identification][round-trip]") {
+TEST_CASE("of a column given twice the difference is not determined, and all other coefficients are",
+          "[identification][round-trip]") {
   RandomDesigns random(7);
   for (int i = 0; i < 50; ++i) {
     auto [design, truth] = random.design(100, 4);
@@ -132,7 +138,7 @@ TEST_CASE("of a column given twice the difference is not determined, and all oth
     REQUIRE(fit.undetermined.size() == 1);
     const auto& terms = fit.undetermined[0].terms;
     REQUIRE(terms.size() == 2);
-    REQUIRE(in_words(fit.undetermined[0]).starts_with(terms[0].second > 0.0 ? "b1 - b3" : "-b1 + b3") );
+    REQUIRE(in_words(fit.undetermined[0]).starts_with(terms[0].second > 0.0 ? "b1 - b3" : "-b1 + b3"));
     REQUIRE(std::isinf(fit.undetermined[0].standard_error));
     for (const auto* name : {"b1", "b3"}) {
       REQUIRE(fit[name].undetermined);
@@ -202,7 +208,8 @@ TEST_CASE("a sharp prior is obeyed, a vague one is not heard", "[identification]
   design.y += random.normals(80);
   const auto free = regress(design);
   const double size = free["b0"].estimate.standard_error;
-  CHECK_THAT(regress(design, {.priors = {{"b0", 7.0 * size, 1e-6 * size}}})["b0"].estimate.value, WithinRel(7.0 * size, 1e-6));
+  CHECK_THAT(regress(design, {.priors = {{"b0", 7.0 * size, 1e-6 * size}}})["b0"].estimate.value,
+             WithinRel(7.0 * size, 1e-6));
   CHECK(difference(values(regress(design, {.priors = {{"b0", 7.0 * size, 1e6 * size}}})), values(free)) < 1e-6);
 }
 
@@ -244,9 +251,12 @@ TEST_CASE("senseless regressions are refused in words", "[identification][refusa
   CHECK_THROWS_AS(regress({design.names, design.X, VectorXd(19)}), std::domain_error);
   CHECK_THROWS_AS(regress({{"a"}, design.X, design.y}), std::domain_error);
   CHECK_THROWS_WITH(regress(design, {.priors = {{"c", 0.0, 1.0}}}), ContainsSubstring("no coefficient c"));
-  CHECK_THROWS_WITH(regress({design.names, design.X.topRows(3), design.y.head(3)}), ContainsSubstring("3 samples do not tell 3 coefficients"));
-  CHECK_THROWS_WITH(regress(design, {.constraints = {{{{"b0", 1.0}}, 1.0}, {{{"b0", 2.0}}, 1.0}}}), ContainsSubstring("contradict"));
-  CHECK_THROWS_WITH(regress({{"b0"}, design.X.leftCols(1), design.y}, {.constraints = {{{{"b0", 1.0}}, 1.0}}}), ContainsSubstring("leave no coefficient"));
+  CHECK_THROWS_WITH(regress({design.names, design.X.topRows(3), design.y.head(3)}),
+                    ContainsSubstring("3 samples do not tell 3 coefficients"));
+  CHECK_THROWS_WITH(regress(design, {.constraints = {{{{"b0", 1.0}}, 1.0}, {{{"b0", 2.0}}, 1.0}}}),
+                    ContainsSubstring("contradict"));
+  CHECK_THROWS_WITH(regress({{"b0"}, design.X.leftCols(1), design.y}, {.constraints = {{{{"b0", 1.0}}, 1.0}}}),
+                    ContainsSubstring("leave no coefficient"));
   CHECK_THROWS_AS(regress(design, {.priors = {{"b0", 1.0, 0.0}}}), std::domain_error);
   auto bad = design;
   bad.runs = {0, 5, 5};
@@ -257,7 +267,9 @@ TEST_CASE("senseless regressions are refused in words", "[identification][refusa
   bad = design;
   bad.variance = VectorXd::Zero(20);
   CHECK_THROWS_AS(regress(bad), std::domain_error);
-  CHECK_THROWS_AS(regress(design, {.residuals = Residuals::autoregressive, .feature_errors = {{MatrixXd::Identity(4, 4)}}}), std::domain_error);
+  CHECK_THROWS_AS(
+      regress(design, {.residuals = Residuals::autoregressive, .feature_errors = {{MatrixXd::Identity(4, 4)}}}),
+      std::domain_error);
 }
 
 }  // namespace

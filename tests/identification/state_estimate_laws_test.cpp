@@ -18,7 +18,8 @@ double normalized_error(const EstimatedState& estimate, const test::DisturbedRun
   e.tail<3>() << u - a.u, v - a.v, r - a.r;
   Eigen::MatrixXd P(states, states);
   for (int i = 0; i < states; ++i)
-    for (int j = 0; j < states; ++j) P(i, j) = estimate.covariance(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    for (int j = 0; j < states; ++j)
+      P(i, j) = estimate.covariance(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
   return e.head(states).dot(P.ldlt().solve(e.head(states)));
 }
 
@@ -38,8 +39,14 @@ Consistency consistency(const Ship& ship, const test::Disturbance& by, bool smoo
   for (unsigned seed = 1; seed <= seeds; ++seed) {
     const auto d = test::disturbed_run(ship, by, seed, {.samples = 100});
     const double memory = by.tau * service_speed(ship) / length(ship);
-    const auto estimate = estimate_states(ship, d.run, {.noise = d.noise, .imperfection = by.imperfection, .coloured = by.coloured, .memory = by.coloured ? memory : 1.0, .smooth = smooth});
-    for (const std::size_t k : moments) mean.error += normalized_error(estimate.states[k], d, k, states) / (states * 3.0 * seeds);
+    const auto estimate = estimate_states(ship, d.run,
+                                          {.noise = d.noise,
+                                           .imperfection = by.imperfection,
+                                           .coloured = by.coloured,
+                                           .memory = by.coloured ? memory : 1.0,
+                                           .smooth = smooth});
+    for (const std::size_t k : moments)
+      mean.error += normalized_error(estimate.states[k], d, k, states) / (states * 3.0 * seeds);
     for (const auto& i : estimate.innovations) {
       const double channels = static_cast<double>(estimate.innovations.size());
       mean.innovation += i.rms * i.rms / (channels * seeds);
@@ -70,7 +77,8 @@ test::Disturbance white(const Ship& ship) {
   return by;
 }
 
-TEST_CASE("errors are as large as their covariance and innovations are white where the truth is disturbed as assumed", "[identification][second-route]") {
+TEST_CASE("errors are as large as their covariance and innovations are white where the truth is disturbed as assumed",
+          "[identification][second-route]") {
   for (const auto& ship : {test::kvlcc2_l7(), read_ship(test::ships / "wpcc_pi.toml")})
     for (const auto& by : {test::ordinary(ship), random_walk(ship), white(ship)})
       for (const bool smooth : {false, true}) check(consistency(ship, by, smooth));
@@ -90,7 +98,8 @@ std::array<double, 7> noise_errors(const NoiseEstimate& found, const test::Distu
   return e;
 }
 
-TEST_CASE("noise of sensors and size of the imperfection come back within their sampling error", "[identification][second-route]") {
+TEST_CASE("noise of sensors and size of the imperfection come back within their sampling error",
+          "[identification][second-route]") {
   const Ship ship = test::kvlcc2_l7();
   for (const auto& by : {test::ordinary(ship), white(ship)}) {
     constexpr unsigned seeds = 12;
@@ -123,8 +132,10 @@ TEST_CASE("no noise near the estimated one makes the run more likely", "[identif
   };
   CHECK_THAT(changed([](auto&&) {}), WithinAbs(best.log_likelihood, 1e-6));
   for (const double factor : {0.85, 1.15}) {
-    for (const auto& [channel, deviation] : test::good_sensors) CHECK(changed([&](auto& o) { *o.noise[index_of(channel)] *= factor; }) < best.log_likelihood);
-    for (const auto member : {&PlanarAcceleration<double>::u, &PlanarAcceleration<double>::v, &PlanarAcceleration<double>::r})
+    for (const auto& [channel, deviation] : test::good_sensors)
+      CHECK(changed([&](auto& o) { *o.noise[index_of(channel)] *= factor; }) < best.log_likelihood);
+    for (const auto member :
+         {&PlanarAcceleration<double>::u, &PlanarAcceleration<double>::v, &PlanarAcceleration<double>::r})
       CHECK(changed([&](auto& o) { o.imperfection->size.*member *= factor; }) < best.log_likelihood);
   }
 }
@@ -136,23 +147,28 @@ TEST_CASE("several runs tell the noise better than each of them", "[identificati
   double alone = 0.0;
   for (unsigned seed = 1; seed <= 8; ++seed) {
     runs.push_back(test::disturbed_run(ship, by, seed).run);
-    alone += std::pow(std::log(estimate_noise(ship, {&runs.back(), 1}).imperfection.size.r / by.imperfection.size.r), 2) / 8.0;
+    alone +=
+        std::pow(std::log(estimate_noise(ship, {&runs.back(), 1}).imperfection.size.r / by.imperfection.size.r), 2) /
+        8.0;
   }
   const auto together = estimate_noise(ship, runs);
   CHECK(together.converged);
   CHECK(std::abs(std::log(together.imperfection.size.r / by.imperfection.size.r)) < std::sqrt(alone));
 }
 
-TEST_CASE("a ship without imperfection is found to have next to none, and smoothed without trouble", "[identification][limit]") {
+TEST_CASE("a ship without imperfection is found to have next to none, and smoothed without trouble",
+          "[identification][limit]") {
   const Ship ship = test::kvlcc2_l7();
   const auto d = test::disturbed_run(ship, {}, 3, {.samples = 400});
   const auto estimate = estimate_states(ship, d.run);
   const double L = length(ship), U = service_speed(ship);
   CHECK(estimate.noise.converged);
   CHECK(estimate.noise.imperfection.size.v < 1e-3 * U * U / L);
-  const auto sure = estimate_states(ship, d.run, {.noise = d.noise, .imperfection = Imperfection{{0.0, 0.0, 0.0}}, .coloured = false});
+  const auto sure = estimate_states(
+      ship, d.run, {.noise = d.noise, .imperfection = Imperfection{{0.0, 0.0, 0.0}}, .coloured = false});
   // with no disturbance the smoothed states are one undisturbed way of the ship
-  for (std::size_t k = 1; k < d.truth.samples(); ++k) CHECK_THAT(sure.states[k].state.motion.u, WithinAbs(d.truth[Channel::u][k], 2e-3));
+  for (std::size_t k = 1; k < d.truth.samples(); ++k)
+    CHECK_THAT(sure.states[k].state.motion.u, WithinAbs(d.truth[Channel::u][k], 2e-3));
   CHECK(std::sqrt(sure.states[200].covariance(4, 4)) < 1e-3);
 }
 
@@ -179,14 +195,17 @@ TEST_CASE("irregular samples are as good as regular ones", "[identification][lim
   const auto estimate = estimate_states(ship, run, {.noise = d.noise, .imperfection = by.imperfection});
   for (const auto& i : estimate.innovations) CHECK_THAT(i.rms, WithinAbs(1.0, 0.1));
   double error = 0.0;
-  for (std::size_t k = 0; k < run.samples(); ++k) error += std::pow(estimate.states[k].state.motion.v - truth[Channel::v][k], 2) / estimate.states[k].covariance(4, 4);
+  for (std::size_t k = 0; k < run.samples(); ++k)
+    error +=
+        std::pow(estimate.states[k].state.motion.v - truth[Channel::v][k], 2) / estimate.states[k].covariance(4, 4);
   CHECK_THAT(error / static_cast<double>(run.samples()), WithinAbs(1.0, 0.4));
 }
 
 TEST_CASE("an imperfection without memory and sensors without noise are refused", "[identification][refusal]") {
   const Ship ship = test::kvlcc2_l7();
   const auto d = test::disturbed_run(ship, {}, 1, {.samples = 20});
-  CHECK_THROWS_WITH(estimate_states(ship, d.run, {.memory = 0.0}), "memory of the imperfection must be positive, got 0");
+  CHECK_THROWS_WITH(estimate_states(ship, d.run, {.memory = 0.0}),
+                    "memory of the imperfection must be positive, got 0");
   auto noise = d.noise;
   noise[index_of(Channel::psi)] = 0.0;
   CHECK_THROWS_WITH(estimate_states(ship, d.run, {.noise = noise}), "noise of psi_rad must be positive, got 0");

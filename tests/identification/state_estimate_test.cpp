@@ -21,12 +21,14 @@ struct NoisyRun {
 
 /// A simulated zigzag of the KVLCC2 model with white noise on position, heading and yaw rate.
 NoisyRun noisy_zigzag(const Ship& ship, unsigned seed, double step = 0.2) {
-  NoisyRun result{.truth = zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, {.step = step}).run, .run = {}};
+  NoisyRun result{.truth = zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, {.step = step}).run,
+                  .run = {}};
   result.run.name = "noisy";
   result.run.time = result.truth.time;
   for (const Channel c : {Channel::delta, Channel::rev}) std::ranges::copy(result.truth[c], result.run.fill(c).begin());
   std::mt19937_64 engine(seed);
-  for (const auto& [channel, deviation] : {std::pair{Channel::x, 0.02}, {Channel::y, 0.02}, {Channel::psi, radians(0.1)}, {Channel::r, radians(0.1)}}) {
+  for (const auto& [channel, deviation] :
+       {std::pair{Channel::x, 0.02}, {Channel::y, 0.02}, {Channel::psi, radians(0.1)}, {Channel::r, radians(0.1)}}) {
     std::normal_distribution<double> noise(0.0, deviation);
     auto column = result.run.fill(channel);
     for (std::size_t i = 0; i < column.size(); ++i) column[i] = result.truth[channel][i] + noise(engine);
@@ -37,11 +39,13 @@ NoisyRun noisy_zigzag(const Ship& ship, unsigned seed, double step = 0.2) {
 
 double rms(const StateEstimate& estimate, const Recording& truth, Channel channel, auto&& value) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < truth.samples(); ++i) sum += std::pow(value(estimate.states[i].state) - truth[channel][i], 2);
+  for (std::size_t i = 0; i < truth.samples(); ++i)
+    sum += std::pow(value(estimate.states[i].state) - truth[channel][i], 2);
   return std::sqrt(sum / static_cast<double>(truth.samples()));
 }
 
-TEST_CASE("a known ship in noise is found far closer than her measurements, and the smoother beats the filter", "[identification][second-route]") {
+TEST_CASE("a known ship in noise is found far closer than her measurements, and the smoother beats the filter",
+          "[identification][second-route]") {
   const Ship ship = test::kvlcc2_l7();
   const auto [truth, run, noise] = noisy_zigzag(ship, 1);
   const Imperfection small{{1e-4, 1e-4, 1e-5}};
@@ -98,7 +102,8 @@ TEST_CASE("speed and course over ground tell the motion in place of position", "
   }
   noise[index_of(Channel::speed_over_ground)] = 0.005;
   noise[index_of(Channel::course_over_ground)] = 0.005;
-  const EstimationOptions options{.channels = {Channel::psi, Channel::speed_over_ground, Channel::course_over_ground}, .noise = noise,
+  const EstimationOptions options{.channels = {Channel::psi, Channel::speed_over_ground, Channel::course_over_ground},
+                                  .noise = noise,
                                   .imperfection = Imperfection{{1e-4, 1e-4, 1e-5}}};
   const auto estimate = estimate_states(ship, run, options);
   CHECK(rms(estimate, truth, Channel::v, [](const auto& s) { return s.motion.v; }) < 0.005);
@@ -107,7 +112,8 @@ TEST_CASE("speed and course over ground tell the motion in place of position", "
 TEST_CASE("a run that tells neither position nor speed is refused", "[identification][refusal]") {
   const Ship ship = test::kvlcc2_l7();
   auto [truth, run, noise] = noisy_zigzag(ship, 7);
-  CHECK_THROWS_WITH(estimate_states(ship, run, {.channels = {Channel::psi, Channel::r}}), "noisy: neither position nor speed is among the channels used");
+  CHECK_THROWS_WITH(estimate_states(ship, run, {.channels = {Channel::psi, Channel::r}}),
+                    "noisy: neither position nor speed is among the channels used");
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ constexpr double single_shooting = std::numeric_limits<double>::infinity();
 /// Largest relative error of the fitted numbers.
 double worst_error(const TrajectoryFit& fit, const std::vector<double>& truth) {
   double worst = 0.0;
-  for (std::size_t i = 0; i < truth.size(); ++i) worst = std::max(worst, std::abs(fit.numbers[i].estimate.value / truth[i] - 1.0));
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    worst = std::max(worst, std::abs(fit.numbers[i].estimate.value / truth[i] - 1.0));
   return worst;
 }
 
@@ -21,7 +22,8 @@ double worst_error(const TrajectoryFit& fit, const std::vector<double>& truth) {
 double apart(const TrajectoryFit& a, const TrajectoryFit& b) {
   double worst = 0.0;
   for (std::size_t i = 0; i < a.numbers.size(); ++i)
-    worst = std::max(worst, std::abs(a.numbers[i].estimate.value - b.numbers[i].estimate.value) / a.numbers[i].estimate.standard_error);
+    worst = std::max(worst, std::abs(a.numbers[i].estimate.value - b.numbers[i].estimate.value) /
+                                a.numbers[i].estimate.standard_error);
   return worst;
 }
 
@@ -43,20 +45,23 @@ struct Tanker {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("without noise the numbers of seeded ships come back from a tenth off", "[identification][round-trip]", MmgShip<double>, PiShip<double>,
-                   PuShip<double>, AbkowitzShip<double>) {
+TEMPLATE_TEST_CASE("without noise the numbers of seeded ships come back from a tenth off",
+                   "[identification][round-trip]", MmgShip<double>, PiShip<double>, PuShip<double>,
+                   AbkowitzShip<double>) {
   test::RandomModels random(20261201);
   const auto names = test::told_numbers<TestType>();
   for (int i = 0; i < 10; ++i) {
     const auto [ship, runs] = test::steerable<TestType>(random, {20.0, -10.0}, 12.0, 0.02);
-    const auto fit = fit_trajectories(test::a_tenth_off(ship, names), runs, {.numbers = names, .channels = test::usual_channels, .step = 0.005});
+    const auto fit = fit_trajectories(test::a_tenth_off(ship, names), runs,
+                                      {.numbers = names, .channels = test::usual_channels, .step = 0.005});
     INFO("ship " << i << ", iterations " << fit.iterations);
     CHECK(fit.status == TrajectoryFitStatus::converged);
     CHECK(worst_error(fit, test::values_of(ship, names)) < 1e-6);
   }
 }
 
-TEST_CASE("multiple and single shooting find the same numbers, errors and likelihood", "[identification][second-route]") {
+TEST_CASE("multiple and single shooting find the same numbers, errors and likelihood",
+          "[identification][second-route]") {
   const Tanker tanker;
   auto options = tanker.options;
   const auto multiple = fit_trajectories(tanker.start, tanker.noisy, options);
@@ -67,7 +72,8 @@ TEST_CASE("multiple and single shooting find the same numbers, errors and likeli
   CHECK(apart(multiple, single) < 1e-2);
   CHECK(multiple.log_likelihood == Approx(single.log_likelihood).margin(1e-3));
   for (std::size_t i = 0; i < tanker.names.size(); ++i)
-    CHECK(multiple.numbers[i].estimate.standard_error == Approx(single.numbers[i].estimate.standard_error).epsilon(1e-2));
+    CHECK(multiple.numbers[i].estimate.standard_error ==
+          Approx(single.numbers[i].estimate.standard_error).epsilon(1e-2));
 }
 
 TEST_CASE("residuals of a fit are the noise", "[identification][second-route]") {
@@ -95,17 +101,20 @@ TEST_CASE("known noise gives the fit that finds the same noise itself", "[identi
   CHECK(apart(found, fit_trajectories(tanker.start, tanker.noisy, options)) < 1e-2);
 }
 
-TEST_CASE("irregular sampling, gaps and channels that come and go do no harm to a fit", "[identification][round-trip]") {
+TEST_CASE("irregular sampling, gaps and channels that come and go do no harm to a fit",
+          "[identification][round-trip]") {
   const Tanker tanker;
   auto run = tanker.clean.front();
   test::RandomModels random(7);
   std::vector<double> time{0.0};
   while (time.back() < 0.95 * run.time.back()) time.push_back(time.back() + random.uniform(0.05, 1.5));
   const RecordedControls controls(tanker.ship, run);
-  auto irregular = replay_from(tanker.ship, controls, recorded_state(tanker.ship, run, 0.0), time, {.tolerance = 1e-12});
+  auto irregular =
+      replay_from(tanker.ship, controls, recorded_state(tanker.ship, run, 0.0), time, {.tolerance = 1e-12});
   for (std::size_t i = 0; i < time.size(); ++i) irregular.fill(Channel::delta)[i] = controls.rudder(time[i]);
   // straight lines between these samples are the controls of another simulation
-  irregular = replay_from(tanker.ship, RecordedControls(tanker.ship, irregular), recorded_state(tanker.ship, run, 0.0), time, {.tolerance = 1e-12});
+  irregular = replay_from(tanker.ship, RecordedControls(tanker.ship, irregular), recorded_state(tanker.ship, run, 0.0),
+                          time, {.tolerance = 1e-12});
   for (std::size_t i = 0; i < time.size(); ++i) {
     if (i % 3 == 0) irregular.fill(Channel::x)[i] = missing;
     if (i % 4 == 1 || (i > 20 && i < 30)) irregular.fill(Channel::psi)[i] = missing;
@@ -118,22 +127,34 @@ TEST_CASE("irregular sampling, gaps and channels that come and go do no harm to 
   CHECK(worst_error(fit, tanker.truth) < 1e-5);
 }
 
-TEST_CASE("speed and course over ground and velocities over ground do as well, in wind and current", "[identification][round-trip]") {
+TEST_CASE("speed and course over ground and velocities over ground do as well, in wind and current",
+          "[identification][round-trip]") {
   Tanker tanker;
   tanker.ship.surroundings.current = {0.1, 0.7};
   tanker.ship.surroundings.windy = true;
   tanker.ship.surroundings.wind = {3.0, -1.0};
-  tanker.ship.surroundings.windage = {.rho = 1.2, .A_F = 0.3, .A_L = 1.0, .L_OA = 7.0, .x_A = 0.1, .C_Dt = 0.8, .C_Dl_bow = 0.5, .C_Dl_stern = 0.6, .delta = 0.6};
+  tanker.ship.surroundings.windage = {.rho = 1.2,
+                                      .A_F = 0.3,
+                                      .A_L = 1.0,
+                                      .L_OA = 7.0,
+                                      .x_A = 0.1,
+                                      .C_Dt = 0.8,
+                                      .C_Dl_bow = 0.5,
+                                      .C_Dl_stern = 0.6,
+                                      .delta = 0.6};
   auto run = test::zigzags(tanker.ship, {20.0}, 15.0, 0.05).front();
-  const auto columns = {run.fill(Channel::u_ground), run.fill(Channel::v_ground), run.fill(Channel::speed_over_ground), run.fill(Channel::course_over_ground)};
+  const auto columns = {run.fill(Channel::u_ground), run.fill(Channel::v_ground), run.fill(Channel::speed_over_ground),
+                        run.fill(Channel::course_over_ground)};
   for (std::size_t i = 0; i < run.samples(); ++i) {
-    const ShipState<double> s{0.0, 0.0, run[Channel::psi][i], {run[Channel::u][i], run[Channel::v][i], run[Channel::r][i]}};
+    const ShipState<double> s{
+        0.0, 0.0, run[Channel::psi][i], {run[Channel::u][i], run[Channel::v][i], run[Channel::r][i]}};
     const auto ground = over_ground(tanker.ship.surroundings.current, s);
     const double values[] = {ground.u, ground.v, speed(ground), s.psi + std::atan2(ground.v, ground.u)};
     for (std::size_t k = 0; k < 4; ++k) columns.begin()[k][i] = values[k];
   }
   Ship start = test::a_tenth_off(tanker.ship, tanker.names);
-  for (const auto& channels : {std::vector{Channel::u_ground, Channel::v_ground, Channel::r}, std::vector{Channel::speed_over_ground, Channel::course_over_ground, Channel::psi}}) {
+  for (const auto& channels : {std::vector{Channel::u_ground, Channel::v_ground, Channel::r},
+                               std::vector{Channel::speed_over_ground, Channel::course_over_ground, Channel::psi}}) {
     const auto fit = fit_trajectories(start, run, {.numbers = tanker.names, .channels = channels, .step = 0.01});
     CHECK(worst_error(fit, tanker.truth) < 1e-5);
   }
@@ -169,10 +190,12 @@ TEST_CASE("what the runs do not tell is said, and does not spoil the rest", "[id
   CHECK(fit.undetermined.front() == "|kt[2]|^1.00 not at all");
   CHECK(std::isinf(fit.numbers.back().estimate.standard_error));
   CHECK(fit.numbers.back().estimate.value == Approx(fit.numbers.back().before));
-  for (std::size_t i = 0; i + 1 < fit.numbers.size(); ++i) CHECK(fit.numbers[i].estimate.verdict() != Verdict::not_determined);
+  for (std::size_t i = 0; i + 1 < fit.numbers.size(); ++i)
+    CHECK(fit.numbers[i].estimate.verdict() != Verdict::not_determined);
 }
 
-TEST_CASE("priors decide where the runs tell little and hardly matter where they tell much", "[identification][limit]") {
+TEST_CASE("priors decide where the runs tell little and hardly matter where they tell much",
+          "[identification][limit]") {
   const Tanker tanker;
   auto options = tanker.options;
   options.priors = true;
@@ -196,7 +219,8 @@ TEST_CASE("a number that would leave its range ends at the end of it", "[identif
   for (int i = 0; i < 6; ++i) {
     auto noisy = runs;
     for (auto& run : noisy) test::add_noise(run, shallow, seed++);
-    const auto fit = fit_trajectories(tanker.ship, noisy, {.numbers = {"N_v", "wake_C1"}, .channels = test::usual_channels});
+    const auto fit =
+        fit_trajectories(tanker.ship, noisy, {.numbers = {"N_v", "wake_C1"}, .channels = test::usual_channels});
     CHECK(fit.status == TrajectoryFitStatus::converged);
     CHECK(fit.numbers[1].estimate.value >= 0.0);
     at_bound += fit.numbers[1].at_bound;
@@ -219,7 +243,8 @@ Recording disturbed(const Ship& ship, const Recording& run, const PlanarAccelera
       const double times[] = {run.time[k - 1], run.time[k]}, root = std::sqrt(times[1] - times[0]);
       const auto after = replay_from(ship, controls, state, times);
       const auto end = [&](Channel c) { return after[c][1]; };
-      state = {end(Channel::x), end(Channel::y), end(Channel::psi), {end(Channel::u), end(Channel::v), end(Channel::r)}};
+      state = {
+          end(Channel::x), end(Channel::y), end(Channel::psi), {end(Channel::u), end(Channel::v), end(Channel::r)}};
       state.motion.u += size.u * root * normal(engine);
       state.motion.v += size.v * root * normal(engine);
       state.motion.r += size.r * root * normal(engine);
@@ -236,13 +261,16 @@ Recording disturbed(const Ship& ship, const Recording& run, const PlanarAccelera
 
 }  // namespace
 
-TEST_CASE("declared random forces make a fit to disturbed runs better, and none leave it as it is", "[identification][second-route]") {
+TEST_CASE("declared random forces make a fit to disturbed runs better, and none leave it as it is",
+          "[identification][second-route]") {
   const Tanker tanker;
   const double L = length(tanker.ship), U = service_speed(tanker.ship), root = std::sqrt(L / U);
-  const PlanarAcceleration<double> size{0.003 * U / root, 0.003 * U / root, 0.01 * U / L / root}, next_to_nothing{1e-5 * size.u, 1e-5 * size.v, 1e-5 * size.r};
+  const PlanarAcceleration<double> size{0.003 * U / root, 0.003 * U / root, 0.01 * U / L / root},
+      next_to_nothing{1e-5 * size.u, 1e-5 * size.v, 1e-5 * size.r};
   auto options = tanker.options;
   options.disturbance = next_to_nothing;
-  CHECK(apart(fit_trajectories(tanker.start, tanker.noisy, tanker.options), fit_trajectories(tanker.start, tanker.noisy, options)) < 0.1);
+  CHECK(apart(fit_trajectories(tanker.start, tanker.noisy, tanker.options),
+              fit_trajectories(tanker.start, tanker.noisy, options)) < 0.1);
   options.disturbance = size;
   int inside = 0, all = 0;
   double with = 0.0, without = 0.0;
@@ -252,7 +280,8 @@ TEST_CASE("declared random forces make a fit to disturbed runs better, and none 
       runs.push_back(disturbed(tanker.ship, run, size, 100 * seed + static_cast<unsigned>(runs.size())));
       test::add_noise(runs.back(), tanker.ship, seed);
     }
-    const auto declared = fit_trajectories(tanker.start, runs, options), plain = fit_trajectories(tanker.start, runs, tanker.options);
+    const auto declared = fit_trajectories(tanker.start, runs, options),
+               plain = fit_trajectories(tanker.start, runs, tanker.options);
     CHECK(declared.status == TrajectoryFitStatus::converged);
     for (std::size_t i = 0; i < tanker.truth.size(); ++i) {
       const auto& found = declared.numbers[i].estimate;
@@ -277,9 +306,12 @@ TEST_CASE("a robust fit forgives wild measurements", "[identification][limit]") 
   const auto robust = fit_trajectories(tanker.start, runs, options);
   CHECK(robust.status == TrajectoryFitStatus::converged);
   CHECK(*robust.noise[index_of(Channel::y)] < 0.3 * *plain.noise[index_of(Channel::y)]);
-  for (std::size_t i = 0; i < tanker.truth.size(); ++i) CHECK(std::abs(robust.numbers[i].estimate.value - tanker.truth[i]) < 4.0 * robust.numbers[i].estimate.standard_error);
+  for (std::size_t i = 0; i < tanker.truth.size(); ++i)
+    CHECK(std::abs(robust.numbers[i].estimate.value - tanker.truth[i]) <
+          4.0 * robust.numbers[i].estimate.standard_error);
   // without wild ones it is nearly the plain fit
-  CHECK(apart(fit_trajectories(tanker.start, tanker.noisy, options), fit_trajectories(tanker.start, tanker.noisy, tanker.options)) < 1.0);
+  CHECK(apart(fit_trajectories(tanker.start, tanker.noisy, options),
+              fit_trajectories(tanker.start, tanker.noisy, tanker.options)) < 1.0);
 }
 
 TEST_CASE("a fit that cannot be made is refused in one line", "[identification][refusal]") {
@@ -290,19 +322,28 @@ TEST_CASE("a fit that cannot be made is refused in one line", "[identification][
     change(options);
     return options;
   };
-  CHECK_THROWS_WITH(fit_trajectories(tanker.start, run, with([](auto& o) { o.numbers = {}; })), Catch::Matchers::Contains("no number to fit"));
-  CHECK_THROWS_WITH(fit_trajectories(tanker.start, run, with([](auto& o) { o.numbers = {"N_w"}; })), Catch::Matchers::Contains("her model has no number N_w"));
-  CHECK_THROWS_WITH(fit_trajectories(tanker.start, run, with([](auto& o) { o.numbers = {"N_v", "hull.N_v"}; })), Catch::Matchers::Contains("N_v is to be fitted twice"));
-  CHECK_THROWS_WITH(fit_trajectories(tanker.start, run, with([](auto& o) { o.channels = {Channel::u_ground}; })), Catch::Matchers::Contains("none of the channels to fit to was recorded"));
-  CHECK_THROWS_WITH(fit_trajectories(tanker.start, std::span<const Recording>{}, tanker.options), "no recording to fit to");
+  CHECK_THROWS_WITH(fit_trajectories(tanker.start, run, with([](auto& o) { o.numbers = {}; })),
+                    Catch::Matchers::Contains("no number to fit"));
+  CHECK_THROWS_WITH(fit_trajectories(tanker.start, run, with([](auto& o) { o.numbers = {"N_w"}; })),
+                    Catch::Matchers::Contains("her model has no number N_w"));
+  CHECK_THROWS_WITH(fit_trajectories(tanker.start, run, with([](auto& o) {
+                                       o.numbers = {"N_v", "hull.N_v"};
+                                     })),
+                    Catch::Matchers::Contains("N_v is to be fitted twice"));
+  CHECK_THROWS_WITH(fit_trajectories(tanker.start, run, with([](auto& o) { o.channels = {Channel::u_ground}; })),
+                    Catch::Matchers::Contains("none of the channels to fit to was recorded"));
+  CHECK_THROWS_WITH(fit_trajectories(tanker.start, std::span<const Recording>{}, tanker.options),
+                    "no recording to fit to");
   CHECK_THROWS_AS(fit_trajectories(tanker.start, run, with([](auto& o) { o.segment = 0.0; })), std::domain_error);
-  CHECK_THROWS_AS(fit_trajectories(tanker.start, run, with([](auto& o) { o.noise[index_of(Channel::psi)] = -1.0; })), std::domain_error);
+  CHECK_THROWS_AS(fit_trajectories(tanker.start, run, with([](auto& o) { o.noise[index_of(Channel::psi)] = -1.0; })),
+                  std::domain_error);
   auto no_rudder = run;
   for (const Channel c : {Channel::delta, Channel::delta_order}) no_rudder.channels[index_of(c)].clear();
   CHECK_THROWS_WITH(fit_trajectories(tanker.start, no_rudder, tanker.options), "zigzag: no rudder angle");
   auto no_speed = run;
   for (const Channel c : {Channel::u, Channel::v, Channel::x, Channel::y}) no_speed.channels[index_of(c)].clear();
-  CHECK_THROWS_WITH(fit_trajectories(tanker.start, no_speed, tanker.options), Catch::Matchers::Contains("no channel tells the speed of the ship"));
+  CHECK_THROWS_WITH(fit_trajectories(tanker.start, no_speed, tanker.options),
+                    Catch::Matchers::Contains("no channel tells the speed of the ship"));
 }
 
 }  // namespace swayaw

@@ -26,15 +26,19 @@ std::vector<std::string> told_numbers() {
   else return {"Y_v", "Y_r", "N_v", "N_r", "Y_d", "N_d"};
 }
 
-/// Zigzags D/D of each of these angles [deg], to starboard first where positive, without noise, sampled every `step` ship lengths. The
-/// rudder moves in straight lines between the samples, as a fit takes it to.
-inline std::vector<Recording> zigzags(const Ship& ship, const std::vector<double>& angles, double lengths, double step, double tolerance = 1e-12) {
+/// Zigzags D/D of each of these angles [deg], to starboard first where positive, without noise, sampled every `step`
+/// ship lengths. The rudder moves in straight lines between the samples, as a fit takes it to.
+inline std::vector<Recording> zigzags(const Ship& ship, const std::vector<double>& angles, double lengths, double step,
+                                      double tolerance = 1e-12) {
   const double unit = length(ship) / service_speed(ship);
   std::vector<Recording> runs;
   for (const double angle : angles) {
-    const ZigzagOrder order{.rudder = radians(std::abs(angle)), .heading = radians(std::abs(angle)), .first = angle > 0.0 ? Side::starboard : Side::port};
+    const ZigzagOrder order{.rudder = radians(std::abs(angle)),
+                            .heading = radians(std::abs(angle)),
+                            .first = angle > 0.0 ? Side::starboard : Side::port};
     const auto run = zigzag(ship, order, {.duration = lengths * unit, .step = step * unit, .tolerance = tolerance}).run;
-    runs.push_back(replay_from(ship, RecordedControls(ship, run), recorded_state(ship, run, 0.0), run.time, {.tolerance = tolerance}));
+    runs.push_back(replay_from(ship, RecordedControls(ship, run), recorded_state(ship, run, 0.0), run.time,
+                               {.tolerance = tolerance}));
     runs.back().name = "zigzag";
   }
   return runs;
@@ -43,7 +47,8 @@ inline std::vector<Recording> zigzags(const Ship& ship, const std::vector<double
 /// A zigzag of a ship that can be steered: she turns both ways and back, and keeps way.
 inline bool is_zigzag(const Recording& run) {
   const auto psi = run[Channel::psi], u = run[Channel::u];
-  const double right = std::ranges::max(psi), left = -std::ranges::min(psi), most = std::max(right, left), least = std::min(right, left);
+  const double right = std::ranges::max(psi), left = -std::ranges::min(psi), most = std::max(right, left),
+               least = std::min(right, left);
   return most < 1.2 && least > 0.5 * radians(10.0) && std::ranges::min(u) > 0.4 * u[0];
 }
 
@@ -60,7 +65,8 @@ Model nearer(Model ship, Model other, double way) {
   return ship;
 }
 
-/// A seeded ship. Those of the polynomial models keep near the published one: large terms at random drive a ship out of bounds.
+/// A seeded ship. Those of the polynomial models keep near the published one: large terms at random drive a ship out of
+/// bounds.
 template <class Model>
 Model tame(RandomModels& random) {
   if constexpr (std::is_same_v<Model, PuShip<double>>) return nearer(random.ship<Model>(), wpcc_pu(), 1.0);
@@ -76,17 +82,18 @@ bool damps_yaw(const Model& ship) {
 
 /// A steerable seeded ship of the model and her zigzags.
 template <class Model>
-std::pair<Ship, std::vector<Recording>> steerable(RandomModels& random, const std::vector<double>& angles, double lengths, double step, double tolerance = 1e-12) {
+std::pair<Ship, std::vector<Recording>> steerable(RandomModels& random, const std::vector<double>& angles,
+                                                  double lengths, double step, double tolerance = 1e-12) {
   while (true) {
     auto model = tame<Model>(random);
     if (!damps_yaw(model)) continue;
-    model.steering_gear = {.rate = 0.4 * model.particulars.U_0 / model.particulars.L, .max_angle = 0.6, .lag = 0.0, .dead_band = 0.0};
+    model.steering_gear = {
+        .rate = 0.4 * model.particulars.U_0 / model.particulars.L, .max_angle = 0.6, .lag = 0.0, .dead_band = 0.0};
     const Ship ship = ship_of(model);
     try {
       auto runs = zigzags(ship, angles, lengths, step, tolerance);
       if (std::ranges::all_of(runs, is_zigzag)) return {ship, std::move(runs)};
-    } catch (const Refusal&) {
-    }
+    } catch (const Refusal&) {}
   }
 }
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "random_linear_ships.hpp"
-#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
+#include "tanker.hpp"
 
 namespace swayaw {
 namespace {
@@ -16,7 +16,8 @@ using test::printed_indices;
 using test::RandomLinearShips;
 using test::ten_ten;
 
-constexpr InstructionSet every_set[] = {InstructionSet::best, InstructionSet::numbers, InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
+constexpr InstructionSet every_set[] = {InstructionSet::best, InstructionSet::numbers, InstructionSet::baseline,
+                                        InstructionSet::avx2, InstructionSet::avx512};
 
 struct Fleet {
   std::vector<double> a1, b1, c1, a2, b2, c2;
@@ -68,7 +69,12 @@ void check_against_numbers(const Fleet& fleet, const ZigzagTable& table, const L
 
 TEST_CASE("a batch of zigzags is that of the single ships, with every instruction set", "[linear][second-route]") {
   const auto fleet = fleet_of(12'003, 61);
-  const LinearZigzagOrder order{.rudder = radians(10), .heading = radians(10), .rate = 0.6, .first = Side::port, .reversals = 6, .longest = 100.0};
+  const LinearZigzagOrder order{.rudder = radians(10),
+                                .heading = radians(10),
+                                .rate = 0.6,
+                                .first = Side::port,
+                                .reversals = 6,
+                                .longest = 100.0};
   std::size_t unstable = 0, complex = 0;
   for (std::size_t i = 0; i < fleet.size(); ++i) {
     unstable += !is_stable(fleet.ship(i));
@@ -91,7 +97,8 @@ TEST_CASE("batches agree for slow rudders, fast rudders, steps and angles", "[li
   for (const double rate : {0.03, 0.2, 5.0, std::numeric_limits<double>::infinity()})
     for (const double heading : {1.0, 20.0})
       for (const std::size_t reversals : {1u, 3u}) {
-        const LinearZigzagOrder order{.rudder = radians(15), .heading = radians(heading), .rate = rate, .reversals = reversals, .longest = 150.0};
+        const LinearZigzagOrder order{
+            .rudder = radians(15), .heading = radians(heading), .rate = rate, .reversals = reversals, .longest = 150.0};
         INFO("rate " << rate << ", heading " << heading);
         check_against_numbers(fleet, zigzag_batch(fleet.columns(), order), order);
       }
@@ -99,9 +106,11 @@ TEST_CASE("batches agree for slow rudders, fast rudders, steps and angles", "[li
 
 TEST_CASE("the number of threads does not matter", "[linear][symmetry]") {
   const auto fleet = fleet_of(2000, 63);
-  const LinearZigzagOrder order{.rudder = radians(10), .heading = radians(10), .rate = 0.6, .reversals = 4, .longest = 100.0};
+  const LinearZigzagOrder order{
+      .rudder = radians(10), .heading = radians(10), .rate = 0.6, .reversals = 4, .longest = 100.0};
   const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-  const auto one = zigzag_batch(fleet.columns(), order, {.threads = 1}), seven = zigzag_batch(fleet.columns(), order, {.threads = 7});
+  const auto one = zigzag_batch(fleet.columns(), order, {.threads = 1}),
+             seven = zigzag_batch(fleet.columns(), order, {.threads = 7});
   CHECK(std::ranges::equal(one.execute, seven.execute, same));
   CHECK(std::ranges::equal(one.overshoot, seven.overshoot, same));
   CHECK(one.by_numbers == seven.by_numbers);
@@ -117,13 +126,17 @@ TEST_CASE("a batch may be empty, and refuses what makes no sense", "[linear][ref
   auto fleet = fleet_of(4, 64);
   fleet.c2.pop_back();
   CHECK_THROWS_WITH(zigzag_batch(fleet.columns(), order), "columns of ship coefficients differ in length");
-  CHECK_THROWS_WITH(zigzag_batch(fleet_of(4, 64).columns(), {.rudder = 0.0, .heading = 0.1, .rate = 1.0}), ContainsSubstring("rudder angle"));
-  CHECK_THROWS_WITH(zigzag_batch(fleet_of(4, 64).columns(), {.rudder = 0.1, .heading = 0.1, .rate = 1.0, .reversals = 17}), ContainsSubstring("16 reversals"));
+  CHECK_THROWS_WITH(zigzag_batch(fleet_of(4, 64).columns(), {.rudder = 0.0, .heading = 0.1, .rate = 1.0}),
+                    ContainsSubstring("rudder angle"));
+  CHECK_THROWS_WITH(
+      zigzag_batch(fleet_of(4, 64).columns(), {.rudder = 0.1, .heading = 0.1, .rate = 1.0, .reversals = 17}),
+      ContainsSubstring("16 reversals"));
 }
 
 TEST_CASE("samples of a zigzag are the states of its legs", "[linear][second-route]") {
   const auto fleet = fleet_of(300, 65);
-  const LinearZigzagOrder order{.rudder = radians(10), .heading = radians(10), .rate = 0.6, .reversals = 4, .longest = 60.0};
+  const LinearZigzagOrder order{
+      .rudder = radians(10), .heading = radians(10), .rate = 0.6, .reversals = 4, .longest = 60.0};
   for (std::size_t i = 0; i < fleet.size(); ++i) {
     const LinearResponse<double> ship(fleet.ship(i));
     const auto zigzag = linear_zigzag(ship.m, order);
@@ -147,7 +160,8 @@ TEST_CASE("samples of a zigzag are the states of its legs", "[linear][second-rou
 
 // ---------------------------------------------------------------- maps
 
-void check_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& order, const std::vector<double>& T3b, const std::vector<double>& T3w) {
+void check_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& order, const std::vector<double>& T3b,
+               const std::vector<double>& T3w) {
   const auto map = t3_map(indices, order, T3b, T3w);
   for (std::size_t w = 0; w < T3w.size(); ++w)
     for (std::size_t b = 0; b < T3b.size(); ++b) {
@@ -174,7 +188,8 @@ void check_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& 
 }
 
 TEST_CASE("a map of T3b and T3w is that of the single ships", "[linear][second-route]") {
-  check_map(printed_indices(), ten_ten(), {-1.0, 0.0, 0.05, 0.154, 0.309, 0.7, 2.5}, {-0.3, 0.2, 0.492, 0.983, 1.966, 5.0});
+  check_map(printed_indices(), ten_ten(), {-1.0, 0.0, 0.05, 0.154, 0.309, 0.7, 2.5},
+            {-0.3, 0.2, 0.492, 0.983, 1.966, 5.0});
   auto order = ten_ten();
   order.rate = 0.1;
   check_map(printed_indices(), order, {0.1, 0.4, 3.0}, {0.3, 1.2});
@@ -197,7 +212,8 @@ TEST_CASE("area grows with |T3w − T3b| from nothing, and T3b leaves the yaw al
 
 TEST_CASE("the number of threads does not matter to a map; a map without gain is refused", "[linear][refusal]") {
   const std::vector T3b{0.1, 0.2, 0.3}, T3w{0.5, 0.6, 0.7, 0.8};
-  const auto one = t3_map(printed_indices(), ten_ten(), T3b, T3w, 1), five = t3_map(printed_indices(), ten_ten(), T3b, T3w, 5);
+  const auto one = t3_map(printed_indices(), ten_ten(), T3b, T3w, 1),
+             five = t3_map(printed_indices(), ten_ten(), T3b, T3w, 5);
   for (std::size_t i = 0; i < one.points.size(); ++i) CHECK(one.points[i].beta_max == five.points[i].beta_max);
   auto no_gain = printed_indices();
   no_gain.Kb = 0.0;

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "random_linear_ships.hpp"
-#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
+#include "tanker.hpp"
 
 namespace swayaw {
 namespace {
@@ -22,14 +22,18 @@ TEST_CASE("Euler's method at ds' = 0.05 gives the numbers of the reference", "[l
   const auto& wanted = test::reference().at("zigzag_euler_ds0.05_printed_abc");
   const auto found = euler_zigzag(RandomLinearShips::tanker(), ten_ten(4)).reversals;
   REQUIRE(found.size() == 4);
-  for (std::size_t i = 0; i < 4; ++i) CHECK_THAT(found[i].execute, WithinAbs(wanted.at("execute_s")[i].get<double>(), 1e-9));
-  for (std::size_t i = 0; i < 3; ++i) CHECK_THAT(degrees(found[i].overshoot), WithinAbs(wanted.at("overshoot_deg")[i].get<double>(), 1e-9));
+  for (std::size_t i = 0; i < 4; ++i)
+    CHECK_THAT(found[i].execute, WithinAbs(wanted.at("execute_s")[i].get<double>(), 1e-9));
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK_THAT(degrees(found[i].overshoot), WithinAbs(wanted.at("overshoot_deg")[i].get<double>(), 1e-9));
 }
 
 TEST_CASE("its overshoots are 12, 10 and 15 % above the exact ones", "[linear][published]") {
-  const auto exact = linear_zigzag(RandomLinearShips::tanker(), ten_ten()).reversals, euler = euler_zigzag(RandomLinearShips::tanker(), ten_ten()).reversals;
+  const auto exact = linear_zigzag(RandomLinearShips::tanker(), ten_ten()).reversals,
+             euler = euler_zigzag(RandomLinearShips::tanker(), ten_ten()).reversals;
   const double percent[] = {12, 10, 15};
-  for (std::size_t i = 0; i < 3; ++i) CHECK_THAT(100.0 * (euler[i].overshoot / exact[i].overshoot - 1.0), WithinAbs(percent[i], 0.5));
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK_THAT(100.0 * (euler[i].overshoot / exact[i].overshoot - 1.0), WithinAbs(percent[i], 0.5));
 }
 
 TEST_CASE("as the step shrinks Euler's zigzag becomes the exact one", "[linear][limit]") {
@@ -49,19 +53,23 @@ TEST_CASE("as the step shrinks Euler's zigzag becomes the exact one", "[linear][
       CHECK_THAT(fine.reversals[i].execute, WithinAbs(exact.reversals[i].execute, 0.01));
       CHECK_THAT(degrees(fine.reversals[i].overshoot), WithinAbs(degrees(exact.reversals[i].overshoot), 0.2));
     }
-    const auto error = [&](const EulerZigzag& z) { return std::abs(z.reversals[0].overshoot - exact.reversals[0].overshoot); };
+    const auto error = [&](const EulerZigzag& z) {
+      return std::abs(z.reversals[0].overshoot - exact.reversals[0].overshoot);
+    };
     CHECK(error(fine) < 0.1 * error(coarse) + radians(0.005));
   }
   CHECK(compared > 15);
 }
 
 TEST_CASE("a mirrored Euler zigzag is the mirrored one", "[linear][symmetry]") {
-  const auto a = euler_zigzag(RandomLinearShips::tanker(), ten_ten()), b = euler_zigzag(RandomLinearShips::tanker(), ten_ten(3, Side::port));
+  const auto a = euler_zigzag(RandomLinearShips::tanker(), ten_ten()),
+             b = euler_zigzag(RandomLinearShips::tanker(), ten_ten(3, Side::port));
   REQUIRE(a.steps.size() == b.steps.size());
   for (std::size_t i = 0; i < a.steps.size(); ++i) CHECK(a.steps[i].state.psi == -b.steps[i].state.psi);
 }
 
-TEST_CASE("the rudder never exceeds its rate or its order, and the test of the heading is at the start of a step", "[linear][limit]") {
+TEST_CASE("the rudder never exceeds its rate or its order, and the test of the heading is at the start of a step",
+          "[linear][limit]") {
   const auto zigzag = euler_zigzag(RandomLinearShips::tanker(), ten_ten());
   const double reach = radians(2.5) * 13.39 * 0.05;
   for (std::size_t i = 1; i < zigzag.steps.size(); ++i) {
@@ -81,7 +89,8 @@ TEST_CASE("an Euler zigzag that does not come about has no reversals", "[linear]
 }
 
 TEST_CASE("senseless Euler zigzags are refused", "[linear][refusal]") {
-  CHECK_THROWS_WITH(euler_zigzag(RandomLinearShips::tanker(), ten_ten(), 0.0), "step [ship lengths] must be positive, got 0");
+  CHECK_THROWS_WITH(euler_zigzag(RandomLinearShips::tanker(), ten_ten(), 0.0),
+                    "step [ship lengths] must be positive, got 0");
   auto order = ten_ten();
   order.rate = -1.0;
   CHECK_THROWS_WITH(euler_zigzag(RandomLinearShips::tanker(), order), ContainsSubstring("rudder rate"));

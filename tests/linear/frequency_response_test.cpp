@@ -30,10 +30,10 @@ std::array<RudderTransfer<double>, 3> motions(const Coefficients& m) {
 /// One ship of each kind that the formulas must not trip over.
 std::vector<Coefficients> special_ships() {
   return {RandomLinearShips::tanker(),
-          {-0.5, 0.4, -0.17, 2.5, -2.0, -1.4},                          // neutral: a1 b2 = a2 b1
-          {-0.6, 0.4, 0.4 * 1.5 / 2.8, 3.5, -2.8, -1.5},                // Kb = 0
-          {-1.0, 0.5, -0.2, -2.0, -1.2, -1.0},                          // complex poles
-          {-0.5, 0.5, -0.17, 4.0, -2.0, -1.4}};                         // unstable
+          {-0.5, 0.4, -0.17, 2.5, -2.0, -1.4},            // neutral: a1 b2 = a2 b1
+          {-0.6, 0.4, 0.4 * 1.5 / 2.8, 3.5, -2.8, -1.5},  // Kb = 0
+          {-1.0, 0.5, -0.2, -2.0, -1.2, -1.0},            // complex poles
+          {-0.5, 0.5, -0.17, 4.0, -2.0, -1.4}};           // unstable
 }
 
 TEST_CASE("the frequency response is (jν I − A)⁻¹ c for every kind of ship", "[linear][second-route]") {
@@ -72,7 +72,9 @@ TEST_CASE("on the periodic motion the exact response to a sampled sinusoid stays
   for (const auto& m : ships) {
     const double nu = std::pow(10.0, random.uniform(-0.3, 1.0));
     const auto t = motions(m);
-    const auto at = [&](std::size_t i, double s) { return (as_complex(response_at(t[i], nu)) * std::polar(1.0, nu * s)).real(); };
+    const auto at = [&](std::size_t i, double s) {
+      return (as_complex(response_at(t[i], nu)) * std::polar(1.0, nu * s)).real();
+    };
     const auto history = sampled_cosine(nu, 2000);
     const auto found = response_to(LinearResponse<double>(m), history, history.s, {at(0, 0), at(1, 0), at(2, 0)});
     // what the corners disturb grows by no more than this in one period of an unstable ship
@@ -113,7 +115,8 @@ TEST_CASE("a Bode diagram has no jumps, and its phase is that of the response", 
     for (const auto& t : motions(m)) {
       const auto diagram = bode(t, frequencies, {.L = 97.4, .U = 7.272});
       // no root of numerator or denominator is so near the axis that a step of 0.35 % turns the phase by more
-      const double sharpest = std::max({1.0, std::abs(t.e0 / t.e1), std::abs(t.n1 / t.n0), std::abs(t.n0 / t.n1), 1.0 / std::abs(t.e1)});
+      const double sharpest =
+          std::max({1.0, std::abs(t.e0 / t.e1), std::abs(t.n1 / t.n0), std::abs(t.n0 / t.n1), 1.0 / std::abs(t.e1)});
       for (std::size_t i = 1; i < diagram.size(); ++i) {
         REQUIRE(std::abs(diagram[i].phase - diagram[i - 1].phase) < std::min(3.0, 0.02 * sharpest));
         REQUIRE(diagram[i].gain > 0.0);
@@ -121,7 +124,8 @@ TEST_CASE("a Bode diagram has no jumps, and its phase is that of the response", 
     }
 }
 
-TEST_CASE("phase runs from port to its end: drift and yaw of a stable ship from −π to −3π/2, heading from −3π/2 to −2π", "[linear][limit]") {
+TEST_CASE("phase runs from port to its end: drift and yaw of a stable ship from −π to −3π/2, heading from −3π/2 to −2π",
+          "[linear][limit]") {
   RandomLinearShips random(64);
   int seen = 0;
   for (int k = 0; k < 1000; ++k) {
@@ -193,7 +197,8 @@ bool steered_stably(const SwayYawTransfer<double>& h, double k) {
   return a > 0.0 && c > 0.0 && a * b > c;
 }
 
-TEST_CASE("a ship that helm keeps on course has a phase margin above zero, and one that it does not has none", "[linear][second-route]") {
+TEST_CASE("a ship that helm keeps on course has a phase margin above zero, and one that it does not has none",
+          "[linear][second-route]") {
   RandomLinearShips random(68);
   int kept = 0, lost = 0;
   for (int k = 0; k < 3000; ++k) {
@@ -202,7 +207,7 @@ TEST_CASE("a ship that helm keeps on course has a phase margin above zero, and o
     const double helm = random.uniform(0.1, 4.0);
     if (!is_stable(m) || h.nw0 >= 0.0) continue;  // gain falls from infinity through 1 once: margin decides
     const double x1 = h.e1 * h.e1 - 2.0 * h.e0;
-    if (x1 < 0.0) continue;                       // no resonance
+    if (x1 < 0.0) continue;  // no resonance
     (steered_stably(h, helm) ? kept : lost)++;
     REQUIRE((crossover(h, helm)->phase_margin > 0.0) == steered_stably(h, helm));
   }
@@ -223,7 +228,8 @@ TEST_CASE("duals give the derivative of gain and phase", "[linear][second-route]
       return rudder_to_heading(transfer_functions(moved));
     };
     const D g = gain(t, D(nu)), p = phase(t, D(nu));
-    REQUIRE_THAT(g.v[0], WithinAbs((gain(at(step), nu) - gain(at(-step), nu)) / (2 * step), 1e-6 * (1.0 + std::abs(g.v[0]) + g.a)));
+    REQUIRE_THAT(g.v[0], WithinAbs((gain(at(step), nu) - gain(at(-step), nu)) / (2 * step),
+                                   1e-6 * (1.0 + std::abs(g.v[0]) + g.a)));
     const double wanted = wrapped(phase(at(step), nu) - phase(at(-step), nu)) / (2 * step);
     REQUIRE_THAT(p.v[0], WithinAbs(wanted, 1e-6 * (1.0 + std::abs(p.v[0]))));
   }
@@ -236,7 +242,8 @@ TEST_CASE("frequencies with dimension are those per ship length times U/L", "[li
 
 TEST_CASE("senseless frequencies and gains are refused", "[linear][refusal]") {
   const auto h = transfer_functions(RandomLinearShips::tanker());
-  CHECK_THROWS_WITH(bode(rudder_to_yaw(h), {0.0}, {1.0, 1.0}), "frequency [rad per ship length] must be positive, got 0");
+  CHECK_THROWS_WITH(bode(rudder_to_yaw(h), {0.0}, {1.0, 1.0}),
+                    "frequency [rad per ship length] must be positive, got 0");
   CHECK_THROWS_WITH(bode(rudder_to_yaw(h), {1.0}, {.L = 0.0, .U = 1.0}), ContainsSubstring("length L"));
   CHECK_THROWS_WITH(logarithmic_frequencies(1.0, 2.0, 1), ContainsSubstring("at least 2"));
   CHECK_THROWS_WITH(highest_frequency_with_gain(rudder_to_yaw(h), -1.0), "gain must be positive, got -1");

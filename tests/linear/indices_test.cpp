@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "random_linear_ships.hpp"
-#include "tanker.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/linear/dimensional.hpp"
 #include "swayaw/linear/ship_parts.hpp"
 #include "swayaw/linear/sname.hpp"
+#include "tanker.hpp"
 
 namespace swayaw {
 namespace {
@@ -24,7 +24,9 @@ using Indices = SteeringIndices<double>;
 
 constexpr double eps = 2.3e-16;
 
-Coefficients coefficients_of(const json& j) { return {j.at("a1"), j.at("b1"), j.at("c1"), j.at("a2"), j.at("b2"), j.at("c2")}; }
+Coefficients coefficients_of(const json& j) {
+  return {j.at("a1"), j.at("b1"), j.at("c1"), j.at("a2"), j.at("b2"), j.at("c2")};
+}
 
 std::array<double, 6> list(const Coefficients& m) { return {m.a1, m.b1, m.c1, m.a2, m.b2, m.c2}; }
 std::array<double, 6> list(const Indices& i) { return {i.T1T2, i.T1_plus_T2, i.T3b, i.T3w, i.Kb, i.Kw}; }
@@ -46,7 +48,8 @@ double largest_relative_difference(const std::array<double, 6>& a, const std::ar
 
 // ---------------------------------------------------------------- laws
 
-TEST_CASE("indices and coefficients are each other's inverse, within what the conversion loses", "[linear][round-trip]") {
+TEST_CASE("indices and coefficients are each other's inverse, within what the conversion loses",
+          "[linear][round-trip]") {
   RandomLinearShips random(21);
   int unstable = 0, complex = 0;
   for (int k = 0; k < 10'000; ++k) {
@@ -54,7 +57,8 @@ TEST_CASE("indices and coefficients are each other's inverse, within what the co
     unstable += !is_stable(m);
     complex += has_complex_poles(m);
     // rounding errors times what the conversion loses; the matrices lose a digit more
-    const double loss = eps * condition_number(m), printed = std::min(1e-9, 10.0 * loss), by_matrices = std::min(1e-9, 100.0 * loss);
+    const double loss = eps * condition_number(m), printed = std::min(1e-9, 10.0 * loss),
+                 by_matrices = std::min(1e-9, 100.0 * loss);
     const auto i = steering_indices(m);
     REQUIRE(largest_relative_difference(list(coefficients_from(i)), list(m)) < printed);
     REQUIRE(largest_relative_difference(list(coefficients_by_controllability(i)), list(m)) < by_matrices);
@@ -127,7 +131,9 @@ TEST_CASE("hull and rudder are found again from the coefficients, whichever numb
     const auto m = coefficients(ship).total();
     for (const auto known : {KnownPart::Y_b, KnownPart::Y_w, KnownPart::N_b, KnownPart::N_w, KnownPart::c_Ry}) {
       auto blank = ship;
-      for (double* x : {&blank.hull.Y_b, &blank.hull.Y_w, &blank.hull.N_b, &blank.hull.N_w, &blank.rudder.c_Ry, &blank.rudder.a_H, &blank.rudder.x_Reff}) *x = 7.0;
+      for (double* x : {&blank.hull.Y_b, &blank.hull.Y_w, &blank.hull.N_b, &blank.hull.N_w, &blank.rudder.c_Ry,
+                        &blank.rudder.a_H, &blank.rudder.x_Reff})
+        *x = 7.0;
       if (known == KnownPart::Y_b) blank.hull.Y_b = ship.hull.Y_b;
       if (known == KnownPart::Y_w) blank.hull.Y_w = ship.hull.Y_w;
       if (known == KnownPart::N_b) blank.hull.N_b = ship.hull.N_b;
@@ -155,16 +161,22 @@ TEST_CASE("dimensional and primed twins are each other's inverse", "[linear][rou
   }
 }
 
-TEST_CASE("SNAME derivatives and coefficients are each other's inverse, for both rudder conventions", "[linear][round-trip]") {
+TEST_CASE("SNAME derivatives and coefficients are each other's inverse, for both rudder conventions",
+          "[linear][round-trip]") {
   RandomLinearShips random(28);
   for (int k = 0; k < 1000; ++k) {
-    const SnameDerivatives<double> inertia{.m = random.uniform(0.1, 0.3), .x_G = random.uniform(-0.05, 0.05), .I_z = random.uniform(0.006, 0.02),
-                                           .Y_vdot = -random.uniform(0.05, 0.3), .Y_rdot = random.uniform(-0.01, 0.01),
-                                           .N_vdot = random.uniform(-0.01, 0.01), .N_rdot = -random.uniform(0.005, 0.02)};
+    const SnameDerivatives<double> inertia{.m = random.uniform(0.1, 0.3),
+                                           .x_G = random.uniform(-0.05, 0.05),
+                                           .I_z = random.uniform(0.006, 0.02),
+                                           .Y_vdot = -random.uniform(0.05, 0.3),
+                                           .Y_rdot = random.uniform(-0.01, 0.01),
+                                           .N_vdot = random.uniform(-0.01, 0.01),
+                                           .N_rdot = -random.uniform(0.005, 0.02)};
     const auto m = random.ship();
     for (const auto rudder : {RudderConvention::positive_to_port, RudderConvention::positive_to_starboard})
       check_close(coefficients(sname_derivatives(m, inertia, rudder), rudder), m, 1e-11);
-    const auto to_port = sname_derivatives(m, inertia), to_starboard = sname_derivatives(m, inertia, RudderConvention::positive_to_starboard);
+    const auto to_port = sname_derivatives(m, inertia),
+               to_starboard = sname_derivatives(m, inertia, RudderConvention::positive_to_starboard);
     CHECK(to_port.N_delta == -to_starboard.N_delta);
   }
 }
@@ -200,13 +212,15 @@ TEST_CASE("the inverse gives the coefficients of table 3 and of its variations",
   const auto& r = reference();
   check_close(coefficients_from(printed_indices()), coefficients_of(r.at("printed_TK_to_abc")), 1e-11);
   check_close(coefficients_from(printed_indices(0.309)), coefficients_of(r.at("T3b_variation_abc").at("0.309")), 1e-11);
-  check_close(coefficients_from(printed_indices(0.154, 0.492)), coefficients_of(r.at("T3w_variation_abc").at("0.492")), 1e-11);
+  check_close(coefficients_from(printed_indices(0.154, 0.492)), coefficients_of(r.at("T3w_variation_abc").at("0.492")),
+              1e-11);
 }
 
 TEST_CASE("the printed coefficients give their indices, in degenerate cases too", "[linear][published]") {
   const auto& r = reference();
-  for (const json& record : {r.at("printed_abc_record"), r.at("degenerate_examples").at("complex_poles"), r.at("degenerate_examples").at("unstable"),
-                             r.at("sname_mapping").at("example").at("record")}) {
+  for (const json& record :
+       {r.at("printed_abc_record"), r.at("degenerate_examples").at("complex_poles"),
+        r.at("degenerate_examples").at("unstable"), r.at("sname_mapping").at("example").at("record")}) {
     const auto m = coefficients_of(record.at("abc"));
     const auto i = steering_indices(m);
     CHECK_THAT(i.T1T2, WithinRel(record.at("P").get<double>(), 1e-9));
@@ -238,11 +252,13 @@ Eigen::Matrix<double, 6, 6> logarithmic_jacobian(const Coefficients& m) {
   const auto T = time_constants(transfer_functions(dual)).value();
   const std::array out{T.T1, T.T2, i.T3b, i.T3w, i.Kb, i.Kw};
   Eigen::Matrix<double, 6, 6> jacobian;
-  for (int row = 0; row < 6; ++row) jacobian.row(row) = out[static_cast<std::size_t>(row)].v.transpose() / out[static_cast<std::size_t>(row)].a;
+  for (int row = 0; row < 6; ++row)
+    jacobian.row(row) = out[static_cast<std::size_t>(row)].v.transpose() / out[static_cast<std::size_t>(row)].a;
   return jacobian;
 }
 
-TEST_CASE("the ill-conditioned direction is forward: d ln T1 = (-5.5, 4.6, 4.6, -4.8) by a1, b1, a2, b2", "[linear][published]") {
+TEST_CASE("the ill-conditioned direction is forward: d ln T1 = (-5.5, 4.6, 4.6, -4.8) by a1, b1, a2, b2",
+          "[linear][published]") {
   const auto J = logarithmic_jacobian(RandomLinearShips::tanker());
   const double wanted[] = {-5.5, 4.6, 0.0, 4.6, -4.8, 0.0};
   for (int i = 0; i < 6; ++i) CHECK_THAT(J(0, i), WithinAbs(wanted[i], 0.06));
@@ -262,7 +278,8 @@ TEST_CASE("the derivatives of the inverse are those of the reference", "[linear]
   const std::array out{T.T1, T.T2, i.T3b, i.T3w, i.Kb, i.Kw};
   for (std::size_t row = 0; row < 6; ++row)
     for (std::size_t column = 0; column < 6; ++column)
-      CHECK_THAT(out[row].v[static_cast<int>(column)], WithinAbs(reference_rows[row][column].get<double>(), 1e-9 * 100.0));
+      CHECK_THAT(out[row].v[static_cast<int>(column)],
+                 WithinAbs(reference_rows[row][column].get<double>(), 1e-9 * 100.0));
 }
 
 TEST_CASE("the SNAME example gives its coefficients", "[linear][published]") {
@@ -270,9 +287,19 @@ TEST_CASE("the SNAME example gives its coefficients", "[linear][published]") {
   const auto M = example.at("M"), F = example.at("F"), G = example.at("G");
   // mass and added mass are told apart by m' alone, taken as 0.2 with x_G = 0
   const double m = 0.2;
-  const SnameDerivatives<double> d{.m = m, .x_G = 0.0, .I_z = 0.015, .Y_vdot = m - M[0][0].get<double>(), .Y_rdot = -M[0][1].get<double>(),
-                                   .N_vdot = -M[1][0].get<double>(), .N_rdot = 0.015 - M[1][1].get<double>(), .Y_v = F[0][0],
-                                   .Y_r = F[0][1].get<double>() + m, .Y_delta = G[0], .N_v = F[1][0], .N_r = F[1][1], .N_delta = G[1]};
+  const SnameDerivatives<double> d{.m = m,
+                                   .x_G = 0.0,
+                                   .I_z = 0.015,
+                                   .Y_vdot = m - M[0][0].get<double>(),
+                                   .Y_rdot = -M[0][1].get<double>(),
+                                   .N_vdot = -M[1][0].get<double>(),
+                                   .N_rdot = 0.015 - M[1][1].get<double>(),
+                                   .Y_v = F[0][0],
+                                   .Y_r = F[0][1].get<double>() + m,
+                                   .Y_delta = G[0],
+                                   .N_v = F[1][0],
+                                   .N_r = F[1][1],
+                                   .N_delta = G[1]};
   check_close(coefficients(d), coefficients_of(example.at("record").at("abc")), 1e-12);
   const double K = steering_indices(coefficients(d)).Kw;
   CHECK_THAT(-K, WithinRel(example.at("nomoto_positive_starboard").at("K_prime").get<double>(), 1e-12));

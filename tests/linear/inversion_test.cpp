@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "random_linear_ships.hpp"
-#include "tanker.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "tanker.hpp"
 
 namespace swayaw {
 namespace {
@@ -14,15 +14,19 @@ using test::printed_table_1;
 using test::RandomLinearShips;
 using test::reference;
 
-Inversion inversion_of(const SwayYawCoefficients<double>& m, KnownPart known) { return inverted(m, steering_indices(m), printed_table_1(), known); }
+Inversion inversion_of(const SwayYawCoefficients<double>& m, KnownPart known) {
+  return inverted(m, steering_indices(m), printed_table_1(), known);
+}
 
-TEST_CASE("hull and rudder from the printed coefficients agree with the reference for every known number", "[linear][published]") {
+TEST_CASE("hull and rudder from the printed coefficients agree with the reference for every known number",
+          "[linear][published]") {
   const auto& cases = reference().at("section7").at("from_printed_abc");
   for (const auto& [name, known] : test::known_parts) {
     const auto& wanted = cases.at(name);
     const auto result = inversion_of(RandomLinearShips::tanker(), known).parts;
     const char* keys[] = {"aH", "cRy", "xR", "Yb", "Yw", "Nb", "Nw"};
-    for (std::size_t k = 0; k < result.size(); ++k) CHECK_THAT(result[k].value, WithinRel(wanted.at(keys[k]).get<double>(), 1e-10));
+    for (std::size_t k = 0; k < result.size(); ++k)
+      CHECK_THAT(result[k].value, WithinRel(wanted.at(keys[k]).get<double>(), 1e-10));
   }
 }
 
@@ -37,7 +41,8 @@ TEST_CASE("elasticities of the coefficients are the reference's Jacobian", "[lin
   const auto result = inverted_coefficients(m, i);
   for (std::size_t row = 0; row < 6; ++row)
     for (std::size_t k = 0; k < 6; ++k)
-      CHECK_THAT(result[row].elasticity[place[k]] * result[row].value / input[k], WithinAbs(jacobian[row][k].get<double>(), 1e-6));
+      CHECK_THAT(result[row].elasticity[place[k]] * result[row].value / input[k],
+                 WithinAbs(jacobian[row][k].get<double>(), 1e-6));
 }
 
 TEST_CASE("elasticities are differences of the inversion", "[linear][second-route]") {
@@ -105,7 +110,8 @@ TEST_CASE("of the tanker Y_w is best known, then c_Ry", "[linear]") {
 TEST_CASE("a ship without Kb is inverted, her elasticities to the indices are not numbers", "[linear][limit]") {
   auto m = RandomLinearShips::tanker();
   m.c1 = m.b1 * m.c2 / m.b2;
-  const auto result = inverted(m, {.T1T2 = 3, .T1_plus_T2 = 10, .T3b = INFINITY, .T3w = 1, .Kb = 0, .Kw = -4}, printed_table_1(), KnownPart::c_Ry);
+  const auto result = inverted(m, {.T1T2 = 3, .T1_plus_T2 = 10, .T3b = INFINITY, .T3w = 1, .Kb = 0, .Kw = -4},
+                               printed_table_1(), KnownPart::c_Ry);
   CHECK(result.coefficients[2].value == m.c1);
   CHECK(std::isfinite(result.parts[4].value));
   CHECK(std::isfinite(result.parts[4].elasticity[8]));
@@ -115,7 +121,8 @@ TEST_CASE("a ship without Kb is inverted, her elasticities to the indices are no
 TEST_CASE("a rudder that tells nothing is refused in words", "[linear][refusal]") {
   auto m = RandomLinearShips::tanker();
   m.c1 = 0.0;
-  CHECK_THROWS_WITH(inversion_of(m, KnownPart::c_Ry), "c1 is 0: a rudder without sway force tells neither a_H nor x_R_eff_prime");
+  CHECK_THROWS_WITH(inversion_of(m, KnownPart::c_Ry),
+                    "c1 is 0: a rudder without sway force tells neither a_H nor x_R_eff_prime");
   m = RandomLinearShips::tanker();
   m.c2 = 0.0;  // the rudder acts midship: no moment
   CHECK_THROWS_AS(inversion_of(m, KnownPart::N_w), Refusal);

@@ -11,7 +11,9 @@ namespace {
 
 constexpr PrimeScale scale{.L = 100.0, .U = 8.0};
 
-LinearZigzagOrder order(double longest = 1000.0) { return {.rudder = radians(10), .heading = radians(10), .rate = 0.5, .longest = longest}; }
+LinearZigzagOrder order(double longest = 1000.0) {
+  return {.rudder = radians(10), .heading = radians(10), .rate = 0.5, .longest = longest};
+}
 
 TEST_CASE("a zigzag as a recording has its overshoots, its speed and its rudder", "[linear]") {
   const auto ship = test::RandomLinearShips::tanker();
@@ -33,8 +35,12 @@ TEST_CASE("heading and track of a recording are integrals of its yaw rate and ve
   const auto ship = test::RandomLinearShips::tanker();
   const auto run = recording_of(ship, linear_zigzag(ship, order()).legs, scale, 0.05);
   double psi = 0.0, x = 0.0, y = 0.0;
-  const auto north = [&](std::size_t i) { return run[Channel::u][i] * std::cos(run[Channel::psi][i]) - run[Channel::v][i] * std::sin(run[Channel::psi][i]); };
-  const auto east = [&](std::size_t i) { return run[Channel::u][i] * std::sin(run[Channel::psi][i]) + run[Channel::v][i] * std::cos(run[Channel::psi][i]); };
+  const auto north = [&](std::size_t i) {
+    return run[Channel::u][i] * std::cos(run[Channel::psi][i]) - run[Channel::v][i] * std::sin(run[Channel::psi][i]);
+  };
+  const auto east = [&](std::size_t i) {
+    return run[Channel::u][i] * std::sin(run[Channel::psi][i]) + run[Channel::v][i] * std::cos(run[Channel::psi][i]);
+  };
   for (std::size_t i = 1; i < run.samples(); ++i) {
     psi += 0.025 * (run[Channel::r][i] + run[Channel::r][i - 1]);
     x += 0.025 * (north(i) + north(i - 1));
@@ -59,7 +65,9 @@ TEST_CASE("the recording of a ship that runs away ends in finite numbers", "[lin
 
 TEST_CASE("a motion that cannot be sampled is refused", "[linear][refusal]") {
   CHECK_THROWS_AS(recording_of(test::RandomLinearShips::tanker(), {}, scale, 0.1), std::domain_error);
-  CHECK_THROWS_AS(recording_of(test::RandomLinearShips::tanker(), linear_zigzag(test::RandomLinearShips::tanker(), order()).legs, scale, 0.0), std::domain_error);
+  CHECK_THROWS_AS(recording_of(test::RandomLinearShips::tanker(),
+                               linear_zigzag(test::RandomLinearShips::tanker(), order()).legs, scale, 0.0),
+                  std::domain_error);
 }
 
 }  // namespace

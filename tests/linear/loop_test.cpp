@@ -4,24 +4,24 @@
 #include <cmath>
 
 #include "random_linear_ships.hpp"
-#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
+#include "tanker.hpp"
 
 namespace swayaw {
 namespace {
 
-using test::RandomLinearShips;
 using test::printed_indices;
+using test::RandomLinearShips;
 using test::ten_ten;
 using Indices = SteeringIndices<double>;
 
 TEST_CASE("loops of the ninth reversal agree with the reference", "[linear][published]") {
   const auto& figures = test::reference().at("figure_numbers_printed_TK");
   const std::tuple<const char*, Indices, double> cases[] = {{"REF", printed_indices(), 2.5},
-                                                             {"T3b=0.309", printed_indices(0.309), 2.5},
-                                                             {"T3w=0.492", printed_indices(0.154, 0.492), 2.5},
-                                                             {"T3w=1.966", printed_indices(0.154, 1.966), 2.5},
-                                                             {"REF rate0.5", printed_indices(), 0.5}};
+                                                            {"T3b=0.309", printed_indices(0.309), 2.5},
+                                                            {"T3w=0.492", printed_indices(0.154, 0.492), 2.5},
+                                                            {"T3w=1.966", printed_indices(0.154, 1.966), 2.5},
+                                                            {"REF rate0.5", printed_indices(), 0.5}};
   for (const auto& [name, indices, rate] : cases) {
     INFO(name);
     const auto& wanted = figures.at(name);
@@ -90,7 +90,8 @@ TEST_CASE("area and moments are those of a fine polygon", "[linear][second-route
       omega_max = std::max(omega_max, std::abs(x.omega));
     };
     for (std::size_t i = z.reversals[z.reversals.size() - 3].leg; i < z.reversals.back().leg; ++i)
-      for (int j = 0; j <= 4000; ++j) add(state_after(ship, z.legs[i].start, z.legs[i].rudder, z.legs[i].length * j / 4000.0));
+      for (int j = 0; j <= 4000; ++j)
+        add(state_after(ship, z.legs[i].start, z.legs[i].rudder, z.legs[i].length * j / 4000.0));
     add(first);
     const double scale = beta_max * omega_max;
     CHECK_THAT(loop->area, WithinAbs(std::abs(area), 2e-5 * scale + 1e-4 * loop->area));
@@ -118,7 +119,10 @@ TEST_CASE("sensitivities of loop and overshoots to T3b and T3w are those of diff
   const auto exact = loop_sensitivity(printed_indices(), ten_ten()).value();
   CHECK(exact.settled);
   for (const bool by_T3w : {false, true}) {
-    const auto shifted = [&](double by) { return loop_sensitivity(by_T3w ? printed_indices(0.154, 0.983 + by) : printed_indices(0.154 + by), ten_ten()).value(); };
+    const auto shifted = [&](double by) {
+      return loop_sensitivity(by_T3w ? printed_indices(0.154, 0.983 + by) : printed_indices(0.154 + by), ten_ten())
+          .value();
+    };
     const auto up = shifted(h), down = shifted(-h);
     const auto& d = by_T3w ? exact.by_T3w : exact.by_T3b;
     const auto check = [&](double LoopMeasures<double>::*measure) {
@@ -126,11 +130,14 @@ TEST_CASE("sensitivities of loop and overshoots to T3b and T3w are those of diff
       CHECK_THAT(d.*measure, WithinAbs(difference, 1e-6 * (1.0 + std::abs(difference))));
     };
     using M = LoopMeasures<double>;
-    for (const auto measure : {&M::area, &M::length, &M::width, &M::inclination, &M::beta_max, &M::omega_max, &M::omega_at_beta_zero, &M::beta_at_omega_zero, &M::distance_from_line})
+    for (const auto measure : {&M::area, &M::length, &M::width, &M::inclination, &M::beta_max, &M::omega_max,
+                               &M::omega_at_beta_zero, &M::beta_at_omega_zero, &M::distance_from_line})
       check(measure);
     const auto& overshoot = by_T3w ? exact.overshoot_by_T3w : exact.overshoot_by_T3b;
-    for (std::size_t i = 0; i < 6; ++i) CHECK_THAT(overshoot[i], WithinAbs((up.overshoot[i] - down.overshoot[i]) / (2 * h), 1e-6));
-    CHECK_THAT(by_T3w ? exact.period_by_T3w : exact.period_by_T3b, WithinAbs((up.period - down.period) / (2 * h), 1e-5));
+    for (std::size_t i = 0; i < 6; ++i)
+      CHECK_THAT(overshoot[i], WithinAbs((up.overshoot[i] - down.overshoot[i]) / (2 * h), 1e-6));
+    CHECK_THAT(by_T3w ? exact.period_by_T3w : exact.period_by_T3b,
+               WithinAbs((up.period - down.period) / (2 * h), 1e-5));
   }
 }
 
@@ -145,7 +152,8 @@ TEST_CASE("a mirrored zigzag draws the same loop", "[linear][symmetry]") {
   const auto ship = coefficients_from(printed_indices());
   auto starboard = ten_ten();
   starboard.first = Side::starboard;
-  const auto a = drift_yaw_loop(ship, linear_zigzag(ship, ten_ten())).value(), b = drift_yaw_loop(ship, linear_zigzag(ship, starboard)).value();
+  const auto a = drift_yaw_loop(ship, linear_zigzag(ship, ten_ten())).value(),
+             b = drift_yaw_loop(ship, linear_zigzag(ship, starboard)).value();
   CHECK_THAT(a.area, WithinRel(b.area, 1e-12));
   CHECK_THAT(a.inclination, WithinRel(b.inclination, 1e-12));
 }

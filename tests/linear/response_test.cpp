@@ -7,9 +7,9 @@
 #include <catch.hpp>
 
 #include "random_linear_ships.hpp"
-#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
+#include "tanker.hpp"
 
 namespace swayaw {
 namespace {
@@ -18,14 +18,16 @@ using test::RandomLinearShips;
 using Response = LinearResponse<double>;
 
 /// The same by very many classical Runge–Kutta steps in long double.
-LinearState<double> slowly_after(const SwayYawCoefficients<double>& m, LinearState<double> start, RudderLine<double> rudder, double end) {
+LinearState<double> slowly_after(const SwayYawCoefficients<double>& m, LinearState<double> start,
+                                 RudderLine<double> rudder, double end) {
   using R = long double;
   const int steps = 40'000;
   const R h = R(end) / steps;
   R b = start.beta, w = start.omega, psi = start.psi;
   const auto f = [&](R beta, R omega, R s) {
     const R delta = R(rudder.value) + R(rudder.rate) * s;
-    return std::pair{R(m.a1) * beta + R(m.b1) * omega + R(m.c1) * delta, R(m.a2) * beta + R(m.b2) * omega + R(m.c2) * delta};
+    return std::pair{R(m.a1) * beta + R(m.b1) * omega + R(m.c1) * delta,
+                     R(m.a2) * beta + R(m.b2) * omega + R(m.c2) * delta};
   };
   for (int i = 0; i < steps; ++i) {
     const R s = h * i;
@@ -69,7 +71,8 @@ TEST_CASE("the exact response is that of odeint at 1e-13", "[linear][second-rout
       const auto d = rates(m, {y[0], y[1], y[2]}, rudder.value + rudder.rate * s);
       rate = {d.beta, d.omega, d.psi};
     };
-    odeint::integrate_adaptive(odeint::make_controlled(1e-13, 1e-13, odeint::runge_kutta_dopri5<State>()), system, x, 0.0, end, 1e-3);
+    odeint::integrate_adaptive(odeint::make_controlled(1e-13, 1e-13, odeint::runge_kutta_dopri5<State>()), system, x,
+                               0.0, end, 1e-3);
     const auto exact = state_after(Response(m), start, rudder, end);
     const double scale = 1.0 + std::abs(x[0]) + std::abs(x[1]) + std::abs(x[2]);
     REQUIRE_THAT(exact.beta, WithinAbs(x[0], 1e-10 * scale));
@@ -97,9 +100,9 @@ TEST_CASE("two short responses are one long response", "[linear][round-trip]") {
 
 TEST_CASE("the response satisfies its differential equation where cases meet", "[linear][limit]") {
   // near-equal poles, exactly equal, complex, one at zero, both at zero, one unstable
-  const std::pair<double, double> trace_and_determinant[] = {{-2.0, 1.0},    {-2.0, 1.0 - 1e-9}, {-2.0, 1.0 + 1e-9}, {-2.0, 0.97}, {-2.0, 0.9},
-                                                             {-2.0, 1.5},    {-2.0, 0.0},        {-2.0, 1e-12},      {-2.0, -1e-9}, {0.0, 0.0},
-                                                             {-3.0, -0.4},   {1.0, 0.1},         {-1e-3, 1e-9}};
+  const std::pair<double, double> trace_and_determinant[] = {
+      {-2.0, 1.0},   {-2.0, 1.0 - 1e-9}, {-2.0, 1.0 + 1e-9}, {-2.0, 0.97}, {-2.0, 0.9}, {-2.0, 1.5},  {-2.0, 0.0},
+      {-2.0, 1e-12}, {-2.0, -1e-9},      {0.0, 0.0},         {-3.0, -0.4}, {1.0, 0.1},  {-1e-3, 1e-9}};
   for (const auto& [tr, det] : trace_and_determinant) {
     for (const double s : {1e-3, 0.1, 0.249, 0.251, 0.6, 2.0, 9.0}) {
       INFO("trace " << tr << ", determinant " << det << ", s " << s);
@@ -140,7 +143,8 @@ TEST_CASE("dual numbers give the derivative of the response by its coefficients"
       return state_after(Response(moved), start, {0.2, -0.1}, s);
     };
     const SwayYawCoefficients<D> dual{D(m.a1), D(m.b1), D(m.c1), D(m.a2, 0), D(m.b2), D(m.c2)};
-    const auto x = state_after(LinearResponse<D>(dual), {D(start.beta), D(start.omega), D(start.psi)}, {D(0.2), D(-0.1)}, D(s));
+    const auto x =
+        state_after(LinearResponse<D>(dual), {D(start.beta), D(start.omega), D(start.psi)}, {D(0.2), D(-0.1)}, D(s));
     const auto plus = at(h), minus = at(-h);
     const double scale = 1.0 + std::abs(x.psi.a) + std::abs(x.psi.v[0]);
     REQUIRE_THAT(x.beta.v[0], WithinAbs((plus.beta - minus.beta) / (2 * h), 1e-7 * scale));

@@ -52,8 +52,8 @@ std::array<double, 5> slowly(const SwayYawCoefficients<double>& m, const RudderH
     const double rate = (d1 - d0) / (0.5 * length);
     const auto f = [&](const std::array<double, 5>& y, double s) {
       const double delta = d0 + rate * s;
-      return std::array<double, 5>{m.a1 * y[0] + m.b1 * y[1] + m.c1 * delta, m.a2 * y[0] + m.b2 * y[1] + m.c2 * delta, y[1],
-                                   std::cos(y[2] - y[0]), std::sin(y[2] - y[0])};
+      return std::array<double, 5>{m.a1 * y[0] + m.b1 * y[1] + m.c1 * delta, m.a2 * y[0] + m.b2 * y[1] + m.c2 * delta,
+                                   y[1], std::cos(y[2] - y[0]), std::sin(y[2] - y[0])};
     };
     const auto moved = [](std::array<double, 5> a, const std::array<double, 5>& d, double by) {
       for (std::size_t i = 0; i < 5; ++i) a[i] += by * d[i];
@@ -61,7 +61,8 @@ std::array<double, 5> slowly(const SwayYawCoefficients<double>& m, const RudderH
     };
     for (int i = 0; i < steps; ++i) {
       const double s = i * h;
-      const auto k1 = f(x, s), k2 = f(moved(x, k1, h / 2), s + h / 2), k3 = f(moved(x, k2, h / 2), s + h / 2), k4 = f(moved(x, k3, h), s + h);
+      const auto k1 = f(x, s), k2 = f(moved(x, k1, h / 2), s + h / 2), k3 = f(moved(x, k2, h / 2), s + h / 2),
+                 k4 = f(moved(x, k3, h), s + h);
       for (std::size_t j = 0; j < 5; ++j) x[j] += h / 6 * (k1[j] + 2 * k2[j] + 2 * k3[j] + k4[j]);
     }
   }
@@ -114,7 +115,8 @@ TEST_CASE("two histories together give the sum of the two responses", "[linear][
     const auto a = rudder_ramp_and_hold(random.uniform(-0.5, 0.5), 0.4), b = rudder_step(random.uniform(-0.5, 0.5));
     RudderHistory sum = a;
     for (double& delta : sum.delta) delta += b.delta[0];
-    const auto x = response_to(ship, a, {2.0})[0], y = response_to(ship, b, {2.0})[0], z = response_to(ship, sum, {2.0})[0];
+    const auto x = response_to(ship, a, {2.0})[0], y = response_to(ship, b, {2.0})[0],
+               z = response_to(ship, sum, {2.0})[0];
     REQUIRE_THAT(z.beta, WithinAbs(x.beta + y.beta, 1e-12 * (1.0 + std::abs(z.beta))));
     REQUIRE_THAT(z.psi, WithinAbs(x.psi + y.psi, 1e-12 * (1.0 + std::abs(z.psi))));
   }
@@ -130,7 +132,8 @@ TEST_CASE("step, ramp, and ramp and hold are what their names say", "[linear][li
   CHECK_THAT(rudder_at(held, 1.5), WithinRel(-0.15, 1e-15));
   CHECK(rudder_at(held, 5.0) == -0.3);
   // an infinitely quick ramp is a step
-  const auto quick = response_to(ship, rudder_ramp_and_hold(0.2, 1e9), {3.0})[0], step = response_to(ship, rudder_step(0.2), {3.0})[0];
+  const auto quick = response_to(ship, rudder_ramp_and_hold(0.2, 1e9), {3.0})[0],
+             step = response_to(ship, rudder_step(0.2), {3.0})[0];
   CHECK_THAT(quick.beta, WithinRel(step.beta, 1e-8));
   CHECK(response_to(ship, rudder_step(0.2), {}).empty());
 }
@@ -138,7 +141,8 @@ TEST_CASE("step, ramp, and ramp and hold are what their names say", "[linear][li
 TEST_CASE("the rudder of a zigzag gives the zigzag back", "[linear][round-trip]") {
   const Response ship(RandomLinearShips::tanker());
   for (const double rate : {0.1, 0.6, std::numeric_limits<double>::infinity()}) {
-    const auto zigzag = linear_zigzag(ship.m, {.rudder = radians(10), .heading = radians(10), .rate = rate, .reversals = 5});
+    const auto zigzag =
+        linear_zigzag(ship.m, {.rudder = radians(10), .heading = radians(10), .rate = rate, .reversals = 5});
     std::vector<double> times;
     for (const auto& leg : zigzag.legs) times.push_back(leg.from);
     const auto states = response_to(ship, rudder_history(zigzag), times);
@@ -159,7 +163,8 @@ TEST_CASE("duals carry through a history", "[linear][second-route]") {
   auto up = m, down = m;
   up.a1 += 1e-6;
   down.a1 -= 1e-6;
-  const double slope = (response_to(Response(up), history, {4.0})[0].psi - response_to(Response(down), history, {4.0})[0].psi) / 2e-6;
+  const double slope =
+      (response_to(Response(up), history, {4.0})[0].psi - response_to(Response(down), history, {4.0})[0].psi) / 2e-6;
   CHECK_THAT(x.psi.v[0], WithinRel(slope, 1e-7));
 }
 
@@ -168,7 +173,8 @@ TEST_CASE("a steady turn sails a circle of radius 1/omega'", "[linear][limit]") 
   const auto i = steering_indices(ship.m);
   const double delta = -0.2, omega = i.Kw * delta, beta = i.Kb * delta;
   const auto circle = legs(ship, rudder_step(delta), 40.0, {beta, omega, 0.0});
-  for (const auto& [s, point] : {std::pair{7.0, track(ship, circle, {7.0})[0]}, std::pair{40.0, track(ship, circle, {40.0})[0]}}) {
+  for (const auto& [s, point] :
+       {std::pair{7.0, track(ship, circle, {7.0})[0]}, std::pair{40.0, track(ship, circle, {40.0})[0]}}) {
     CHECK_THAT(point.x, WithinAbs((std::sin(omega * s - beta) + std::sin(beta)) / omega, 1e-12));
     CHECK_THAT(point.y, WithinAbs((std::cos(beta) - std::cos(omega * s - beta)) / omega, 1e-12));
   }
@@ -186,7 +192,8 @@ TEST_CASE("the track does not depend on where it is cut, and a mirrored one is m
   RandomLinearShips random(74);
   for (int k = 0; k < 100; ++k) {
     const Response ship(random.ship());
-    LinearZigzagOrder order{.rudder = radians(10), .heading = radians(10), .rate = 1.0, .reversals = 4, .longest = 30.0};
+    LinearZigzagOrder order{
+        .rudder = radians(10), .heading = radians(10), .rate = 1.0, .reversals = 4, .longest = 30.0};
     const auto starboard = linear_zigzag(ship.m, order);
     if (starboard.reversals.size() < 4) continue;
     order.first = Side::port;
@@ -206,14 +213,19 @@ TEST_CASE("the track does not depend on where it is cut, and a mirrored one is m
 
 TEST_CASE("the track of the tanker's zigzag is that of very fine sums", "[linear][second-route]") {
   const Response ship(RandomLinearShips::tanker());
-  const auto zigzag = linear_zigzag(ship.m, {.rudder = radians(10), .heading = radians(10), .rate = radians(2.5) * 13.39});
+  const auto zigzag =
+      linear_zigzag(ship.m, {.rudder = radians(10), .heading = radians(10), .rate = radians(2.5) * 13.39});
   double x = 0.0, y = 0.0;
   for (const auto& leg : zigzag.legs) {  // Boole's rule
     const int panels = 200;
     const double h = leg.length / (4 * panels);
     for (int i = 0; i <= 4 * panels; ++i) {
       const auto state = state_after(ship, leg.start, leg.rudder, i * h);
-      const double weight = (i == 0 || i == 4 * panels ? 7.0 : i % 2 == 1 ? 32.0 : i % 4 == 2 ? 12.0 : 14.0) * 2.0 / 45.0 * h;
+      const double weight = (i == 0 || i == 4 * panels ? 7.0
+                             : i % 2 == 1              ? 32.0
+                             : i % 4 == 2              ? 12.0
+                                                       : 14.0) *
+                            2.0 / 45.0 * h;
       x += weight * std::cos(state.psi - state.beta);
       y += weight * std::sin(state.psi - state.beta);
     }
@@ -227,8 +239,10 @@ TEST_CASE("the track of the tanker's zigzag is that of very fine sums", "[linear
 TEST_CASE("histories that are none are refused", "[linear][refusal]") {
   const Response ship(RandomLinearShips::tanker());
   CHECK_THROWS_WITH(response_to(ship, {}, {1.0}), ContainsSubstring("at least one point"));
-  CHECK_THROWS_WITH(response_to(ship, {.s = {0.0, 1.0}, .delta = {0.0}}, {1.0}), ContainsSubstring("one angle for each time"));
-  CHECK_THROWS_WITH(response_to(ship, {.s = {0.0, -1.0}, .delta = {0.0, 0.1}}, {1.0}), ContainsSubstring("must not descend"));
+  CHECK_THROWS_WITH(response_to(ship, {.s = {0.0, 1.0}, .delta = {0.0}}, {1.0}),
+                    ContainsSubstring("one angle for each time"));
+  CHECK_THROWS_WITH(response_to(ship, {.s = {0.0, -1.0}, .delta = {0.0, 0.1}}, {1.0}),
+                    ContainsSubstring("must not descend"));
   CHECK_THROWS_WITH(response_to(ship, {.s = {0.0, NAN}, .delta = {0.0, 0.1}}, {1.0}), ContainsSubstring("finite"));
   CHECK_THROWS_WITH(response_to(ship, rudder_step(0.1), {-1.0}), ContainsSubstring("before"));
   CHECK_THROWS_WITH(response_to(ship, rudder_step(0.1), {2.0, -1.0}), ContainsSubstring("before the first leg"));

@@ -25,7 +25,8 @@ inline SteeringIndices<double> printed_indices(double T3b = 0.154, double T3w = 
 }
 
 inline LinearParts<double> parts_of(const nlohmann::json& t) {
-  return {.hull = {t.at("LB"), t.at("cB"), t.at("k11"), t.at("k22"), t.at("rz"), t.at("r66"), t.at("Yb"), t.at("Yw"), t.at("Nb"), t.at("Nw")},
+  return {.hull = {t.at("LB"), t.at("cB"), t.at("k11"), t.at("k22"), t.at("rz"), t.at("r66"), t.at("Yb"), t.at("Yw"),
+                   t.at("Nb"), t.at("Nw")},
           .rudder = {t.at("AR"), t.at("w"), t.at("cTh"), t.at("cLa"), t.at("aH"), t.at("cRy"), t.at("xR")}};
 }
 
@@ -33,8 +34,11 @@ inline LinearParts<double> parts_of(const nlohmann::json& t) {
 inline LinearParts<double> printed_table_1() { return parts_of(reference().at("table1_input")); }
 
 /// What may be known of hull and rudder, with its key in the reference.
-inline constexpr std::array<std::pair<const char*, KnownPart>, 5> known_parts{
-    {{"Yb", KnownPart::Y_b}, {"Yw", KnownPart::Y_w}, {"Nb", KnownPart::N_b}, {"Nw", KnownPart::N_w}, {"cRy", KnownPart::c_Ry}}};
+inline constexpr std::array<std::pair<const char*, KnownPart>, 5> known_parts{{{"Yb", KnownPart::Y_b},
+                                                                               {"Yw", KnownPart::Y_w},
+                                                                               {"Nb", KnownPart::N_b},
+                                                                               {"Nw", KnownPart::N_w},
+                                                                               {"cRy", KnownPart::c_Ry}}};
 
 /// The 10/10 zigzag of the paper at degrees per second; she sails a length in 13.39 s.
 inline LinearZigzagOrder ten_ten(double rate_deg_s = 2.5, Side first = Side::port) {

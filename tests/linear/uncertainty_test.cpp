@@ -34,8 +34,10 @@ TEST_CASE("the first-order covariance is that of difference quotients", "[linear
       std::copy(values, values + 6, down);
       up[j] += h;
       down[j] -= h;
-      const double slope = (coefficients_from(SteeringIndices<double>{up[0], up[1], up[2], up[3], up[4], up[5]}).a1 -
-                            coefficients_from(SteeringIndices<double>{down[0], down[1], down[2], down[3], down[4], down[5]}).a1) / (2 * h);
+      const double slope =
+          (coefficients_from(SteeringIndices<double>{up[0], up[1], up[2], up[3], up[4], up[5]}).a1 -
+           coefficients_from(SteeringIndices<double>{down[0], down[1], down[2], down[3], down[4], down[5]}).a1) /
+          (2 * h);
       variance += slope * slope * covariance(j, j);
     }
     REQUIRE_THAT(C(0, 0), WithinRel(variance, 1e-5));
@@ -81,7 +83,8 @@ TEST_CASE("the seven numbers take over the errors of the indices, the known one 
     }
   }
   // a_H and x'_Reff follow from c1 and c2 alone
-  CHECK_THAT(part_covariance(i, covariance, ship, KnownPart::Y_b)(0, 0), WithinRel(part_covariance(i, covariance, ship, KnownPart::c_Ry)(0, 0), 1e-9));
+  CHECK_THAT(part_covariance(i, covariance, ship, KnownPart::Y_b)(0, 0),
+             WithinRel(part_covariance(i, covariance, ship, KnownPart::c_Ry)(0, 0), 1e-9));
 }
 
 TEST_CASE("the seven numbers spread as their first-order covariance says, for small errors", "[linear][second-route]") {
@@ -91,7 +94,9 @@ TEST_CASE("the seven numbers spread as their first-order covariance says, for sm
   const auto covariance = independent(i, {0.005, 0.005, 0.005, 0.005, 0.005, 0.005});
   const auto first_order = part_covariance(i, covariance, ship, KnownPart::N_b);
   const auto sampled = sample_parts(i, covariance, ship, KnownPart::N_b);
-  for (int j = 0; j < 7; ++j) CHECK_THAT(std::sqrt(sampled.covariance(j, j)), WithinAbs(std::sqrt(first_order(j, j)), 0.05 * std::sqrt(first_order(j, j)) + 1e-9));
+  for (int j = 0; j < 7; ++j)
+    CHECK_THAT(std::sqrt(sampled.covariance(j, j)),
+               WithinAbs(std::sqrt(first_order(j, j)), 0.05 * std::sqrt(first_order(j, j)) + 1e-9));
 }
 
 TEST_CASE("a separation of T3b and T3w within its standard error is said", "[linear][refusal]") {
@@ -103,7 +108,8 @@ TEST_CASE("a separation of T3b and T3w within its standard error is said", "[lin
   CHECK_THAT(separation_warning(i, covariance).value(), ContainsSubstring("cannot be told apart"));
   CHECK(sample_coefficients(i, covariance, 2000).crossed > 0.2);
   i.T3w = i.T3b * 1.15;
-  CHECK_THAT(separation_warning(i, independent(i, {0.01, 0.01, 0.05, 0.05, 0.01, 0.01})).value(), ContainsSubstring("standard errors apart"));
+  CHECK_THAT(separation_warning(i, independent(i, {0.01, 0.01, 0.05, 0.05, 0.01, 0.01})).value(),
+             ContainsSubstring("standard errors apart"));
 }
 
 TEST_CASE("trust in T1 and T2 becomes a covariance of their product and sum", "[linear][second-route]") {
@@ -118,8 +124,10 @@ TEST_CASE("trust in T1 and T2 becomes a covariance of their product and sum", "[
 }
 
 TEST_CASE("the same seed gives the same samples", "[linear][limit]") {
-  CHECK(sample_coefficients(tanker(), relative(0.02), 500, 7).mean == sample_coefficients(tanker(), relative(0.02), 500, 7).mean);
-  CHECK(sample_coefficients(tanker(), relative(0.02), 500, 7).mean != sample_coefficients(tanker(), relative(0.02), 500, 8).mean);
+  CHECK(sample_coefficients(tanker(), relative(0.02), 500, 7).mean ==
+        sample_coefficients(tanker(), relative(0.02), 500, 7).mean);
+  CHECK(sample_coefficients(tanker(), relative(0.02), 500, 7).mean !=
+        sample_coefficients(tanker(), relative(0.02), 500, 8).mean);
 }
 
 }  // namespace

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "random_linear_ships.hpp"
-#include "tanker.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/linear/indices.hpp"
+#include "tanker.hpp"
 
 namespace swayaw {
 namespace {
@@ -18,14 +18,17 @@ using test::RandomLinearShips;
 using test::reference;
 using test::ten_ten;
 
-SwayYawCoefficients<double> printed(double T3b = 0.154, double T3w = 0.983) { return coefficients_from(test::printed_indices(T3b, T3w)); }
+SwayYawCoefficients<double> printed(double T3b = 0.154, double T3w = 0.983) {
+  return coefficients_from(test::printed_indices(T3b, T3w));
+}
 
 void check_zigzag(const json& wanted, const LinearZigzag<double>& found) {
   const auto& execute = wanted.at("execute_s");
   REQUIRE(found.reversals.size() >= execute.size());
   for (std::size_t i = 0; i < execute.size(); ++i) {
     CHECK_THAT(found.reversals[i].execute, WithinRel(execute[i].get<double>(), 1e-9));
-    if (wanted.contains("peak_s")) CHECK_THAT(found.reversals[i].peak, WithinRel(wanted.at("peak_s")[i].get<double>(), 1e-9));
+    if (wanted.contains("peak_s"))
+      CHECK_THAT(found.reversals[i].peak, WithinRel(wanted.at("peak_s")[i].get<double>(), 1e-9));
     CHECK_THAT(degrees(found.reversals[i].overshoot), WithinRel(wanted.at("overshoot_deg")[i].get<double>(), 1e-9));
   }
 }
@@ -54,11 +57,14 @@ TEST_CASE("zigzags of the figures and of the first-order equation agree with the
 
 TEST_CASE("30-digit zigzags agree to 1e-10", "[linear][published]") {
   const auto r = reference().at("zigzag_exact_mp");
-  for (const auto& [name, rate] : {std::pair{"REF_printed_abc_rate2.5", 2.5}, std::pair{"REF_printed_abc_rate0.5", 0.5}}) {
+  for (const auto& [name, rate] :
+       {std::pair{"REF_printed_abc_rate2.5", 2.5}, std::pair{"REF_printed_abc_rate0.5", 0.5}}) {
     const auto found = linear_zigzag(RandomLinearShips::tanker(), ten_ten(rate));
     for (std::size_t i = 0; i < r.at(name).at("execute_s").size(); ++i) {
-      CHECK_THAT(found.reversals[i].execute, WithinRel(std::stod(r.at(name).at("execute_s")[i].get<std::string>()), 1e-12));
-      CHECK_THAT(degrees(found.reversals[i].overshoot), WithinRel(std::stod(r.at(name).at("overshoot_deg")[i].get<std::string>()), 1e-12));
+      CHECK_THAT(found.reversals[i].execute,
+                 WithinRel(std::stod(r.at(name).at("execute_s")[i].get<std::string>()), 1e-12));
+      CHECK_THAT(degrees(found.reversals[i].overshoot),
+                 WithinRel(std::stod(r.at(name).at("overshoot_deg")[i].get<std::string>()), 1e-12));
     }
   }
 }
@@ -69,7 +75,11 @@ TEST_CASE("no earlier switch or peak was missed", "[linear][second-route]") {
   int sailed = 0, unstable = 0, complex = 0;
   for (int k = 0; k < 2000; ++k) {
     const auto m = random.ship();
-    const LinearZigzagOrder order{.rudder = radians(random.uniform(3, 20)), .heading = radians(random.uniform(1, 20)), .rate = random.uniform(0.1, 5.0), .reversals = 4, .longest = 60.0};
+    const LinearZigzagOrder order{.rudder = radians(random.uniform(3, 20)),
+                                  .heading = radians(random.uniform(1, 20)),
+                                  .rate = random.uniform(0.1, 5.0),
+                                  .reversals = 4,
+                                  .longest = 60.0};
     const auto z = linear_zigzag(m, order);
     if (z.reversals.empty()) continue;
     ++sailed;
@@ -102,7 +112,8 @@ TEST_CASE("a mirrored zigzag is the mirrored zigzag", "[linear][symmetry]") {
   RandomLinearShips random(42);
   for (int k = 0; k < 10'000; ++k) {
     const auto m = random.ship();
-    LinearZigzagOrder order{.rudder = radians(10), .heading = radians(10), .rate = 1.0, .reversals = 4, .longest = 100.0};
+    LinearZigzagOrder order{
+        .rudder = radians(10), .heading = radians(10), .rate = 1.0, .reversals = 4, .longest = 100.0};
     const auto starboard = linear_zigzag(m, order);
     order.first = Side::port;
     const auto port = linear_zigzag(m, order);
@@ -110,7 +121,8 @@ TEST_CASE("a mirrored zigzag is the mirrored zigzag", "[linear][symmetry]") {
     for (std::size_t i = 0; i < port.reversals.size(); ++i) {
       REQUIRE_THAT(port.reversals[i].execute, WithinRel(starboard.reversals[i].execute, 1e-12));
       REQUIRE_THAT(port.reversals[i].peak, WithinRel(starboard.reversals[i].peak, 1e-12));
-      REQUIRE_THAT(port.reversals[i].overshoot, WithinAbs(starboard.reversals[i].overshoot, 1e-12 * (1.0 + starboard.reversals[i].overshoot)));
+      REQUIRE_THAT(port.reversals[i].overshoot,
+                   WithinAbs(starboard.reversals[i].overshoot, 1e-12 * (1.0 + starboard.reversals[i].overshoot)));
     }
   }
 }
@@ -122,7 +134,8 @@ TEST_CASE("time scales: a ship n times as quick makes the zigzag in 1/n of the l
     const double n = random.uniform(0.3, 3.0);
     // s -> s/n: omega scales with n, beta stays
     const SwayYawCoefficients<double> quick{n * m.a1, m.b1, n * m.c1, n * n * m.a2, n * m.b2, n * n * m.c2};
-    const LinearZigzagOrder order{.rudder = radians(10), .heading = radians(10), .rate = 1.0, .reversals = 4, .longest = 100.0};
+    const LinearZigzagOrder order{
+        .rudder = radians(10), .heading = radians(10), .rate = 1.0, .reversals = 4, .longest = 100.0};
     auto quick_order = order;
     quick_order.rate *= n;
     quick_order.longest /= n;
@@ -130,23 +143,27 @@ TEST_CASE("time scales: a ship n times as quick makes the zigzag in 1/n of the l
     REQUIRE(a.reversals.size() == b.reversals.size());
     for (std::size_t i = 0; i < a.reversals.size(); ++i) {
       REQUIRE_THAT(b.reversals[i].execute * n, WithinRel(a.reversals[i].execute, 1e-9));
-      REQUIRE_THAT(b.reversals[i].overshoot, WithinAbs(a.reversals[i].overshoot, 1e-9 * (1.0 + a.reversals[i].overshoot)));
+      REQUIRE_THAT(b.reversals[i].overshoot,
+                   WithinAbs(a.reversals[i].overshoot, 1e-9 * (1.0 + a.reversals[i].overshoot)));
     }
   }
 }
 
 /// The printed ship with another T2.
-SteeringIndices<double> with_T2(double T2, double T3w = 0.983) { return {10.491 * T2, 10.491 + T2, 0.154, T3w, -3.464, -4.896}; }
+SteeringIndices<double> with_T2(double T2, double T3w = 0.983) {
+  return {10.491 * T2, 10.491 + T2, 0.154, T3w, -3.464, -4.896};
+}
 
-/// Yaw of the printed ship with T2 = 0, T1 d(omega')/ds' + omega' = Kw (delta + T3w d(delta)/ds'): a part that follows the rudder
-/// at once, and a first-order ship with what is left of Kw.
+/// Yaw of the printed ship with T2 = 0, T1 d(omega')/ds' + omega' = Kw (delta + T3w d(delta)/ds'): a part that follows
+/// the rudder at once, and a first-order ship with what is left of Kw.
 struct YawWithoutT2 {
   static constexpr double at_once = -4.896 * 0.983 / 10.491;
   LinearResponse<double> rest{first_order_ship(-4.896 * (1.0 - 0.983 / 10.491), 10.491)};
 
   LinearState<double> after(const LinearState<double>& x, const RudderLine<double>& rudder, double s) const {
     const auto y = state_after(rest, {0.0, x.omega - at_once * rudder.value, x.psi}, rudder, s);
-    return {0.0, y.omega + at_once * (rudder.value + rudder.rate * s), y.psi + at_once * (rudder.value + 0.5 * rudder.rate * s) * s};
+    return {0.0, y.omega + at_once * (rudder.value + rudder.rate * s),
+            y.psi + at_once * (rudder.value + 0.5 * rudder.rate * s) * s};
   }
 
   /// The rudder goes from `angle` to `target` and rests there.
@@ -224,7 +241,8 @@ TEST_CASE("a switch moves with the coefficients as duals say", "[linear][second-
   int compared = 0;
   for (int k = 0; k < 200; ++k) {
     const auto m = random.ship();
-    const LinearZigzagOrder order{.rudder = radians(10), .heading = radians(8), .rate = 0.8, .reversals = 3, .longest = 60.0};
+    const LinearZigzagOrder order{
+        .rudder = radians(10), .heading = radians(8), .rate = 0.8, .reversals = 3, .longest = 60.0};
     const auto z = linear_zigzag(m, order);
     if (z.reversals.size() < 3) continue;
     const SwayYawCoefficients<D> dual{D(m.a1, 0), D(m.b1, 1), D(m.c1, 2), D(m.a2, 3), D(m.b2, 4), D(m.c2, 5)};
@@ -263,14 +281,17 @@ TEST_CASE("T3b does not touch the yaw, and drift does not know T3w before the fi
   const LinearResponse<double> ship(printed()), other_T3w(printed(0.154, 0.492));
   for (double s = 0.1; s < 1.7; s += 0.1) {
     const RudderLine<double> rudder{0.0, 0.4};
-    CHECK_THAT(state_after(other_T3w, {0, 0, 0}, rudder, s).beta, WithinAbs(state_after(ship, {0, 0, 0}, rudder, s).beta, 1e-14));
+    CHECK_THAT(state_after(other_T3w, {0, 0, 0}, rudder, s).beta,
+               WithinAbs(state_after(ship, {0, 0, 0}, rudder, s).beta, 1e-14));
   }
 }
 
 TEST_CASE("senseless zigzags are refused", "[linear][refusal]") {
   const auto ship = RandomLinearShips::tanker();
-  CHECK_THROWS_WITH(linear_zigzag(ship, {.rudder = 0.0, .heading = 0.1, .rate = 1.0}), "rudder angle [rad] must be positive, got 0");
-  CHECK_THROWS_WITH(linear_zigzag(ship, {.rudder = 0.1, .heading = 0.1, .rate = 0.0}), ContainsSubstring("rudder rate"));
+  CHECK_THROWS_WITH(linear_zigzag(ship, {.rudder = 0.0, .heading = 0.1, .rate = 1.0}),
+                    "rudder angle [rad] must be positive, got 0");
+  CHECK_THROWS_WITH(linear_zigzag(ship, {.rudder = 0.1, .heading = 0.1, .rate = 0.0}),
+                    ContainsSubstring("rudder rate"));
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ TEST_CASE("windows cover the run and each makes two ship lengths of way", "[mism
   for (std::size_t k = 0; k + 2 < c.window_starts.size(); ++k) {
     double way = 0.0;
     for (std::size_t i = c.window_starts[k]; i < c.window_starts[k + 1]; ++i)
-      way += std::hypot(c.recorded[Channel::x][i + 1] - c.recorded[Channel::x][i], c.recorded[Channel::y][i + 1] - c.recorded[Channel::y][i]);
+      way += std::hypot(c.recorded[Channel::x][i + 1] - c.recorded[Channel::x][i],
+                        c.recorded[Channel::y][i + 1] - c.recorded[Channel::y][i]);
     CHECK_THAT(way, WithinRel(2.0 * length(ship), 0.03));
   }
 }
@@ -54,7 +55,8 @@ TEST_CASE("a longer window shows a larger error", "[mismatch][limit]") {
   const auto run = zigzag_run(with_rudder_force(ship, 0.8));
   double previous = 0.0;
   for (const double lengths : {0.5, 1.0, 2.0, 4.0}) {
-    const double error = error_in(compare(ship, run, {.window_lengths = lengths, .replay = {}}), Quantity::heading).window_rms;
+    const double error =
+        error_in(compare(ship, run, {.window_lengths = lengths, .replay = {}}), Quantity::heading).window_rms;
     CHECK(error > previous);
     previous = error;
   }
@@ -155,7 +157,8 @@ TEST_CASE("one run pooled is that run, and twice the run is no worse", "[mismatc
       CHECK_THAT(all[i].bias, WithinAbs(c.errors[i].bias, 1e-12));
       CHECK_THAT(all[i].variation, WithinRel(c.errors[i].variation, 1e-12));
       REQUIRE(all[i].regions.size() == c.errors[i].regions.size());
-      for (std::size_t k = 0; k < all[i].regions.size(); ++k) CHECK_THAT(all[i].regions[k].share, WithinAbs(c.errors[i].regions[k].share, 1e-9));
+      for (std::size_t k = 0; k < all[i].regions.size(); ++k)
+        CHECK_THAT(all[i].regions[k].share, WithinAbs(c.errors[i].regions[k].share, 1e-9));
     }
   }
 }
@@ -166,7 +169,8 @@ TEST_CASE("senseless comparisons are refused in words", "[mismatch][refusal]") {
   run.name = "short.csv";
   run.time = {0.0, 1.0};
   CHECK_THROWS_WITH(compare(ship, run), "short.csv: 2 samples are too few to compare");
-  CHECK_THROWS_WITH(compare(ship, zigzag_run(ship), {.window_lengths = 0.0, .replay = {}}), "window [ship lengths] must be positive, got 0");
+  CHECK_THROWS_WITH(compare(ship, zigzag_run(ship), {.window_lengths = 0.0, .replay = {}}),
+                    "window [ship lengths] must be positive, got 0");
   CHECK(verdict({}) == "The runs hold nothing to compare.");
 }
 

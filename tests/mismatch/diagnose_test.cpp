@@ -43,12 +43,14 @@ const ManoeuvreOptions sampled{.duration = 110.0, .step = 0.3};
 
 /// A zigzag and a turn; a further zigzag is held out.
 std::vector<Recording> trials(const Ship& ship, unsigned seed = 1) {
-  return {measured(zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, sampled).run, "zigzag.csv", seed),
-          measured(turning_circle(ship, {.rudder = radians(30), .side = Side::port}, sampled).run, "turn.csv", seed + 1)};
+  return {
+      measured(zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, sampled).run, "zigzag.csv", seed),
+      measured(turning_circle(ship, {.rudder = radians(30), .side = Side::port}, sampled).run, "turn.csv", seed + 1)};
 }
 
 std::vector<Recording> held_out(const Ship& ship, unsigned seed = 11) {
-  return {measured(zigzag(ship, {.rudder = radians(15), .heading = radians(10), .first = Side::port}, sampled).run, "unused.csv", seed)};
+  return {measured(zigzag(ship, {.rudder = radians(15), .heading = radians(10), .first = Side::port}, sampled).run,
+                   "unused.csv", seed)};
 }
 
 DiagnosisOptions quick() { return {.most_effects = 1, .confirmed = 4}; }
@@ -105,13 +107,18 @@ TEST_CASE("an effect that is hidden is named, with its size", "[mismatch][round-
   }
 }
 
-TEST_CASE("the improved ship predicts runs that were not used better than the refitted one", "[mismatch][second-route]") {
+TEST_CASE("the improved ship predicts runs that were not used better than the refitted one",
+          "[mismatch][second-route]") {
   const Ship ship = test_ship();
   const auto d = of(ship, RudderStall<double>{.angle = 0.2, .depth = 0.6, .width = 0.04});
-  const auto error = [&](const std::vector<QuantityError>& list, Quantity q) { return std::ranges::find(list, q, &QuantityError::quantity)->window_rms; };
+  const auto error = [&](const std::vector<QuantityError>& list, Quantity q) {
+    return std::ranges::find(list, q, &QuantityError::quantity)->window_rms;
+  };
   const auto& run = d.holdout.front();
   INFO(d.words);
-  for (std::size_t i = 0; i < run.before.size(); ++i) UNSCOPED_INFO(name_of(run.before[i].quantity) << " " << run.before[i].window_rms << " " << run.refitted[i].window_rms << " " << run.after[i].window_rms);
+  for (std::size_t i = 0; i < run.before.size(); ++i)
+    UNSCOPED_INFO(name_of(run.before[i].quantity) << " " << run.before[i].window_rms << " "
+                                                  << run.refitted[i].window_rms << " " << run.after[i].window_rms);
   CHECK(error(run.after, Quantity::heading) < 0.7 * error(run.refitted, Quantity::heading));
   CHECK(error(run.refitted, Quantity::heading) <= 1.01 * error(run.before, Quantity::heading));
 }
@@ -148,11 +155,13 @@ TEST_CASE("numbers that are less well known than the ship file says are no missi
   }
 }
 
-// At one shaft speed a side force of the propeller is the twin of a rudder offset, and noise decides which of both gains more; where the shaft is slowed they differ.
+// At one shaft speed a side force of the propeller is the twin of a rudder offset, and noise decides which of both
+// gains more; where the shaft is slowed they differ.
 TEST_CASE("held-out runs tell twins apart that the runs used cannot", "[mismatch][second-route]") {
   const Ship ship = test_ship();
   int misled = 0;
-  for (const Effect& hidden : {Effect(RudderOffset<double>{radians(1.5)}), Effect(PropellerSideForce<double>{.share = 0.1})}) {
+  for (const Effect& hidden :
+       {Effect(RudderOffset<double>{radians(1.5)}), Effect(PropellerSideForce<double>{.share = 0.1})}) {
     const auto real = with_effect(ship, hidden);
     auto brief = sampled;
     brief.duration = 30.0;
@@ -162,10 +171,13 @@ TEST_CASE("held-out runs tell twins apart that the runs used cannot", "[mismatch
     const auto other = zigzag(real, {.rudder = radians(5), .heading = radians(5)}, slowed);
     for (unsigned seed = 1; seed <= 6; ++seed) {
       CAPTURE(id_of(hidden), seed);
-      const std::vector used{measured(gentle.run, "used.csv", seed)}, unused{measured(other.run, "slowed.csv", 100 + seed)};
+      const std::vector used{measured(gentle.run, "used.csv", seed)},
+          unused{measured(other.run, "slowed.csv", 100 + seed)};
       const auto d = diagnose(ship, used, {}, unused, quick());
       finds(d, hidden);
-      const auto gain = [&](std::string_view id) { return std::ranges::find(d.candidates, id, &Candidate::effect)->log_evidence_gain; };
+      const auto gain = [&](std::string_view id) {
+        return std::ranges::find(d.candidates, id, &Candidate::effect)->log_evidence_gain;
+      };
       CHECK(std::abs(gain("rudder_offset") - gain("propeller_side_force")) < 10.0);
       const bool offset_leads = gain("rudder_offset") > gain("propeller_side_force");
       misled += offset_leads != std::holds_alternative<RudderOffset<double>>(hidden);
@@ -177,7 +189,8 @@ TEST_CASE("held-out runs tell twins apart that the runs used cannot", "[mismatch
 TEST_CASE("what held-out runs do not have is not a finding", "[mismatch][second-route]") {
   const Ship ship = test_ship(), real = with_effect(ship, RudderOffset<double>{radians(1.5)});
   const auto d = diagnose(ship, trials(real), {}, held_out(ship), quick());
-  CHECK(std::ranges::none_of(d.effects, [](const FoundEffect& e) { return std::holds_alternative<RudderOffset<double>>(e.effect); }));
+  CHECK(std::ranges::none_of(
+      d.effects, [](const FoundEffect& e) { return std::holds_alternative<RudderOffset<double>>(e.effect); }));
 }
 
 // ---------------------------------------------------------------- where the runs come from
@@ -231,25 +244,41 @@ void is_same_wherever_it_comes_from(const Ship& ship, const Hidden& hidden) {
   is_same(diagnose(ship, renamed, {}, unused, quick()), [](std::string_view, double value) { return value; });
   constexpr double angle = 2.1;
   const auto turn = [](Recording run) { return turned(std::move(run), angle); };
-  is_same(diagnose(ship, each(runs, turn), {}, each(unused, turn), quick()), [&](std::string_view key, double value) { return hidden.turned(key, value, angle); });
+  is_same(diagnose(ship, each(runs, turn), {}, each(unused, turn), quick()),
+          [&](std::string_view key, double value) { return hidden.turned(key, value, angle); });
   is_same(diagnose(ship, each(runs, mirrored), {}, each(unused, mirrored), quick()), hidden.mirrored);
 }
 
-TEST_CASE("names and order of the runs, the heading they were sailed on and a mirror do not change the answer", "[mismatch][symmetry]") {
+TEST_CASE("names and order of the runs, the heading they were sailed on and a mirror do not change the answer",
+          "[mismatch][symmetry]") {
   const Ship ship = test_ship();
-  const auto with_the_earth = [](std::string_view key, double value, double angle) { return is_of_earth(key) ? value + angle : value; };
+  const auto with_the_earth = [](std::string_view key, double value, double angle) {
+    return is_of_earth(key) ? value + angle : value;
+  };
   const auto to_the_other_side = [](std::string_view key, double value) { return is_of_earth(key) ? -value : value; };
   const auto stays = [](std::string_view, double value, double) { return value; };
-  SECTION("a wind") { is_same_wherever_it_comes_from(ship, {SteadyWind<double>{1.2 * std::sqrt(0.1 * 9.81 * length(ship)), 0.9}, with_the_earth, to_the_other_side}); }
-  SECTION("a current") { is_same_wherever_it_comes_from(ship, {SteadyCurrent<double>{0.1, 1.0}, with_the_earth, to_the_other_side}); }
-  SECTION("an offset of the rudder") { is_same_wherever_it_comes_from(ship, {RudderOffset<double>{radians(1.5)}, stays, [](std::string_view, double value) { return -value; }}); }
-  SECTION("a rudder that stalls") { is_same_wherever_it_comes_from(ship, {RudderStall<double>{.angle = 0.28, .depth = 0.5, .width = 0.04}, stays, [](std::string_view, double value) { return value; }}); }
+  SECTION("a wind") {
+    is_same_wherever_it_comes_from(
+        ship, {SteadyWind<double>{1.2 * std::sqrt(0.1 * 9.81 * length(ship)), 0.9}, with_the_earth, to_the_other_side});
+  }
+  SECTION("a current") {
+    is_same_wherever_it_comes_from(ship, {SteadyCurrent<double>{0.1, 1.0}, with_the_earth, to_the_other_side});
+  }
+  SECTION("an offset of the rudder") {
+    is_same_wherever_it_comes_from(
+        ship, {RudderOffset<double>{radians(1.5)}, stays, [](std::string_view, double value) { return -value; }});
+  }
+  SECTION("a rudder that stalls") {
+    is_same_wherever_it_comes_from(ship, {RudderStall<double>{.angle = 0.28, .depth = 0.5, .width = 0.04}, stays,
+                                          [](std::string_view, double value) { return value; }});
+  }
 }
 
 // ---------------------------------------------------------------- what has no name, and when
 
 // A force of the map alone, which no effect with a name explains.
-TEST_CASE("a force without a name is said to be unknown, and its map predicts runs that were not used", "[mismatch][second-route]") {
+TEST_CASE("a force without a name is said to be unknown, and its map predicts runs that were not used",
+          "[mismatch][second-route]") {
   const Ship ship = test_ship();
   UnknownForce<double> strange;
   strange.N_cos = 6e-4, strange.Y_cos = -3e-3;
@@ -257,9 +286,12 @@ TEST_CASE("a force without a name is said to be unknown, and its map predicts ru
   const auto d = diagnose(ship, trials(real), {}, held_out(real), quick());
   INFO(d.words);
   REQUIRE(d.verdict == DiagnosisVerdict::unexplained);
-  const auto map = std::ranges::find_if(d.effects, [](const FoundEffect& e) { return std::holds_alternative<UnknownForce<double>>(e.effect); });
+  const auto map = std::ranges::find_if(
+      d.effects, [](const FoundEffect& e) { return std::holds_alternative<UnknownForce<double>>(e.effect); });
   REQUIRE(map != d.effects.end());
-  const auto heading = [](const std::vector<QuantityError>& list) { return std::ranges::find(list, Quantity::heading, &QuantityError::quantity)->window_rms; };
+  const auto heading = [](const std::vector<QuantityError>& list) {
+    return std::ranges::find(list, Quantity::heading, &QuantityError::quantity)->window_rms;
+  };
   CHECK(heading(d.holdout.front().after) < 0.5 * heading(d.holdout.front().refitted));
 }
 
@@ -298,7 +330,9 @@ TEST_CASE("an effect that begins during a run has an onset", "[mismatch][second-
 
 // ---------------------------------------------------------------- questions that have no answer
 
-TEST_CASE("a diagnosis needs a run", "[mismatch][refusal]") { CHECK_THROWS_WITH(diagnose(test_ship(), {}, {}, {}), ContainsSubstring("there is no run to diagnose")); }
+TEST_CASE("a diagnosis needs a run", "[mismatch][refusal]") {
+  CHECK_THROWS_WITH(diagnose(test_ship(), {}, {}, {}), ContainsSubstring("there is no run to diagnose"));
+}
 
 TEST_CASE("a diagnosis that is stopped tells what is known", "[mismatch][refusal]") {
   const Ship ship = test_ship(), real = with_effect(ship, RudderOffset<double>{radians(1.5)});

@@ -15,7 +15,8 @@ std::vector<Comparison> compared(const std::filesystem::path& folder, Shaft shaf
   std::vector<Comparison> comparisons;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() == ".csv")
-      comparisons.push_back(compare(ship, read_recording(entry.path()).recording, {.window_lengths = 2.0, .replay = {.shaft = shaft}}));
+      comparisons.push_back(
+          compare(ship, read_recording(entry.path()).recording, {.window_lengths = 2.0, .replay = {.shaft = shaft}}));
   return comparisons;
 }
 
@@ -35,7 +36,8 @@ TEST_CASE("the KVLCC2 recordings can be compared, every quantity of every run", 
   }
 }
 
-TEST_CASE("the published propeller does not carry the KVLCC2 models at their recorded shaft speed", "[mismatch][published]") {
+TEST_CASE("the published propeller does not carry the KVLCC2 models at their recorded shaft speed",
+          "[mismatch][published]") {
   const auto folder = test::benchmark_recordings("kvlcc2");
   if (!folder) return;
   // the models had a propeller of 0.204 m, the published set one of 0.216 m and less thrust at 10.2 1/s
@@ -47,7 +49,8 @@ TEST_CASE("the published propeller does not carry the KVLCC2 models at their rec
       const double slow = recorded[i].errors[k].bias, carried = propelled[i].errors[k].bias;
       const bool large_rudder = recorded[i].recorded.facts.manoeuvre.starts_with("zigzag 30/");
       CHECK(slow < -0.01);
-      // with 30 deg of rudder the models lost more speed than the published set, which now makes the simulation too fast
+      // with 30 deg of rudder the models lost more speed than the published set, which now makes the simulation too
+      // fast
       if (large_rudder) CHECK(carried > 0.01);
       else CHECK(std::abs(carried) < 0.01);
     }

@@ -17,7 +17,8 @@ using Catch::Matchers::Contains;
 std::vector<Recording> zigzags(const Ship& ship) {
   const ManoeuvreOptions options{.duration = 900.0, .step = 1.0};
   std::vector<Recording> runs;
-  for (const double angle : {10.0, 20.0}) runs.push_back(zigzag(ship, {.rudder = radians(angle), .heading = radians(angle)}, options).run);
+  for (const double angle : {10.0, 20.0})
+    runs.push_back(zigzag(ship, {.rudder = radians(angle), .heading = radians(angle)}, options).run);
   return runs;
 }
 
@@ -43,7 +44,8 @@ TEST_CASE("a rudder offset is a constant, of its side", "[mismatch][second-route
   const auto list = views(RudderOffset<double>{radians(1.5)});
   REQUIRE(!list.empty());  // a replay without the offset may turn away and have no peaks
   CHECK_THAT(words_of(list), Contains("a constant acts like a rudder offset to port"));
-  CHECK_THAT(words_of(views(RudderOffset<double>{radians(-1.5)})), Contains("a constant acts like a rudder offset to starboard"));
+  CHECK_THAT(words_of(views(RudderOffset<double>{radians(-1.5)})),
+             Contains("a constant acts like a rudder offset to starboard"));
 }
 
 TEST_CASE("a turning circle has no K and no loop", "[mismatch][refusal]") {

@@ -1,5 +1,5 @@
-#include <catch.hpp>
 #include <algorithm>
+#include <catch.hpp>
 #include <filesystem>
 #include <vector>
 
@@ -18,7 +18,8 @@ Recording thinned(const std::filesystem::path& file, std::size_t every) {
   Recording run;
   run.name = whole.name, run.facts = whole.facts;
   for (std::size_t i = 0; i < whole.samples(); i += every) run.time.push_back(whole.time[i]);
-  for (const auto channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r, Channel::delta, Channel::rev, Channel::thrust}) {
+  for (const auto channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r, Channel::delta,
+                             Channel::rev, Channel::thrust}) {
     if (!whole.has(channel)) continue;
     const auto values = run.fill(channel);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = whole[channel][i * every];
@@ -26,7 +27,8 @@ Recording thinned(const std::filesystem::path& file, std::size_t every) {
   return run;
 }
 
-std::vector<Recording> runs_of(const std::filesystem::path& folder, std::initializer_list<const char*> names, std::size_t every) {
+std::vector<Recording> runs_of(const std::filesystem::path& folder, std::initializer_list<const char*> names,
+                               std::size_t every) {
   std::vector<Recording> runs;
   for (const auto* name : names) runs.push_back(thinned(folder / name, every));
   return runs;
@@ -44,9 +46,12 @@ void blames_no_weather(const Diagnosis& d) {
   }
 }
 
-double window_error(std::span<const QuantityError> errors, Quantity quantity) { return std::ranges::find(errors, quantity, &QuantityError::quantity)->window_rms; }
+double window_error(std::span<const QuantityError> errors, Quantity quantity) {
+  return std::ranges::find(errors, quantity, &QuantityError::quantity)->window_rms;
+}
 
-TEST_CASE("the published form for the KVLCC2 lacks cubic terms of the hull, which halve the error of a run not used", "[mismatch][published]") {
+TEST_CASE("the published form for the KVLCC2 lacks cubic terms of the hull, which halve the error of a run not used",
+          "[mismatch][published]") {
   const auto folder = test::benchmark_recordings("kvlcc2");
   if (!folder) return;
   const auto runs = runs_of(*folder, {"hsva_zz10_10_port.csv", "hsva_zz20_10_stbd.csv"}, 5);
@@ -54,14 +59,16 @@ TEST_CASE("the published form for the KVLCC2 lacks cubic terms of the hull, whic
   const auto d = diagnose(published_ship("kvlcc2_pi"), runs, {}, held_out);
   CHECK((found(d, "hull_nonlinear_damping") != nullptr || found(d, "cross_flow_drag") != nullptr));
   blames_no_weather(d);
-  for (const auto quantity : {Quantity::heading, Quantity::yaw_rate}) CHECK(window_error(d.holdout.front().after, quantity) < 0.5 * window_error(d.holdout.front().refitted, quantity));
+  for (const auto quantity : {Quantity::heading, Quantity::yaw_rate})
+    CHECK(window_error(d.holdout.front().after, quantity) < 0.5 * window_error(d.holdout.front().refitted, quantity));
 }
 
 TEST_CASE("the zero of MARIN's gyro is found in each of the two runs", "[mismatch][published]") {
   const auto folder = test::benchmark_recordings("kvlcc2");
   if (!folder) return;
   // integral of the yaw rate against the heading: recordings.json, r_bias_rad_s
-  for (const auto& [name, zero] : {std::pair{"marin_zz10_10_port.csv", 5.459e-4}, std::pair{"marin_zz20_20_stbd.csv", 6.078e-4}}) {
+  for (const auto& [name, zero] :
+       {std::pair{"marin_zz10_10_port.csv", 5.459e-4}, std::pair{"marin_zz20_20_stbd.csv", 6.078e-4}}) {
     INFO(name);
     const auto d = diagnose(published_ship("kvlcc2_pi_vvr"), runs_of(*folder, {name}, 2), {}, {});
     const auto* gyro = found(d, "gyro_bias");

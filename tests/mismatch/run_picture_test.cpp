@@ -22,12 +22,18 @@ const Noise noise = [] {
   return n;
 }();
 
-Ship with_side_force(const Ship& ship, double force) { return with_effect(ship, PropellerSideForce<double>{.share = 0.0, .constant = force}); }
+Ship with_side_force(const Ship& ship, double force) {
+  return with_effect(ship, PropellerSideForce<double>{.share = 0.0, .constant = force});
+}
 
 /// White noise of a tank's instruments on every channel of the motion; the sway velocity is not measured.
 Recording measured(Recording run, unsigned seed) {
   std::mt19937_64 engine(seed);
-  for (const auto& [channel, deviation] : {std::pair{Channel::x, 5e-3}, {Channel::y, 5e-3}, {Channel::psi, 1e-3}, {Channel::r, 3e-4}, {Channel::u, 3e-3}}) {
+  for (const auto& [channel, deviation] : {std::pair{Channel::x, 5e-3},
+                                           {Channel::y, 5e-3},
+                                           {Channel::psi, 1e-3},
+                                           {Channel::r, 3e-4},
+                                           {Channel::u, 3e-3}}) {
     std::normal_distribution error(0.0, deviation);
     for (double& sample : run.fill(channel)) sample += error(engine);
   }
@@ -36,7 +42,8 @@ Recording measured(Recording run, unsigned seed) {
 }
 
 Recording zigzag_run(const Ship& ship, double step = 0.2) {
-  return measured(zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, {.duration = 120.0, .step = step}).run, 1);
+  return measured(zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, {.duration = 120.0, .step = step}).run,
+                  1);
 }
 
 /// Of all samples but those of the first and last ship length.
@@ -66,9 +73,14 @@ TEST_CASE("the missing force is the side force that the model does not know", "[
   CHECK_THAT(mean(of([](const MissingForce& f) { return f.force.N; })), WithinRel(lever * side_force, 0.05));
   CHECK_THAT(mean(of([](const MissingForce& f) { return f.force.X; })), WithinAbs(0.0, 0.05 * side_force));
   // its bands of two standard deviations hold it nearly always, and leave 0 outside
-  CHECK(mean(of([](const MissingForce& f) { return std::abs(f.force.N) > 2.0 * f.force_deviation.N ? 1.0 : 0.0; })) > 0.9);
-  CHECK(mean(of([](const MissingForce& f) { return std::abs(f.force.Y - side_force) < 2.0 * f.force_deviation.Y ? 1.0 : 0.0; })) > 0.9);
-  CHECK(mean(of([&](const MissingForce& f) { return std::abs(f.force.N - lever * side_force) < 2.0 * f.force_deviation.N ? 1.0 : 0.0; })) > 0.9);
+  CHECK(mean(of([](const MissingForce& f) { return std::abs(f.force.N) > 2.0 * f.force_deviation.N ? 1.0 : 0.0; })) >
+        0.9);
+  CHECK(mean(of([](const MissingForce& f) {
+          return std::abs(f.force.Y - side_force) < 2.0 * f.force_deviation.Y ? 1.0 : 0.0;
+        })) > 0.9);
+  CHECK(mean(of([&](const MissingForce& f) {
+          return std::abs(f.force.N - lever * side_force) < 2.0 * f.force_deviation.N ? 1.0 : 0.0;
+        })) > 0.9);
 }
 
 TEST_CASE("no force is missing once the ship has it", "[mismatch][limit]") {
@@ -77,8 +89,10 @@ TEST_CASE("no force is missing once the ship has it", "[mismatch][limit]") {
   const auto missing = missing_force(real, run, noise);
   const auto of = [&](auto&& get) { return inside(ship, run, missing, get); };
   CHECK_THAT(mean(of([](const MissingForce& f) { return f.force.Y; })), WithinAbs(0.0, 0.05 * side_force));
-  CHECK_THAT(mean(of([](const MissingForce& f) { return f.force.N; })), WithinAbs(0.0, 0.05 * side_force * 0.5 * length(ship)));
-  CHECK(mean(of([](const MissingForce& f) { return std::abs(f.force.Y) < 2.0 * f.force_deviation.Y ? 1.0 : 0.0; })) > 0.9);
+  CHECK_THAT(mean(of([](const MissingForce& f) { return f.force.N; })),
+             WithinAbs(0.0, 0.05 * side_force * 0.5 * length(ship)));
+  CHECK(mean(of([](const MissingForce& f) { return std::abs(f.force.Y) < 2.0 * f.force_deviation.Y ? 1.0 : 0.0; })) >
+        0.9);
 }
 
 TEST_CASE("the missing force is mass with added mass times the missing acceleration", "[mismatch][second-route]") {
@@ -90,7 +104,8 @@ TEST_CASE("the missing force is mass with added mass times the missing accelerat
   for (const auto& f : missing_force(ship, zigzag_run(with_side_force(ship, side_force)), noise)) {
     const auto& a = f.acceleration;
     CHECK_THAT(f.force.X, WithinRel((m + unit * model.added_mass.m_x) * a.u, 1e-9));
-    CHECK_THAT(f.force.Y, WithinRel((m + unit * model.added_mass.m_y) * a.v + m * p.x_G * a.r, 1e-9) || WithinAbs(0.0, 1e-9));
+    CHECK_THAT(f.force.Y,
+               WithinRel((m + unit * model.added_mass.m_y) * a.v + m * p.x_G * a.r, 1e-9) || WithinAbs(0.0, 1e-9));
     CHECK_THAT(f.force_deviation.X, WithinRel((m + unit * model.added_mass.m_x) * f.acceleration_deviation.u, 1e-9));
   }
 }
@@ -102,14 +117,17 @@ TEST_CASE("a force is seen when it begins, not later", "[mismatch][limit]") {
   // from the onset on the ship with the force goes on where the other one was
   const auto k = static_cast<std::size_t>(std::ranges::lower_bound(run.time, onset) - run.time.begin());
   const auto at = [&](Channel c) { return run[c][k]; };
-  const ShipState<double> start{at(Channel::x), at(Channel::y), at(Channel::psi), {at(Channel::u), at(Channel::v), at(Channel::r)}};
-  const auto rest = replay_from(with_side_force(ship, side_force), RecordedControls(ship, run), start, std::span(run.time).subspan(k));
+  const ShipState<double> start{
+      at(Channel::x), at(Channel::y), at(Channel::psi), {at(Channel::u), at(Channel::v), at(Channel::r)}};
+  const auto rest = replay_from(with_side_force(ship, side_force), RecordedControls(ship, run), start,
+                                std::span(run.time).subspan(k));
   for (const auto channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r})
     std::ranges::copy(rest[channel], run.fill(channel).begin() + static_cast<std::ptrdiff_t>(k));
   run = measured(std::move(run), 2);
   const auto missing = missing_force(ship, run, noise);
   const double half = 0.5 * test::mmg(ship).propeller.x_P * length(ship) * side_force;  // of the yaw moment
-  const auto passed = std::ranges::find_if(missing, [&](const MissingForce& f) { return f.force.N < half; }) - missing.begin();
+  const auto passed =
+      std::ranges::find_if(missing, [&](const MissingForce& f) { return f.force.N < half; }) - missing.begin();
   CHECK_THAT(run.time[static_cast<std::size_t>(passed)], WithinAbs(onset, 0.15 * T));
 }
 
@@ -120,7 +138,8 @@ TEST_CASE("in a gap of the recording the missing force is less certain", "[misma
     for (std::size_t k = 250; k < 350; ++k) run.fill(channel)[k] = missing;
   const auto forces = missing_force(ship, run, noise);
   CHECK(forces[300].force_deviation.N > 2.0 * forces[150].force_deviation.N);
-  for (const auto& f : forces) CHECK((std::isfinite(f.force.X) && std::isfinite(f.force.Y) && std::isfinite(f.force.N)));
+  for (const auto& f : forces)
+    CHECK((std::isfinite(f.force.X) && std::isfinite(f.force.Y) && std::isfinite(f.force.N)));
 }
 
 TEST_CASE("a picture holds at most 500 points from the first sample to the last", "[mismatch][limit]") {
@@ -137,7 +156,8 @@ TEST_CASE("a picture holds at most 500 points from the first sample to the last"
   CHECK(picture.missing_before.size() == points);
   CHECK(picture.missing_after.size() == points);
   REQUIRE((picture.given && picture.refitted && picture.after));
-  for (const auto* replayed : {&*picture.given, &*picture.refitted, &*picture.after}) CHECK(replayed->time == picture.recorded.time);
+  for (const auto* replayed : {&*picture.given, &*picture.refitted, &*picture.after})
+    CHECK(replayed->time == picture.recorded.time);
 }
 
 TEST_CASE("a run that tells no speed has a picture without forces and replays", "[mismatch][refusal]") {

@@ -30,9 +30,10 @@ Ship test_ship() {
 /// Two zigzags and a turn with the white noise of a tank's instruments.
 std::vector<Recording> runs_of(const Ship& ship, unsigned seed) {
   const ManoeuvreOptions sampled{.duration = 90.0, .step = 0.3};
-  std::vector<Recording> runs{zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, sampled).run,
-                              zigzag(ship, {.rudder = radians(10), .heading = radians(10), .first = Side::port}, sampled).run,
-                              turning_circle(ship, {.rudder = radians(35), .side = Side::starboard}, sampled).run};
+  std::vector<Recording> runs{
+      zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, sampled).run,
+      zigzag(ship, {.rudder = radians(10), .heading = radians(10), .first = Side::port}, sampled).run,
+      turning_circle(ship, {.rudder = radians(35), .side = Side::starboard}, sampled).run};
   std::mt19937_64 engine(seed);
   for (auto& run : runs) test::measure(run, engine);
   return runs;
@@ -46,17 +47,23 @@ struct Fitted {
   std::vector<EffectForm> forms;
 
   Fitted(const Ship& ship, std::vector<Recording> recorded)
-      : runs(std::move(recorded)), trial(trial_of(ship, runs, seen_channels(runs))), null(fit(trial, {}, trial.mean, Noise{})), forms(effect_forms(ship, seen_channels(runs), 90.0)) {}
+      : runs(std::move(recorded)),
+        trial(trial_of(ship, runs, seen_channels(runs))),
+        null(fit(trial, {}, trial.mean, Noise{})),
+        forms(effect_forms(ship, seen_channels(runs), 90.0)) {}
 
   const EffectForm& form(std::string_view id) const { return *std::ranges::find(forms, id, &EffectForm::id); }
 };
 
 }  // namespace
 
-// A baseline that took in a hidden effect as far as its prior let it is relieved by the effect itself: a promise that forgets this sees nothing.
+// A baseline that took in a hidden effect as far as its prior let it is relieved by the effect itself: a promise that
+// forgets this sees nothing.
 TEST_CASE("a screening promises what the converged fit gains", "[mismatch][second-route]") {
   const Ship ship = test_ship();
-  for (const Effect& hidden : {Effect(RudderEffectiveness<double>{.factor = 0.7}), Effect(AddedResistance<double>{.relative_increase = 0.5}), Effect(RudderOffset<double>{.offset = radians(2)})}) {
+  for (const Effect& hidden :
+       {Effect(RudderEffectiveness<double>{.factor = 0.7}), Effect(AddedResistance<double>{.relative_increase = 0.5}),
+        Effect(RudderOffset<double>{.offset = radians(2)})}) {
     CAPTURE(id_of(hidden));
     const Fitted f(ship, runs_of(with_effect(ship, hidden), 3));
     const auto& form = f.form(id_of(hidden));
@@ -71,7 +78,8 @@ TEST_CASE("a screening promises what the converged fit gains", "[mismatch][secon
 
 TEST_CASE("a fit that has converged stays where it is", "[mismatch][limit]") {
   const Ship ship = test_ship();
-  for (const Effect& hidden : {Effect(RudderEffectiveness<double>{.factor = 0.7}), Effect(CrossFlowDrag<double>{.C_D = 0.5})}) {
+  for (const Effect& hidden :
+       {Effect(RudderEffectiveness<double>{.factor = 0.7}), Effect(CrossFlowDrag<double>{.C_D = 0.5})}) {
     CAPTURE(id_of(hidden));
     const Fitted f(ship, runs_of(with_effect(ship, hidden), 5));
     const auto again = fit(f.trial, {}, f.null.point, f.null.noise);
@@ -82,7 +90,8 @@ TEST_CASE("a fit that has converged stays where it is", "[mismatch][limit]") {
 
 TEST_CASE("an imperfection whose axes and memory are apart is never the less likely", "[mismatch][limit]") {
   const Ship ship = test_ship();
-  const Fitted f(ship, runs_of(with_effect(ship, AddedResistance<double>{.relative_increase = 1.0}), 7));  // surge alone
+  const Fitted f(ship,
+                 runs_of(with_effect(ship, AddedResistance<double>{.relative_increase = 1.0}), 7));  // surge alone
   const auto given = ship_at(f.trial, {}, f.trial.mean);
   const auto one = best_noise(f.trial, given, Noise{}, true);
   Noise start;
@@ -98,7 +107,8 @@ TEST_CASE("a rudder that has a gap of her own keeps it in the baseline", "[misma
   const Ship own = read_ship(test::ships / "wpcc_pi.toml"), none = test_ship();
   CHECK(ordinary_lift_loss(none));
   CHECK_FALSE(ordinary_lift_loss(own));
-  const auto runs = std::vector{zigzag(own, {.rudder = radians(20), .heading = radians(20)}, {.duration = 60.0, .step = 0.3}).run};
+  const auto runs =
+      std::vector{zigzag(own, {.rudder = radians(20), .heading = radians(20)}, {.duration = 60.0, .step = 0.3}).run};
   const auto trial = trial_of(own, runs, seen_channels(runs));
   const auto pick = [](const Ship& ship) { return std::get<PiShip<double>>(ship.model).rudder; };
   CHECK(pick(ship_at(trial, {}, trial.mean)).s == pick(own).s);
@@ -126,13 +136,16 @@ TEST_CASE("numbers of an effect change with its coordinates as their slopes say"
       const auto before = at(c), after = at(moved);
       for (std::size_t n = 0; n < before.size(); ++n) {
         const double slope = (after[n].value - before[n].value) / 1e-6;
-        if (std::isfinite(slope)) CHECK(slopes(static_cast<Eigen::Index>(n), i) == Approx(slope).epsilon(1e-3).margin(1e-4 * std::abs(before[n].value) + 1e-6));
+        if (std::isfinite(slope))
+          CHECK(slopes(static_cast<Eigen::Index>(n), i) ==
+                Approx(slope).epsilon(1e-3).margin(1e-4 * std::abs(before[n].value) + 1e-6));
       }
     }
   }
 }
 
-TEST_CASE("speed and direction of a wind change with its parts as a point does on the plane, across south too", "[mismatch][second-route]") {
+TEST_CASE("speed and direction of a wind change with its parts as a point does on the plane, across south too",
+          "[mismatch][second-route]") {
   Ship ship = test_ship();
   ship.surroundings.windage = *windage_from({.frontal = 1.0, .lateral = 4.0, .length = length(ship)});
   const std::vector<Channel> channels{Channel::psi};
@@ -157,8 +170,13 @@ TEST_CASE("an effect is told from nothing where its size is, whatever is known o
   const auto told = [&](std::string_view id, std::vector<double> point, std::vector<double> deviations) {
     const auto& form = *std::ranges::find(forms, id, &EffectForm::id);
     REQUIRE(form.coordinates.size() == point.size());
-    const Eigen::VectorXd variances = Eigen::Map<const Eigen::VectorXd>(deviations.data(), std::ssize(deviations)).array().square();
-    return is_told(ship, form, {.point = Eigen::Map<const Eigen::VectorXd>(point.data(), std::ssize(point)), .log_evidence = 0.0, .noise = {}, .covariance = variances.asDiagonal()});
+    const Eigen::VectorXd variances =
+        Eigen::Map<const Eigen::VectorXd>(deviations.data(), std::ssize(deviations)).array().square();
+    return is_told(ship, form,
+                   {.point = Eigen::Map<const Eigen::VectorXd>(point.data(), std::ssize(point)),
+                    .log_evidence = 0.0,
+                    .noise = {},
+                    .covariance = variances.asDiagonal()});
   };
   CHECK(told("gust", {0.5, 0.0, 4.0, 6.0}, {0.05, 0.05, 1.0, 1.0}));
   CHECK_FALSE(told("gust", {0.5, 0.0, 4.0, 6.0}, {0.5, 0.05, 0.001, 0.001}));

@@ -34,7 +34,8 @@ class RandomAbkowitz {
     auto result = mariner();
     const auto shake = [&](const auto& section) {
       auto& part = result.*section.part;
-      for (const auto& p : part.parameters()) part.*p.member = part.*p.member == 0.0 ? uniform(-0.01, 0.01) : part.*p.member * uniform(0.75, 1.25);
+      for (const auto& p : part.parameters())
+        part.*p.member = part.*p.member == 0.0 ? uniform(-0.01, 0.01) : part.*p.member * uniform(0.75, 1.25);
     };
     std::apply([&](const auto&... section) { (shake(section), ...); }, AbkowitzShip<double>::sections());
     result.particulars.prime_speed.index = uniform(0.0, 1.0) < 0.5;
@@ -48,7 +49,9 @@ class RandomAbkowitz {
     return {U * std::cos(beta), -U * std::sin(beta), uniform(-0.9, 0.9) * U / ship.particulars.L};
   }
 
-  Controls<double> controls(const AbkowitzShip<double>& ship) { return {.delta = uniform(-1.0, 1.0) * ship.steering_gear.max_angle}; }
+  Controls<double> controls(const AbkowitzShip<double>& ship) {
+    return {.delta = uniform(-1.0, 1.0) * ship.steering_gear.max_angle};
+  }
 
  private:
   std::mt19937_64 engine_;

@@ -61,9 +61,11 @@ TEST_CASE("Y_0 and N_0 are what breaks the symmetry", "[nonlinear][symmetry]") {
     const auto sum = forces_of(ship, mirrored(m), mirrored(c)).total() + forces_of(ship, m, c).total();
     const auto& h = ship.hull;
     const double V = ship.particulars.primes_at_nominal_speed() ? ship.particulars.U_0 : speed(m);
-    const double u = (m.u - ship.particulars.U_0) / V, L = ship.particulars.L, unit = 0.5 * ship.water.rho * L * L * V * V;
+    const double u = (m.u - ship.particulars.U_0) / V, L = ship.particulars.L,
+                 unit = 0.5 * ship.water.rho * L * L * V * V;
     REQUIRE_THAT(sum.Y, WithinAbs(2.0 * unit * (h.Y_0 + h.Y_0u * u + h.Y_0uu * u * u), 1e-13 * force_scale(ship)));
-    REQUIRE_THAT(sum.N, WithinAbs(2.0 * unit * L * (h.N_0 + h.N_0u * u + h.N_0uu * u * u), 1e-13 * force_scale(ship) * L));
+    REQUIRE_THAT(sum.N,
+                 WithinAbs(2.0 * unit * L * (h.N_0 + h.N_0u * u + h.N_0uu * u * u), 1e-13 * force_scale(ship) * L));
     REQUIRE(std::abs(sum.Y) + std::abs(sum.N) > 0.0);
   }
 }
@@ -126,7 +128,8 @@ TEST_CASE("the equations of motion hold for the acceleration of an Abkowitz ship
     const auto ship = random.ship();
     const auto [u, v, r] = random.motion(ship);
     const double L = ship.particulars.L, scale = force_scale(ship), half = 0.5 * ship.water.rho * L * L * L;
-    const PlanarForce<double> force{scale * random.uniform(-0.01, 0.01), scale * random.uniform(-0.01, 0.01), L * scale * random.uniform(-0.01, 0.01)};
+    const PlanarForce<double> force{scale * random.uniform(-0.01, 0.01), scale * random.uniform(-0.01, 0.01),
+                                    L * scale * random.uniform(-0.01, 0.01)};
     const auto a = acceleration(ship, {u, v, r}, force);
     const auto& i = ship.inertia;
     const double m = half * i.m, m_x_G = half * L * i.m * i.x_G;
@@ -149,7 +152,8 @@ TEST_CASE("primes of the nominal speed let forces go with uv and u^2", "[nonline
     ship.hull.Y_v = ship.hull.Y_vu = -0.01;
     ship.rudder.Y_d = ship.rudder.Y_uud = 0.003;
     ship.rudder.Y_ud = 2.0 * ship.rudder.Y_d;
-    const double u = U_0 * random.uniform(0.2, 1.5), v = U_0 * random.uniform(-0.2, 0.2), delta = random.uniform(-0.6, 0.6);
+    const double u = U_0 * random.uniform(0.2, 1.5), v = U_0 * random.uniform(-0.2, 0.2),
+                 delta = random.uniform(-0.6, 0.6);
     const auto split = forces_of(ship, {u, v, 0.0}, {.delta = delta});
     const double half = 0.5 * 1000.0 * L * L;
     REQUIRE_THAT(split.hull.Y, WithinRel(-0.01 * half * u * v, 1e-12));
@@ -167,7 +171,8 @@ struct Term {
 
 double sum_of(const std::vector<Term>& terms, double u, double v, double r, double d) {
   double sum = 0.0;
-  for (const auto& t : terms) sum += t.coefficient * std::pow(u, t.u) * std::pow(v, t.v) * std::pow(r, t.r) * std::pow(d, t.d);
+  for (const auto& t : terms)
+    sum += t.coefficient * std::pow(u, t.u) * std::pow(v, t.v) * std::pow(r, t.r) * std::pow(d, t.d);
   return sum;
 }
 
@@ -184,20 +189,65 @@ TEST_CASE("forces are the sum of the printed terms", "[nonlinear][second-route]"
     const double V = ship.particulars.primes_at_nominal_speed() ? U_0 : std::hypot(m.u, m.v);
     const double u = (m.u - U_0) / V, v = m.v / V, r = m.r * L / V, d = c.delta;
     const auto sum = [&](const std::vector<Term>& terms) { return sum_of(terms, u, v, r, d); };
-    const double X_H = sum({{h.X_u, 1, 0, 0, 0}, {h.X_uu, 2, 0, 0, 0}, {h.X_uuu, 3, 0, 0, 0}, {h.X_vv, 0, 2, 0, 0}, {h.X_vr, 0, 1, 1, 0},
-                            {h.X_rr, 0, 0, 2, 0}, {h.X_vvu, 1, 2, 0, 0}, {h.X_vru, 1, 1, 1, 0}, {h.X_rru, 1, 0, 2, 0}});
-    const double Y_H = sum({{h.Y_0, 0, 0, 0, 0}, {h.Y_0u, 1, 0, 0, 0}, {h.Y_0uu, 2, 0, 0, 0}, {h.Y_v, 0, 1, 0, 0}, {h.Y_vu, 1, 1, 0, 0},
-                            {h.Y_vuu, 2, 1, 0, 0}, {h.Y_r, 0, 0, 1, 0}, {h.Y_ru, 1, 0, 1, 0}, {h.Y_ruu, 2, 0, 1, 0}, {h.Y_vvv, 0, 3, 0, 0},
-                            {h.Y_vvr, 0, 2, 1, 0}, {h.Y_vrr, 0, 1, 2, 0}, {h.Y_rrr, 0, 0, 3, 0}});
-    const double N_H = sum({{h.N_0, 0, 0, 0, 0}, {h.N_0u, 1, 0, 0, 0}, {h.N_0uu, 2, 0, 0, 0}, {h.N_v, 0, 1, 0, 0}, {h.N_vu, 1, 1, 0, 0},
-                            {h.N_vuu, 2, 1, 0, 0}, {h.N_r, 0, 0, 1, 0}, {h.N_ru, 1, 0, 1, 0}, {h.N_ruu, 2, 0, 1, 0}, {h.N_vvv, 0, 3, 0, 0},
-                            {h.N_vvr, 0, 2, 1, 0}, {h.N_vrr, 0, 1, 2, 0}, {h.N_rrr, 0, 0, 3, 0}});
-    const double X_R = sum({{k.X_dd, 0, 0, 0, 2}, {k.X_udd, 1, 0, 0, 2}, {k.X_vd, 0, 1, 0, 1}, {k.X_uvd, 1, 1, 0, 1}, {k.X_rd, 0, 0, 1, 1},
+    const double X_H = sum({{h.X_u, 1, 0, 0, 0},
+                            {h.X_uu, 2, 0, 0, 0},
+                            {h.X_uuu, 3, 0, 0, 0},
+                            {h.X_vv, 0, 2, 0, 0},
+                            {h.X_vr, 0, 1, 1, 0},
+                            {h.X_rr, 0, 0, 2, 0},
+                            {h.X_vvu, 1, 2, 0, 0},
+                            {h.X_vru, 1, 1, 1, 0},
+                            {h.X_rru, 1, 0, 2, 0}});
+    const double Y_H = sum({{h.Y_0, 0, 0, 0, 0},
+                            {h.Y_0u, 1, 0, 0, 0},
+                            {h.Y_0uu, 2, 0, 0, 0},
+                            {h.Y_v, 0, 1, 0, 0},
+                            {h.Y_vu, 1, 1, 0, 0},
+                            {h.Y_vuu, 2, 1, 0, 0},
+                            {h.Y_r, 0, 0, 1, 0},
+                            {h.Y_ru, 1, 0, 1, 0},
+                            {h.Y_ruu, 2, 0, 1, 0},
+                            {h.Y_vvv, 0, 3, 0, 0},
+                            {h.Y_vvr, 0, 2, 1, 0},
+                            {h.Y_vrr, 0, 1, 2, 0},
+                            {h.Y_rrr, 0, 0, 3, 0}});
+    const double N_H = sum({{h.N_0, 0, 0, 0, 0},
+                            {h.N_0u, 1, 0, 0, 0},
+                            {h.N_0uu, 2, 0, 0, 0},
+                            {h.N_v, 0, 1, 0, 0},
+                            {h.N_vu, 1, 1, 0, 0},
+                            {h.N_vuu, 2, 1, 0, 0},
+                            {h.N_r, 0, 0, 1, 0},
+                            {h.N_ru, 1, 0, 1, 0},
+                            {h.N_ruu, 2, 0, 1, 0},
+                            {h.N_vvv, 0, 3, 0, 0},
+                            {h.N_vvr, 0, 2, 1, 0},
+                            {h.N_vrr, 0, 1, 2, 0},
+                            {h.N_rrr, 0, 0, 3, 0}});
+    const double X_R = sum({{k.X_dd, 0, 0, 0, 2},
+                            {k.X_udd, 1, 0, 0, 2},
+                            {k.X_vd, 0, 1, 0, 1},
+                            {k.X_uvd, 1, 1, 0, 1},
+                            {k.X_rd, 0, 0, 1, 1},
                             {k.X_urd, 1, 0, 1, 1}});
-    const double Y_R = sum({{k.Y_d, 0, 0, 0, 1}, {k.Y_ud, 1, 0, 0, 1}, {k.Y_uud, 2, 0, 0, 1}, {k.Y_ddd, 0, 0, 0, 3}, {k.Y_vvd, 0, 2, 0, 1},
-                            {k.Y_vdd, 0, 1, 0, 2}, {k.Y_rrd, 0, 0, 2, 1}, {k.Y_rdd, 0, 0, 1, 2}, {k.Y_vrd, 0, 1, 1, 1}});
-    const double N_R = sum({{k.N_d, 0, 0, 0, 1}, {k.N_ud, 1, 0, 0, 1}, {k.N_uud, 2, 0, 0, 1}, {k.N_ddd, 0, 0, 0, 3}, {k.N_vvd, 0, 2, 0, 1},
-                            {k.N_vdd, 0, 1, 0, 2}, {k.N_rrd, 0, 0, 2, 1}, {k.N_rdd, 0, 0, 1, 2}, {k.N_vrd, 0, 1, 1, 1}});
+    const double Y_R = sum({{k.Y_d, 0, 0, 0, 1},
+                            {k.Y_ud, 1, 0, 0, 1},
+                            {k.Y_uud, 2, 0, 0, 1},
+                            {k.Y_ddd, 0, 0, 0, 3},
+                            {k.Y_vvd, 0, 2, 0, 1},
+                            {k.Y_vdd, 0, 1, 0, 2},
+                            {k.Y_rrd, 0, 0, 2, 1},
+                            {k.Y_rdd, 0, 0, 1, 2},
+                            {k.Y_vrd, 0, 1, 1, 1}});
+    const double N_R = sum({{k.N_d, 0, 0, 0, 1},
+                            {k.N_ud, 1, 0, 0, 1},
+                            {k.N_uud, 2, 0, 0, 1},
+                            {k.N_ddd, 0, 0, 0, 3},
+                            {k.N_vvd, 0, 2, 0, 1},
+                            {k.N_vdd, 0, 1, 0, 2},
+                            {k.N_rrd, 0, 0, 2, 1},
+                            {k.N_rdd, 0, 0, 1, 2},
+                            {k.N_vrd, 0, 1, 1, 1}});
     const auto split = forces_of(ship, m, c);
     const double unit = 0.5 * ship.water.rho * L * L * V * V, tolerance = 1e-13 * force_scale(ship);
     REQUIRE_THAT(split.hull.X, WithinAbs(unit * X_H, tolerance));
@@ -209,7 +259,8 @@ TEST_CASE("forces are the sum of the printed terms", "[nonlinear][second-route]"
   }
 }
 
-/// With primes of the nominal speed both conventions can say the same: X_vr + m for X_vr, and so on; u r = U_0 r + (u − U_0) r.
+/// With primes of the nominal speed both conventions can say the same: X_vr + m for X_vr, and so on; u r = U_0 r + (u −
+/// U_0) r.
 TEST_CASE("derivatives with and without the centripetal terms move a ship alike", "[nonlinear][second-route]") {
   RandomAbkowitz random(9);
   for (int i = 0; i < 1000; ++i) {
@@ -292,7 +343,8 @@ TEST_CASE("every lane of a pack is one Abkowitz ship", "[nonlinear][second-route
   }
 }
 
-TEST_CASE("straight ahead the derivatives of the forces are the first derivatives of the polynomial", "[nonlinear][limit]") {
+TEST_CASE("straight ahead the derivatives of the forces are the first derivatives of the polynomial",
+          "[nonlinear][limit]") {
   using D = Dual<4>;
   RandomAbkowitz random(12);
   for (int i = 0; i < 200; ++i) {
@@ -314,22 +366,24 @@ TEST_CASE("straight ahead the derivatives of the forces are the first derivative
 
 // ---------------------------------------------------------------- the Mariner
 
-/// mariner.m of the Marine Systems Simulator (github.com/cybergalactic/MSS), as printed there; u is the change of surge.
+/// mariner.m of the Marine Systems Simulator (github.com/cybergalactic/MSS), as printed there; u is the change of
+/// surge.
 PlanarAcceleration<double> mss_mariner(const PlanarMotion<double>& motion, double delta) {
   const double U0 = 7.7175, L = 160.93, U = std::hypot(motion.u, motion.v);
   const double u = (motion.u - U0) / U, v = motion.v / U, r = motion.r * L / U, d = delta;
   const double m = 798e-5, Iz = 39.2e-5, xG = -0.023;
-  const double X = -184e-5 * u - 110e-5 * u * u - 215e-5 * u * u * u - 899e-5 * v * v + 18e-5 * r * r + 798e-5 * r * v - 95e-5 * d * d -
-                   190e-5 * u * d * d + 93e-5 * v * d + 93e-5 * u * v * d;
-  const double Y = -1160e-5 * v - 499e-5 * r - 8078e-5 * v * v * v + 15356e-5 * v * v * r - 1160e-5 * v * u - 499e-5 * r * u + 278e-5 * d -
-                   90e-5 * d * d * d + 556e-5 * u * d + 278e-5 * u * u * d - 4e-5 * v * d * d + 1190e-5 * v * v * d +
-                   (-4e-5 - 8e-5 * u - 4e-5 * u * u);
-  const double N = -264e-5 * v - 166e-5 * r + 1636e-5 * v * v * v - 5483e-5 * v * v * r - 264e-5 * v * u - 166e-5 * r * u - 139e-5 * d +
-                   45e-5 * d * d * d - 278e-5 * u * d - 139e-5 * u * u * d + 13e-5 * v * d * d - 489e-5 * v * v * d +
-                   (3e-5 + 6e-5 * u + 3e-5 * u * u);
+  const double X = -184e-5 * u - 110e-5 * u * u - 215e-5 * u * u * u - 899e-5 * v * v + 18e-5 * r * r + 798e-5 * r * v -
+                   95e-5 * d * d - 190e-5 * u * d * d + 93e-5 * v * d + 93e-5 * u * v * d;
+  const double Y = -1160e-5 * v - 499e-5 * r - 8078e-5 * v * v * v + 15356e-5 * v * v * r - 1160e-5 * v * u -
+                   499e-5 * r * u + 278e-5 * d - 90e-5 * d * d * d + 556e-5 * u * d + 278e-5 * u * u * d -
+                   4e-5 * v * d * d + 1190e-5 * v * v * d + (-4e-5 - 8e-5 * u - 4e-5 * u * u);
+  const double N = -264e-5 * v - 166e-5 * r + 1636e-5 * v * v * v - 5483e-5 * v * v * r - 264e-5 * v * u -
+                   166e-5 * r * u - 139e-5 * d + 45e-5 * d * d * d - 278e-5 * u * d - 139e-5 * u * u * d +
+                   13e-5 * v * d * d - 489e-5 * v * v * d + (3e-5 + 6e-5 * u + 3e-5 * u * u);
   const double m11 = m + 42e-5, m22 = m + 748e-5, m23 = m * xG + 9.354e-5, m32 = m * xG - 4.646e-5, m33 = Iz + 43.8e-5;
   const double det = m22 * m33 - m23 * m32;
-  return {X * (U * U / L) / m11, (m33 * Y - m23 * N) * (U * U / L) / det, (m22 * N - m32 * Y) * (U * U / (L * L)) / det};
+  return {X * (U * U / L) / m11, (m33 * Y - m23 * N) * (U * U / L) / det,
+          (m22 * N - m32 * Y) * (U * U / (L * L)) / det};
 }
 
 TEST_CASE("the Mariner accelerates as mariner.m has her do", "[nonlinear][published]") {
@@ -360,7 +414,8 @@ Run rk4_step(const Acceleration& acceleration_at, const Run& s, double order, do
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += by * k[i];
     return x;
   };
-  const Run k1 = rate(s), k2 = rate(moved(s, k1, 0.5 * h)), k3 = rate(moved(s, k2, 0.5 * h)), k4 = rate(moved(s, k3, h));
+  const Run k1 = rate(s), k2 = rate(moved(s, k1, 0.5 * h)), k3 = rate(moved(s, k2, 0.5 * h)),
+            k4 = rate(moved(s, k3, h));
   Run result = s;
   for (std::size_t i = 0; i < s.size(); ++i) result[i] += h / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
   return result;
@@ -368,7 +423,9 @@ Run rk4_step(const Acceleration& acceleration_at, const Run& s, double order, do
 
 TEST_CASE("a 20/20 zigzag of the Mariner is that of mariner.m", "[nonlinear][second-route]") {
   const auto ship = mariner();
-  const auto ours = [&](const PlanarMotion<double>& m, double delta) { return acceleration_of(ship, m, {.delta = delta}); };
+  const auto ours = [&](const PlanarMotion<double>& m, double delta) {
+    return acceleration_of(ship, m, {.delta = delta});
+  };
   Run a{ship.particulars.U_0, 0.0, 0.0, 0.0, 0.0}, b = a;
   double order = radians(-20);  // to starboard
   int reversals = 0;
@@ -408,7 +465,9 @@ TEST_CASE("the linear Mariner has the published gain and time constants", "[nonl
 
 TEST_CASE("the Mariner turns at the published steady yaw rates", "[nonlinear][published]") {
   const auto ship = mariner();
-  const auto ours = [&](const PlanarMotion<double>& m, double delta) { return acceleration_of(ship, m, {.delta = delta}); };
+  const auto ours = [&](const PlanarMotion<double>& m, double delta) {
+    return acceleration_of(ship, m, {.delta = delta});
+  };
   const auto steady_yaw_rate = [&](double delta) {
     Run run{ship.particulars.U_0, 0.0, 0.0, 0.0, delta};
     for (int i = 0; i < 2000; ++i) run = rk4_step(ours, run, delta, 2.0);
@@ -422,7 +481,8 @@ TEST_CASE("the Mariner turns at the published steady yaw rates", "[nonlinear][pu
     const double gain = (steady_yaw_rate(-delta) - steady_yaw_rate(delta)) / (2.0 * delta);
     CHECK_THAT(gain, WithinAbs(published.at("gain_1_s")[i].get<double>(), rounding(1e-4)));
   }
-  CHECK_THAT(degrees(steady_yaw_rate(0.0)), WithinAbs(published.at("yaw_rate_amidships_deg_s").get<double>(), rounding(0.01)));
+  CHECK_THAT(degrees(steady_yaw_rate(0.0)),
+             WithinAbs(published.at("yaw_rate_amidships_deg_s").get<double>(), rounding(0.01)));
   CHECK_THAT(degrees(steady_yaw_rate(radians(-5))),
              WithinAbs(published.at("yaw_rate_5_deg_to_starboard_deg_s").get<double>(), rounding(1e-4)));
 }
@@ -446,8 +506,10 @@ std::string refusal_of(const std::string& text) {
 
 TEST_CASE("an Abkowitz ship file may leave out every term but the first derivatives", "[nonlinear]") {
   CHECK(parse_abkowitz(replaced(mariner_text(), "Y_vvr = 15356e-5\n", "")).hull.Y_vvr == 0.0);
-  for (const std::string line : {"X_u = -184e-5\n", "Y_v = -1160e-5\n", "Y_r = -499e-5\n", "N_v = -264e-5\n", "N_r = -166e-5\n", "Y_d = 278e-5\n", "N_d = -139e-5\n"})
-    CHECK_THAT(refusal_of(replaced(mariner_text(), "\n" + line, "\n")), ContainsSubstring(line.substr(0, line.find(' '))));
+  for (const std::string line : {"X_u = -184e-5\n", "Y_v = -1160e-5\n", "Y_r = -499e-5\n", "N_v = -264e-5\n",
+                                 "N_r = -166e-5\n", "Y_d = 278e-5\n", "N_d = -139e-5\n"})
+    CHECK_THAT(refusal_of(replaced(mariner_text(), "\n" + line, "\n")),
+               ContainsSubstring(line.substr(0, line.find(' '))));
 }
 
 TEST_CASE("choices of an Abkowitz ship file default to actual speed and separate centripetal terms", "[nonlinear]") {

@@ -23,7 +23,9 @@ MmgShip<double> with_engine(double factor) {
   return ship;
 }
 
-Ship ship_of(const MmgShip<double>& model) { return {.name = "ship", .model = model, .confidence = {}, .surroundings = {}}; }
+Ship ship_of(const MmgShip<double>& model) {
+  return {.name = "ship", .model = model, .confidence = {}, .surroundings = {}};
+}
 
 // ---------------------------------------------------------------- engine
 
@@ -35,7 +37,8 @@ TEST_CASE("an engine at its torque limit gives exactly that torque", "[nonlinear
     const auto m = random.motion(ship);
     const auto c = random.controls(ship);
     const auto branch = branch_at(ship, m, c);
-    const double u_P = propeller_inflow(ship.propeller, m.u, local_drift(ship, m).propeller, branch[MmgBranch::propeller]);
+    const double u_P =
+        propeller_inflow(ship.propeller, m.u, local_drift(ship, m).propeller, branch[MmgBranch::propeller]);
     const bool held = torque(ship, c.rev, u_P) < ship.engine.Q_max;
     REQUIRE(branch[MmgBranch::torque] == held);
     const double rev = held ? c.rev : rev_at_full_torque(ship, u_P);
@@ -46,7 +49,8 @@ TEST_CASE("an engine at its torque limit gives exactly that torque", "[nonlinear
     }
     auto free = ship;
     free.engine.kind.index = 0;
-    REQUIRE_THAT(forces(ship, m, c).total().X, WithinAbs(forces(free, m, Controls<double>{c.delta, rev}).total().X, 1e-9));
+    REQUIRE_THAT(forces(ship, m, c).total().X,
+                 WithinAbs(forces(free, m, Controls<double>{c.delta, rev}).total().X, 1e-9));
   }
   CHECK(limited > 200);
 }
@@ -75,8 +79,11 @@ TEST_CASE("dual numbers pass through the torque limit", "[nonlinear][second-rout
   using D = Dual<1>;
   const auto ship = with_engine(0.8);
   const PlanarMotion<double> m{1.0, 0.05, 0.01};
-  const auto x_force = [&](double u) { return forces(ship, PlanarMotion<double>{u, m.v, m.r}, Controls<double>{0.1, 11.0}).total().X; };
-  const auto dual = forces(cast<D>(ship), PlanarMotion<D>{D(m.u, 0), D(m.v), D(m.r)}, Controls<D>{D(0.1), D(11.0)}).total().X;
+  const auto x_force = [&](double u) {
+    return forces(ship, PlanarMotion<double>{u, m.v, m.r}, Controls<double>{0.1, 11.0}).total().X;
+  };
+  const auto dual =
+      forces(cast<D>(ship), PlanarMotion<D>{D(m.u, 0), D(m.v), D(m.r)}, Controls<D>{D(0.1), D(11.0)}).total().X;
   CHECK_THAT(dual.v[0], WithinRel((x_force(m.u + 1e-5) - x_force(m.u - 1e-5)) / 2e-5, 1e-7));
 }
 
@@ -115,7 +122,8 @@ std::vector<double> plain_zigzag(const MmgShip<double>& ship, double angle, std:
   State s{0.0, U, 0.0, 0.0, 0.0};
   std::vector<double> times;
   while (times.size() < reversals) {
-    const auto k1 = rates(s), k2 = rates(moved(s, k1, 0.5 * step)), k3 = rates(moved(s, k2, 0.5 * step)), k4 = rates(moved(s, k3, step));
+    const auto k1 = rates(s), k2 = rates(moved(s, k1, 0.5 * step)), k3 = rates(moved(s, k2, 0.5 * step)),
+               k4 = rates(moved(s, k3, step));
     const double before = s[0];
     for (std::size_t i = 0; i < s.size(); ++i) s[i] += step / 6.0 * (k1[i] + 2.0 * k2[i] + 2.0 * k3[i] + k4[i]);
     time += step;
@@ -127,7 +135,8 @@ std::vector<double> plain_zigzag(const MmgShip<double>& ship, double angle, std:
   return times;
 }
 
-TEST_CASE("a zigzag with lag and dead band equals plain integration of ship and steering gear", "[nonlinear][second-route]") {
+TEST_CASE("a zigzag with lag and dead band equals plain integration of ship and steering gear",
+          "[nonlinear][second-route]") {
   auto ship = test::mmg(test::kvlcc2_l7());
   ship.steering_gear.lag = 0.8;
   ship.steering_gear.dead_band = radians(0.7);

@@ -15,7 +15,8 @@ namespace {
 
 using test::RandomShips;
 
-constexpr InstructionSet every_set[] = {InstructionSet::numbers, InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
+constexpr InstructionSet every_set[] = {InstructionSet::numbers, InstructionSet::baseline, InstructionSet::avx2,
+                                        InstructionSet::avx512};
 
 ZigzagOrder ten_ten(Side first) { return {.rudder = radians(10), .heading = radians(10), .first = first}; }
 
@@ -38,7 +39,9 @@ std::vector<MmgShip<double>> fleet_of(std::size_t count, unsigned seed, double s
   return ships;
 }
 
-Ship with_model(const MmgShip<double>& model) { return {.name = {}, .model = model, .confidence = {}, .surroundings = {}}; }
+Ship with_model(const MmgShip<double>& model) {
+  return {.name = {}, .model = model, .confidence = {}, .surroundings = {}};
+}
 
 /// A number, or not a number twice.
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
@@ -46,7 +49,8 @@ bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)
 bool same(const ZigzagBatch& a, std::size_t i, const ZigzagBatch& b, std::size_t k) {
   bool all = a.end[i] == b.end[k] && a.count[i] == b.count[k];
   for (std::size_t r = 0; r < a.reversals; ++r)
-    all = all && same(a.time[a.at(r, i)], b.time[b.at(r, k)]) && same(a.peak_time[a.at(r, i)], b.peak_time[b.at(r, k)]) &&
+    all = all && same(a.time[a.at(r, i)], b.time[b.at(r, k)]) &&
+          same(a.peak_time[a.at(r, i)], b.peak_time[b.at(r, k)]) &&
           same(a.overshoot[a.at(r, i)], b.overshoot[b.at(r, k)]);
   return all;
 }
@@ -70,15 +74,19 @@ std::size_t check_ship(const ZigzagBatch& batch, std::size_t i, const Zigzag& al
   return overshoots;
 }
 
-TEST_CASE("a batch of MMG zigzags is that of the single ships, with every instruction set", "[nonlinear][second-route]") {
+TEST_CASE("a batch of MMG zigzags is that of the single ships, with every instruction set",
+          "[nonlinear][second-route]") {
   const auto ships = fleet_of(500, 81);
   for (const Side first : {Side::port, Side::starboard}) {
     std::vector<Zigzag> alone;
-    for (const auto& ship : ships) alone.push_back(zigzag(with_model(ship), ten_ten(first), {.duration = 100.0, .tolerance = 1e-11, .sampled = false}));
+    for (const auto& ship : ships)
+      alone.push_back(
+          zigzag(with_model(ship), ten_ten(first), {.duration = 100.0, .tolerance = 1e-11, .sampled = false}));
     for (const auto set : every_set) {
       if (!available(set)) continue;
       INFO("instruction set " << static_cast<int>(set));
-      const auto batch = zigzag_batch(ships, ten_ten(first), {.reversals = 8, .duration = 100.0, .batch = {.set = set}});
+      const auto batch =
+          zigzag_batch(ships, ten_ten(first), {.reversals = 8, .duration = 100.0, .batch = {.set = set}});
       std::size_t overshoots = 0;
       for (std::size_t i = 0; i < ships.size(); ++i) {
         overshoots += check_ship(batch, i, alone[i], 1e-4, radians(1e-4));
@@ -93,7 +101,8 @@ TEST_CASE("a tighter tolerance brings a batch of zigzags nearer to the single sh
   const auto ships = fleet_of(60, 82);
   const auto batch = zigzag_batch(ships, ten_ten(Side::starboard), {.tolerance = 1e-10});
   for (std::size_t i = 0; i < ships.size(); ++i) {
-    check_ship(batch, i, zigzag(with_model(ships[i]), ten_ten(Side::starboard), {.tolerance = 1e-12, .sampled = false}), 1e-7, 1e-8);
+    check_ship(batch, i, zigzag(with_model(ships[i]), ten_ten(Side::starboard), {.tolerance = 1e-12, .sampled = false}),
+               1e-7, 1e-8);
     CHECK(batch.end[i] == ZigzagEnd::complete);
   }
 }
@@ -108,11 +117,13 @@ TEST_CASE("ships limited by the torque of their engine make the same zigzag in a
     ship.propeller.q_2 = -0.013;
     const Controls<double> ahead = self_propulsion(ship, ship.particulars.U_0);
     ship.engine.kind.index = i % 3 != 0;
-    ship.engine.Q_max = random.uniform(1.001, 1.05) * torque(ship, ahead.rev, propeller_inflow(ship.propeller, ship.particulars.U_0, 0.0, false));
+    ship.engine.Q_max = random.uniform(1.001, 1.05) *
+                        torque(ship, ahead.rev, propeller_inflow(ship.propeller, ship.particulars.U_0, 0.0, false));
   }
   const auto batch = zigzag_batch(ships, ten_ten(Side::port), {.tolerance = 1e-8});
   for (std::size_t i = 0; i < ships.size(); ++i)
-    check_ship(batch, i, zigzag(with_model(ships[i]), ten_ten(Side::port), {.tolerance = 1e-11, .sampled = false}), 1e-5, 1e-6);
+    check_ship(batch, i, zigzag(with_model(ships[i]), ten_ten(Side::port), {.tolerance = 1e-11, .sampled = false}),
+               1e-5, 1e-6);
 }
 
 TEST_CASE("a ship makes the same zigzag whatever her neighbours and the number of threads", "[nonlinear][symmetry]") {
@@ -140,10 +151,10 @@ TEST_CASE("a ship that never turns, or cannot propel herself, does not hold up t
   auto some = all;
   some[7].rudder.f_alpha = 1e-9;  // no rudder force to speak of
   some[7].hull.N_r = -10.0;
-  some[11].hull.R_0 = 0.0;        // thrust at any shaft speed, but no resistance
+  some[11].hull.R_0 = 0.0;  // thrust at any shaft speed, but no resistance
   some[11].propeller.k_1 = 0.0;
   some[11].propeller.k_2 = 1.0;
-  some[13].hull.N_v = -40.0;      // drift that feeds itself
+  some[13].hull.N_v = -40.0;  // drift that feeds itself
   some[13].hull.N_vvv = some[13].hull.N_vvr = -1e3;
   some[13].hull.Y_v = some[13].hull.Y_vvv = 40.0;
   for (const auto set : every_set) {
@@ -165,9 +176,11 @@ TEST_CASE("a ship that never turns, or cannot propel herself, does not hold up t
 TEST_CASE("a batch of MMG zigzags may be empty, and refuses what makes no sense", "[nonlinear][refusal]") {
   CHECK(zigzag_batch({}, ten_ten(Side::port)).time.empty());
   const auto ships = fleet_of(3, 88);
-  CHECK_THROWS_WITH(zigzag_batch(ships, {.rudder = radians(40), .heading = 0.1}), ContainsSubstring("beyond the ship's largest"));
+  CHECK_THROWS_WITH(zigzag_batch(ships, {.rudder = radians(40), .heading = 0.1}),
+                    ContainsSubstring("beyond the ship's largest"));
   CHECK_THROWS_WITH(zigzag_batch(ships, {.rudder = 0.1, .heading = 0.0}), ContainsSubstring("heading angle"));
-  CHECK_THROWS_WITH(zigzag_batch(ships, ten_ten(Side::port), {.reversals = 0}), ContainsSubstring("1 to 255 reversals"));
+  CHECK_THROWS_WITH(zigzag_batch(ships, ten_ten(Side::port), {.reversals = 0}),
+                    ContainsSubstring("1 to 255 reversals"));
   CHECK_THROWS_WITH(zigzag_batch(ships, ten_ten(Side::port), {.tolerance = 0.0}), ContainsSubstring("tolerance"));
   CHECK_THROWS_WITH(zigzag_batch(ships, ten_ten(Side::port), {.speed = -1.0}), ContainsSubstring("approach speed"));
 }

@@ -20,7 +20,9 @@ std::vector<double> values_of(const Ship& ship) {
   return values;
 }
 
-Ship ship_with(const ShipModel& model) { return {.name = "a \"quoted\" \\ ship", .model = model, .confidence = {}, .surroundings = {}}; }
+Ship ship_with(const ShipModel& model) {
+  return {.name = "a \"quoted\" \\ ship", .model = model, .confidence = {}, .surroundings = {}};
+}
 
 /// To the last bit or the one beside it: not every angle in radians is an angle in degrees times pi/180.
 bool same(const std::vector<double>& a, const std::vector<double>& b) {
@@ -37,8 +39,8 @@ Model in_range(Model model) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a ship written to a file and read again is the same to the last digit", "[nonlinear][round-trip]", MmgShip<double>,
-                   PiShip<double>, PuShip<double>, AbkowitzShip<double>) {
+TEMPLATE_TEST_CASE("a ship written to a file and read again is the same to the last digit", "[nonlinear][round-trip]",
+                   MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>) {
   test::RandomModels random(20261121);
   for (int i = 0; i < 200; ++i) {
     Ship ship = ship_with(in_range(random.ship<TestType>()));
@@ -123,11 +125,12 @@ TEST_CASE("values set by name arrive, and nothing else changes", "[nonlinear]") 
   const auto& model = std::get<PiShip<double>>(changed.model);
   CHECK(model.hull.N_v == -1.0);
   CHECK(model.hull.Y_v == -2.0);
-  CHECK(same(values_of(with_values(changed, numbers, std::vector{numbers[0].value, numbers[1].value})), values_of(ship)));
+  CHECK(
+      same(values_of(with_values(changed, numbers, std::vector{numbers[0].value, numbers[1].value})), values_of(ship)));
 }
 
-TEMPLATE_TEST_CASE("a seeded ship gives the derivative of her force by each number", "[nonlinear][second-route]", MmgShip<double>, PiShip<double>,
-                   PuShip<double>, AbkowitzShip<double>) {
+TEMPLATE_TEST_CASE("a seeded ship gives the derivative of her force by each number", "[nonlinear][second-route]",
+                   MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>) {
   test::RandomModels random(31);
   for (int i = 0; i < 20; ++i) {
     const Ship ship = ship_with(random.ship<TestType>());
@@ -137,9 +140,12 @@ TEMPLATE_TEST_CASE("a seeded ship gives the derivative of her force by each numb
     for (const auto& n : coefficients_of(ship, "hull")) {
       const auto dual = seeded<1>(model, std::span(&n, 1));
       using D = Dual<1>;
-      const auto force = forces(dual, PlanarMotion<D>{D(motion.u), D(motion.v), D(motion.r)}, cast<D>(controls)).total();
+      const auto force =
+          forces(dual, PlanarMotion<D>{D(motion.u), D(motion.v), D(motion.r)}, cast<D>(controls)).total();
       const auto at = [&](double value) {
-        return forces(std::get<TestType>(with_values(ship, std::span(&n, 1), std::span(&value, 1)).model), motion, controls).total();
+        return forces(std::get<TestType>(with_values(ship, std::span(&n, 1), std::span(&value, 1)).model), motion,
+                      controls)
+            .total();
       };
       const double h = 1e-3 * (std::abs(n.value) + 1e-3);
       const auto up = at(n.value + h), down = at(n.value - h);

@@ -36,7 +36,9 @@ Model sailing_ship() {
 
 Recording zigzag_of(const Ship& ship, double lengths = 10.0, double tolerance = 1e-10, double step = 0.01) {
   const double time_unit = length(ship) / service_speed(ship);
-  return zigzag(ship, {.rudder = radians(10), .heading = radians(10)}, {.duration = lengths * time_unit, .step = step * time_unit, .tolerance = tolerance}).run;
+  return zigzag(ship, {.rudder = radians(10), .heading = radians(10)},
+                {.duration = lengths * time_unit, .step = step * time_unit, .tolerance = tolerance})
+      .run;
 }
 
 double largest_difference(const Recording& a, const Recording& b, Channel channel) {
@@ -106,7 +108,8 @@ TEST_CASE("all effects at their null values leave a zigzag as it is, to the last
   const auto before = zigzag_of(ship);
   for (const auto id : effect_ids()) ship = with_effect(ship, make_effect(id));
   const auto after = zigzag_of(ship);
-  for (const Channel channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r, Channel::delta, Channel::rev})
+  for (const Channel channel :
+       {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r, Channel::delta, Channel::rev})
     CHECK(largest_difference(before, after, channel) == 0.0);
 }
 
@@ -121,7 +124,8 @@ TEMPLATE_TEST_CASE("an added force vanishes with its size", "[nonlinear][limit]"
       const std::vector<Effect> effects{make_effect(id)};
       auto added = added_forces(model, std::span<const Effect>(effects));
       added.coupling.Y_phi = added.coupling.N_phi = 0.0;
-      const auto f = added_force(model, added, ShipState<double>{0.0, 0.0, 1.0, motion}, Hidden<double>{0.1, 0.0, 0.0, 0.0}, controls);
+      const auto f = added_force(model, added, ShipState<double>{0.0, 0.0, 1.0, motion},
+                                 Hidden<double>{0.1, 0.0, 0.0, 0.0}, controls);
       CHECK(f.X + f.Y + f.N == 0.0);
     }
   }
@@ -142,9 +146,11 @@ TEMPLATE_TEST_CASE("drag, heel and memory are the same to both sides", "[nonline
       if (!effect) continue;
       const std::vector<Effect> list{*effect};
       const auto added = added_forces(model, std::span<const Effect>(list));
-      const Hidden<double> hidden{0.1, 0.02, 0.5 * motion.v, 0.3 * motion.r}, other{-0.1, -0.02, -0.5 * motion.v, -0.3 * motion.r};
+      const Hidden<double> hidden{0.1, 0.02, 0.5 * motion.v, 0.3 * motion.r},
+          other{-0.1, -0.02, -0.5 * motion.v, -0.3 * motion.r};
       const auto port = added_force(model, added, ShipState<double>{0.0, 0.0, 0.0, motion}, hidden, controls);
-      const auto starboard = mirrored(added_force(model, added, ShipState<double>{0.0, 0.0, 0.0, mirrored(motion)}, other, controls));
+      const auto starboard =
+          mirrored(added_force(model, added, ShipState<double>{0.0, 0.0, 0.0, mirrored(motion)}, other, controls));
       CHECK(port.X == starboard.X);
       CHECK(port.Y == starboard.Y);
       CHECK(port.N == starboard.N);
@@ -159,7 +165,9 @@ TEST_CASE("a shaft slows with the speed that the ship loses, as much to both sid
   const auto ship = test::kvlcc2_l7();
   const auto acting = acting_ship(with_effect(ship, ShaftSpeedDrop<>{0.4}), test::mmg(ship));
   const double U = test::mmg(ship).particulars.U_0;
-  const auto rev_at = [&](const PlanarMotion<double>& m) { return driven(acting.added, m, Controls<double>{.rev = 10.0}).rev; };
+  const auto rev_at = [&](const PlanarMotion<double>& m) {
+    return driven(acting.added, m, Controls<double>{.rev = 10.0}).rev;
+  };
   CHECK(rev_at({U, 0.0, 0.0}) == 10.0);
   CHECK_THAT(rev_at({0.5 * U, 0.1, 0.02}), WithinRel(10.0 * (1.0 - 0.4 * 0.5), 1e-14));
   CHECK(rev_at({0.6 * U, 0.2, 0.05}) == rev_at({0.6 * U, -0.2, -0.05}));
@@ -171,13 +179,16 @@ TEMPLATE_TEST_CASE("a force without a name is what its terms say", "[nonlinear][
     const auto model = random.ship<TestType>();
     const auto m = random.motion(model);
     const auto controls = random.controls(model);
-    const double psi = random.uniform(-pi, pi), L = model.particulars.L, U = model.particulars.U_0, q = 0.5 * model.water.rho * L * L * U * U;
+    const double psi = random.uniform(-pi, pi), L = model.particulars.L, U = model.particulars.U_0,
+                 q = 0.5 * model.water.rho * L * L * U * U;
     const auto force_of = [&](const UnknownForce<double>& map) {
       const std::vector<Effect> effects{map};
-      return added_force(model, added_forces(model, std::span<const Effect>(effects)), ShipState<double>{0.0, 0.0, psi, m}, Hidden<double>{}, controls);
+      return added_force(model, added_forces(model, std::span<const Effect>(effects)),
+                         ShipState<double>{0.0, 0.0, psi, m}, Hidden<double>{}, controls);
     };
     const double v = m.v / U, r = m.r * L / U;
-    const auto f = force_of({.X_cos = 0.2, .X_vr = 0.3, .X_dd = 0.1, .Y_0 = 0.4, .Y_vv = -0.5, .N_sin = 0.6, .N_d = -0.7});
+    const auto f =
+        force_of({.X_cos = 0.2, .X_vr = 0.3, .X_dd = 0.1, .Y_0 = 0.4, .Y_vv = -0.5, .N_sin = 0.6, .N_d = -0.7});
     CHECK_THAT(f.X, WithinRel(q * (0.2 * std::cos(psi) + 0.3 * v * r + 0.1 * controls.delta * controls.delta), 1e-12));
     CHECK_THAT(f.Y, WithinRel(q * (0.4 - 0.5 * v * std::abs(v)), 1e-12));
     CHECK_THAT(f.N, WithinRel(q * L * (0.6 * std::sin(psi) - 0.7 * controls.delta), 1e-12));
@@ -204,7 +215,8 @@ TEST_CASE("wind, waves and current turn with the run", "[nonlinear][symmetry]") 
         const ShipState<double> state{0.0, 0.0, heading, {1.0, 0.05, 0.02}};
         const auto acting = acting_ship(ship, model);
         const Controls<double> controls{.delta = 0.1, .rev = 10.0};
-        return rates_of(acting.model, surroundings_at(ship, time), acting.added, state, Hidden<double>{}, controls, branch_at(acting.model, state.motion, controls));
+        return rates_of(acting.model, surroundings_at(ship, time), acting.added, state, Hidden<double>{}, controls,
+                        branch_at(acting.model, state.motion, controls));
       };
       const auto before = rates(a, psi), after = rates(b, psi + turn);
       INFO(id);
@@ -240,8 +252,10 @@ TEST_CASE("the closed form of the cross-flow drag is the sum over strips", "[non
 }
 
 template <class Model>
-PlanarForce<double> added_at(const Model& model, const AddedForces<double>& added, const std::array<double, 8>& x, const Controls<double>& controls) {
-  return added_force(model, added, ShipState<double>{0.0, 0.0, x[0], {x[1], x[2], x[3]}}, Hidden<double>{x[4], x[5], x[6], x[7]}, controls);
+PlanarForce<double> added_at(const Model& model, const AddedForces<double>& added, const std::array<double, 8>& x,
+                             const Controls<double>& controls) {
+  return added_force(model, added, ShipState<double>{0.0, 0.0, x[0], {x[1], x[2], x[3]}},
+                     Hidden<double>{x[4], x[5], x[6], x[7]}, controls);
 }
 
 TEMPLATE_TEST_CASE("duals of added forces agree with differences", "[nonlinear][second-route]", EVERY_MODEL) {
@@ -254,12 +268,15 @@ TEMPLATE_TEST_CASE("duals of added forces agree with differences", "[nonlinear][
     const auto controls = random.controls(model);
     std::vector<Effect> list;
     for (const auto id : effect_ids())
-      if (const auto effect = effects.of_kind(id, test::ship_of(model)); effect && place_of(*effect) == EffectPlace::force) list.push_back(*effect);
+      if (const auto effect = effects.of_kind(id, test::ship_of(model));
+          effect && place_of(*effect) == EffectPlace::force)
+        list.push_back(*effect);
     const auto added = added_forces(model, std::span<const Effect>(list));
     const std::array<double, 8> x{0.7, motion.u, motion.v, motion.r, 0.1, 0.02, 0.5 * motion.v, 0.4 * motion.r};
     std::array<D, 8> d;
     for (int k = 0; k < 8; ++k) d[static_cast<std::size_t>(k)] = D(x[static_cast<std::size_t>(k)], k);
-    const auto f = added_force(cast<D>(model), cast<D>(added), ShipState<D>{D(0.0), D(0.0), d[0], {d[1], d[2], d[3]}}, Hidden<D>{d[4], d[5], d[6], d[7]}, cast<D>(controls));
+    const auto f = added_force(cast<D>(model), cast<D>(added), ShipState<D>{D(0.0), D(0.0), d[0], {d[1], d[2], d[3]}},
+                               Hidden<D>{d[4], d[5], d[6], d[7]}, cast<D>(controls));
     CHECK_THAT(f.Y.a, WithinRel(added_at(model, added, x, controls).Y, 1e-12));
     for (std::size_t k = 0; k < 8; ++k) {
       const double h = 1e-5 * (std::abs(x[k]) + 1e-3);
@@ -274,7 +291,8 @@ TEMPLATE_TEST_CASE("duals of added forces agree with differences", "[nonlinear][
   }
 }
 
-TEMPLATE_TEST_CASE("an effect written by hand is the same as changed numbers", "[nonlinear][second-route]", EVERY_MODEL) {
+TEMPLATE_TEST_CASE("an effect written by hand is the same as changed numbers", "[nonlinear][second-route]",
+                   EVERY_MODEL) {
   RandomModels random(77);
   const auto model = random.ship<TestType>();
   const auto ship = with_effect(test::ship_of(model), HullLinearDerivatives<>{.Y_v = -0.4, .N_r = -0.06});
@@ -284,8 +302,10 @@ TEMPLATE_TEST_CASE("an effect written by hand is the same as changed numbers", "
   for (int i = 0; i < 20; ++i) {
     const ShipState<double> state{0.0, 0.0, 0.0, random.motion(model)};
     const auto controls = random.controls(model);
-    CHECK(force_breakdown(ship, state, controls).total.Y == force_breakdown(test::ship_of(changed), state, controls).total.Y);
-    CHECK(force_breakdown(ship, state, controls).total.N == force_breakdown(test::ship_of(changed), state, controls).total.N);
+    CHECK(force_breakdown(ship, state, controls).total.Y ==
+          force_breakdown(test::ship_of(changed), state, controls).total.Y);
+    CHECK(force_breakdown(ship, state, controls).total.N ==
+          force_breakdown(test::ship_of(changed), state, controls).total.N);
   }
   const auto applied = with_effects_applied(ship);
   CHECK(applied.effects.empty());
@@ -295,13 +315,16 @@ TEMPLATE_TEST_CASE("an effect written by hand is the same as changed numbers", "
 TEST_CASE("the effects on the rudder are the numbers of the rudder", "[nonlinear][second-route]") {
   const auto bare = test::kvlcc2_l7();
   const auto model = test::mmg(bare);
-  const auto ship = with_effect(with_effect(with_effect(bare, RudderEffectiveness<>{0.8}), RudderStall<>{0.25}), RudderGap<>{0.3, -1.5});
+  const auto ship = with_effect(with_effect(with_effect(bare, RudderEffectiveness<>{0.8}), RudderStall<>{0.25}),
+                                RudderGap<>{0.3, -1.5});
   const auto acting = acting_ship(ship, model);
   CHECK(acting.model.rudder.f_alpha == 0.8 * model.rudder.f_alpha);
   CHECK(acting.model.rudder.alpha_s == 0.25);
   CHECK(acting.model.rudder.s == -1.5);
   const PlanarMotion<double> ahead{1.18, 0.0, 0.0};
-  const auto turned = [&](const MmgShip<double>& m, double delta) { return forces(m, ahead, Controls<double>{.delta = delta, .rev = 11.0}).rudder.Y; };
+  const auto turned = [&](const MmgShip<double>& m, double delta) {
+    return forces(m, ahead, Controls<double>{.delta = delta, .rev = 11.0}).rudder.Y;
+  };
   // far below the stall angle only the factor acts
   CHECK_THAT(turned(acting.model, 0.01), WithinRel(0.8 * turned(model, 0.01), 1e-3));
   const auto l = [](double alpha) { return 1.0 / (1.0 + std::exp(-(alpha - 0.25) / 0.05)); };
@@ -310,7 +333,8 @@ TEST_CASE("the effects on the rudder are the numbers of the rudder", "[nonlinear
   CHECK_THAT(turned(acting.model, 0.45), WithinRel(0.8 * stalled * gap * turned(model, 0.45), 1e-12));
 }
 
-TEST_CASE("a stalled or gapped rudder of the lifting line loses its lift by the same factors", "[nonlinear][second-route]") {
+TEST_CASE("a stalled or gapped rudder of the lifting line loses its lift by the same factors",
+          "[nonlinear][second-route]") {
   const auto model = sailing_ship<PiShip<double>>();
   const auto ship = with_effect(test::ship_of(model), RudderEffectiveness<>{0.9});
   CHECK(acting_ship(ship, model).model.rudder.lift_factor == 0.9);
@@ -388,24 +412,36 @@ TEST_CASE("effects of a file are refused in words", "[nonlinear][refusal]") {
     return "";
   };
   CHECK_THAT(refusal("kind = \"unknown\"\n"), ContainsSubstring("unknown has no numbers"));
-  CHECK_THAT(refusal("kind = \"rudder_offset\"\noffset_rad = 0.1\n[[effect]]\nkind = \"rudder_offset\"\noffset_rad = 0.2\n"), ContainsSubstring("rudder_offset is given twice"));
-  CHECK_THAT(refusal("kind = \"rudder_offset\"\noffset_rad = 7\n"), ContainsSubstring("offset_rad in [[effect]] cannot be 7"));
+  CHECK_THAT(
+      refusal("kind = \"rudder_offset\"\noffset_rad = 0.1\n[[effect]]\nkind = \"rudder_offset\"\noffset_rad = 0.2\n"),
+      ContainsSubstring("rudder_offset is given twice"));
+  CHECK_THAT(refusal("kind = \"rudder_offset\"\noffset_rad = 7\n"),
+             ContainsSubstring("offset_rad in [[effect]] cannot be 7"));
   CHECK_THAT(refusal("kind = \"channel_delay\"\ndelay_s = 1\n"), ContainsSubstring("channel_delay needs channel"));
-  CHECK_THAT(refusal("kind = \"channel_delay\"\nchannel = \"tide\"\ndelay_s = 1\n"), ContainsSubstring("channel \"tide\" is not known"));
-  CHECK_THAT(refusal("kind = \"flow_straightening\"\nkappa_v = 1\n"), ContainsSubstring("flow_straightening: a ship of model \"mmg\" has no kappa_v"));
-  CHECK_THAT(refusal("kind = \"hull_linear_derivatives\"\n"), ContainsSubstring("hull_linear_derivatives has no numbers"));
-  CHECK(refusal("kind = \"channel_delay\"\nchannel = \"psi\"\ndelay_s = 1\n[[effect]]\nkind = \"channel_delay\"\nchannel = \"r_rad_s\"\ndelay_s = 1\n").empty());
+  CHECK_THAT(refusal("kind = \"channel_delay\"\nchannel = \"tide\"\ndelay_s = 1\n"),
+             ContainsSubstring("channel \"tide\" is not known"));
+  CHECK_THAT(refusal("kind = \"flow_straightening\"\nkappa_v = 1\n"),
+             ContainsSubstring("flow_straightening: a ship of model \"mmg\" has no kappa_v"));
+  CHECK_THAT(refusal("kind = \"hull_linear_derivatives\"\n"),
+             ContainsSubstring("hull_linear_derivatives has no numbers"));
+  CHECK(refusal("kind = \"channel_delay\"\nchannel = \"psi\"\ndelay_s = 1\n[[effect]]\nkind = "
+                "\"channel_delay\"\nchannel = \"r_rad_s\"\ndelay_s = 1\n")
+            .empty());
   const auto abkowitz = test::ship_of(sailing_ship<AbkowitzShip<double>>());
-  CHECK_THROWS_WITH(zigzag_of(with_effect(abkowitz, CrossFlowDrag<>{0.5})), "cross_flow_drag cannot act on a ship of model \"abkowitz\"");
-  CHECK_THROWS_WITH(zigzag_of(with_effect(abkowitz, AddedResistance<>{0.5})), "added_resistance cannot act on a ship of model \"abkowitz\"");
+  CHECK_THROWS_WITH(zigzag_of(with_effect(abkowitz, CrossFlowDrag<>{0.5})),
+                    "cross_flow_drag cannot act on a ship of model \"abkowitz\"");
+  CHECK_THROWS_WITH(zigzag_of(with_effect(abkowitz, AddedResistance<>{0.5})),
+                    "added_resistance cannot act on a ship of model \"abkowitz\"");
   CHECK_THROWS_WITH(spiral(with_effect(ship, WaveDrift<>{0.0, 10.0})), ContainsSubstring("no turn is steady in waves"));
-  CHECK_THROWS_WITH(spiral(with_effect(ship, UnknownForce<>{.Y_cos = 1e-4})), ContainsSubstring("a force that goes with the heading"));
+  CHECK_THROWS_WITH(spiral(with_effect(ship, UnknownForce<>{.Y_cos = 1e-4})),
+                    ContainsSubstring("a force that goes with the heading"));
   CHECK_THROWS_WITH(spiral(with_effect(ship, SteadyWind<>{5.0, 0.0})), ContainsSubstring("no turn is steady in wind"));
 }
 
 // ---------------------------------------------------------------- simulation and replay
 
-TEMPLATE_TEST_CASE("a replay of a simulated run with the effect in the file is that run", "[nonlinear][round-trip]", EVERY_MODEL) {
+TEMPLATE_TEST_CASE("a replay of a simulated run with the effect in the file is that run", "[nonlinear][round-trip]",
+                   EVERY_MODEL) {
   RandomEffects random(79);
   const auto bare = test::with_areas(sailing_ship<TestType>());
   const double L = length(bare), U = service_speed(bare);
@@ -425,8 +461,12 @@ TEMPLATE_TEST_CASE("a replay of a simulated run with the effect in the file is t
     CHECK(largest_difference(again, run, Channel::r) < 0.01 * U / L);
     CHECK(largest_difference(again, run, Channel::delta) < radians(0.2));
     double change = 0.0;
-    for (const Channel channel : {Channel::x, Channel::psi, Channel::u, Channel::v, Channel::r, Channel::delta, Channel::y}) {
-      const double unit = channel == Channel::x || channel == Channel::y ? L : channel == Channel::u || channel == Channel::v ? U : channel == Channel::r ? U / L : 1.0;
+    for (const Channel channel :
+         {Channel::x, Channel::psi, Channel::u, Channel::v, Channel::r, Channel::delta, Channel::y}) {
+      const double unit = channel == Channel::x || channel == Channel::y   ? L
+                          : channel == Channel::u || channel == Channel::v ? U
+                          : channel == Channel::r                          ? U / L
+                                                                           : 1.0;
       change = std::max(change, largest_difference(run, without, channel) / unit);
     }
     if (id != WakeChange<>::id) CHECK(change > 1e-4);
@@ -451,9 +491,11 @@ TEST_CASE("a gust outside the run does nothing, and nothing before it begins", "
 
 TEST_CASE("a gust that blows all the time is a steady wind, and winds add as vectors", "[nonlinear][second-route]") {
   const auto bare = test::with_areas(sailing_ship<MmgShip<double>>());
-  const auto steady = zigzag_of(with_effect(bare, SteadyWind<>{5.0, 1.0})), gust = zigzag_of(with_effect(bare, Gust<>{5.0, 1.0, -1.0, 1e9}));
+  const auto steady = zigzag_of(with_effect(bare, SteadyWind<>{5.0, 1.0})),
+             gust = zigzag_of(with_effect(bare, Gust<>{5.0, 1.0, -1.0, 1e9}));
   CHECK(largest_difference(steady, gust, Channel::psi) == 0.0);
-  const auto both = surroundings_at(with_effect(with_effect(bare, SteadyWind<>{3.0, 0.0}), Gust<>{4.0, 0.5 * pi, 0.0, 1.0}), 0.5);
+  const auto both =
+      surroundings_at(with_effect(with_effect(bare, SteadyWind<>{3.0, 0.0}), Gust<>{4.0, 0.5 * pi, 0.0, 1.0}), 0.5);
   CHECK_THAT(both.wind.speed, WithinRel(5.0, 1e-14));
   CHECK_THAT(both.wind.from, WithinRel(std::atan2(4.0, 3.0), 1e-14));
 }
@@ -473,8 +515,9 @@ TEST_CASE("heel settles where the centrifugal force holds it, and a memory forge
 
 TEST_CASE("a heeling ship in a long turn comes to the steady motion of her effects", "[nonlinear][second-route]") {
   auto ship = test::kvlcc2_l7();
-  for (const Effect& effect : {Effect(RollCoupling<>{.Y_phi = -0.05, .N_phi = -0.03}), Effect(FluidMemory<>{3.0, 0.4}), Effect(CrossFlowDrag<>{0.4}),
-                               Effect(PropellerSideForce<>{0.05, 0.0}), Effect(ShaftSpeedDrop<>{0.1})})
+  for (const Effect& effect :
+       {Effect(RollCoupling<>{.Y_phi = -0.05, .N_phi = -0.03}), Effect(FluidMemory<>{3.0, 0.4}),
+        Effect(CrossFlowDrag<>{0.4}), Effect(PropellerSideForce<>{0.05, 0.0}), Effect(ShaftSpeedDrop<>{0.1})})
     ship = with_effect(ship, effect);
   const auto turn = turning_circle(ship, {.rudder = radians(20), .side = Side::port}, {.duration = 1500.0});
   const auto steady = steady_motion(ship, with_rudder(turn.propulsion, radians(20)), {0.8, 0.1, -0.1});
@@ -484,8 +527,10 @@ TEST_CASE("a heeling ship in a long turn comes to the steady motion of her effec
   CHECK(turn.run[Channel::phi].back() > 0.0);
 }
 
-TEST_CASE("the parts of a linearized ship with effects add up to differences of her acceleration", "[nonlinear][second-route]") {
-  const auto ship = with_effect(with_effect(test::kvlcc2_l7(), CrossFlowDrag<>{0.6}), RollCoupling<>{.Y_phi = -0.05, .N_phi = -0.03});
+TEST_CASE("the parts of a linearized ship with effects add up to differences of her acceleration",
+          "[nonlinear][second-route]") {
+  const auto ship =
+      with_effect(with_effect(test::kvlcc2_l7(), CrossFlowDrag<>{0.6}), RollCoupling<>{.Y_phi = -0.05, .N_phi = -0.03});
   const auto driven_by = self_propulsion(ship, 1.0);
   const auto steady = steady_motion(ship, with_rudder(driven_by, radians(15)), {0.9, 0.05, -0.05});
   REQUIRE(steady);
@@ -500,7 +545,9 @@ TEST_CASE("the parts of a linearized ship with effects add up to differences of 
   CHECK_THAT(linear.whole.d[1][1], WithinRel((by_v.v - by_v_less.v) / (2.0 * h), 1e-6));
   CHECK_THAT(linear.whole.d[2][1], WithinRel((by_v.r - by_v_less.r) / (2.0 * h), 1e-6));
   CHECK_THAT(linear.whole.d[2][2], WithinRel((by_r.r - by_r_less.r) / (2.0 * h), 1e-6));
-  const auto is_named = [](std::string_view name) { return [name](const PartDerivatives& part) { return part.name == name; }; };
+  const auto is_named = [](std::string_view name) {
+    return [name](const PartDerivatives& part) { return part.name == name; };
+  };
   CHECK(std::ranges::any_of(linear.parts, is_named("cross_flow_drag")));
   CHECK(std::ranges::any_of(linear.parts, is_named("roll_coupling")));
 }
@@ -509,9 +556,11 @@ TEST_CASE("the parts of a linearized ship with effects add up to differences of 
 
 TEST_CASE("a run as recorded and put right again is the run", "[nonlinear][round-trip]") {
   const auto truth = zigzag_of(test::with_areas(sailing_ship<MmgShip<double>>()));
-  const std::vector<Effect> sensors{HeadingBias<>{0.03}, GyroBias<>{0.002}, LogScale<>{1.1}, AntennaLeverArm<>{2.0, -0.3}};
+  const std::vector<Effect> sensors{HeadingBias<>{0.03}, GyroBias<>{0.002}, LogScale<>{1.1},
+                                    AntennaLeverArm<>{2.0, -0.3}};
   const auto back = as_it_was(as_recorded(truth, sensors), sensors);
-  for (const Channel channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::r}) CHECK(largest_difference(truth, back, channel) < 1e-12);
+  for (const Channel channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::r})
+    CHECK(largest_difference(truth, back, channel) < 1e-12);
   const std::vector<Effect> late{ChannelDelay<>{Channel::r, 0.2}, ChannelDelay<>{Channel::x, -0.3}};
   const auto shifted = as_it_was(as_recorded(truth, late), late);
   CHECK(largest_difference(truth, shifted, Channel::r) < 1e-3);
@@ -527,7 +576,8 @@ TEST_CASE("biases, scales and levers have the signs of the documentation", "[non
   CHECK_THAT(seen(AntennaLeverArm<>{2.0, 0.5})[Channel::x][0], WithinAbs(2.0, 1e-12));
   CHECK_THAT(seen(AntennaLeverArm<>{2.0, 0.5})[Channel::y][0], WithinAbs(0.5, 1e-12));
   const double step = truth.time[1] - truth.time[0];
-  CHECK_THAT(seen(ChannelDelay<>{Channel::psi, 3.0 * step})[Channel::psi][10], WithinAbs(truth[Channel::psi][7], 1e-12));
+  CHECK_THAT(seen(ChannelDelay<>{Channel::psi, 3.0 * step})[Channel::psi][10],
+             WithinAbs(truth[Channel::psi][7], 1e-12));
 }
 
 }  // namespace

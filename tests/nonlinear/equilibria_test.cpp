@@ -12,7 +12,9 @@
 namespace swayaw {
 namespace {
 
-Ship ship_of(const MmgShip<double>& model) { return {.name = "random", .model = model, .confidence = {}, .surroundings = {}}; }
+Ship ship_of(const MmgShip<double>& model) {
+  return {.name = "random", .model = model, .confidence = {}, .surroundings = {}};
+}
 
 /// Largest acceleration of u, v and r in units of U²/L.
 double acceleration_of(const MmgShip<double>& ship, const PlanarMotion<double>& m, const Controls<double>& c) {
@@ -28,11 +30,13 @@ TEST_CASE("nothing accelerates anywhere on the r-delta curve", "[nonlinear][seco
     const auto propulsion = self_propulsion(model, model.particulars.U_0);
     const auto curve = steady_turn_curve(ship_of(model), propulsion, 0.6);
     REQUIRE(curve.size() > 10);
-    for (const auto& turn : curve) CHECK(acceleration_of(model, turn.motion, with_rudder(propulsion, turn.delta)) < 1e-9);
+    for (const auto& turn : curve)
+      CHECK(acceleration_of(model, turn.motion, with_rudder(propulsion, turn.delta)) < 1e-9);
   }
 }
 
-TEST_CASE("an unstable ship has three steady motions with the rudder amidships, the straight one unstable", "[nonlinear][limit]") {
+TEST_CASE("an unstable ship has three steady motions with the rudder amidships, the straight one unstable",
+          "[nonlinear][limit]") {
   auto model = test::mmg(test::kvlcc2_l7());
   model.rudder.gamma_R_positive = model.rudder.gamma_R_negative;
   model.propeller.C_2_positive = model.propeller.C_2_negative;
@@ -49,7 +53,8 @@ TEST_CASE("an unstable ship has three steady motions with the rudder amidships, 
   CHECK(loop->height == Approx(turns[2].motion.r - turns[0].motion.r).epsilon(1e-3));
 }
 
-TEST_CASE("KVLCC2 is unstable towards port turns only, where the rudder feels less of the drift", "[nonlinear][published]") {
+TEST_CASE("KVLCC2 is unstable towards port turns only, where the rudder feels less of the drift",
+          "[nonlinear][published]") {
   const Ship ship = test::kvlcc2_l7();
   const auto turns = steady_turns(ship, self_propulsion(ship, service_speed(ship)));
   REQUIRE(turns.size() == 2);
@@ -76,7 +81,8 @@ TEST_CASE("the r-delta curve of a mirrored ship is mirrored", "[nonlinear][symme
     const auto mirror = steady_turns(ship_of(test::mirrored(model)), with_rudder(controls, -controls.delta));
     REQUIRE(turns.size() == mirror.size());
     for (std::size_t k = 0; k < turns.size(); ++k)
-      CHECK(turns[k].motion.r == Approx(-mirror[turns.size() - 1 - k].motion.r).margin(1e-9 * service_speed(ship_of(model)) / model.particulars.L));
+      CHECK(turns[k].motion.r == Approx(-mirror[turns.size() - 1 - k].motion.r)
+                                     .margin(1e-9 * service_speed(ship_of(model)) / model.particulars.L));
   }
 }
 

@@ -34,7 +34,10 @@ HullDimensions<double> random_hull(test::RandomShips& random) {
   const double L = random.uniform(60, 350);
   const auto& range = merchant_ships;
   const double B = L / random.uniform(range.L_over_B.low, range.L_over_B.high);
-  return {.L = L, .B = B, .d = B / random.uniform(range.B_over_d.low, range.B_over_d.high), .C_B = random.uniform(range.C_B.low, range.C_B.high)};
+  return {.L = L,
+          .B = B,
+          .d = B / random.uniform(range.B_over_d.low, range.B_over_d.high),
+          .C_B = random.uniform(range.C_B.low, range.C_B.high)};
 }
 
 template <class Part>
@@ -51,7 +54,8 @@ TEST_CASE("primed estimates do not change with the size of the ship", "[nonlinea
     auto hull = random_hull(random);
     hull.trim = random.uniform(0.0, 0.2) * hull.d;
     const double scale = random.uniform(0.01, 1.0);
-    const HullDimensions<double> model{.L = hull.L * scale, .B = hull.B * scale, .d = hull.d * scale, .C_B = hull.C_B, .trim = hull.trim * scale};
+    const HullDimensions<double> model{
+        .L = hull.L * scale, .B = hull.B * scale, .d = hull.d * scale, .C_B = hull.C_B, .trim = hull.trim * scale};
     check_same(zhou_added_mass(model), zhou_added_mass(hull), 1e-12);
     check_same(kijima_hull(model, zhou_added_mass(model), 0.01), kijima_hull(hull, zhou_added_mass(hull), 0.01), 1e-9);
     CHECK_THAT(clarke_derivatives(model).N_rdot, WithinRel(clarke_derivatives(hull).N_rdot, 1e-12));
@@ -68,7 +72,8 @@ TEST_CASE("every set of formulas damps sway and yaw and entrains water", "[nonli
     CHECK(added.m_x > 0.0);
     CHECK(added.m_x < 0.25 * added.m_y);
     CHECK(added.J_z > 0.0);
-    for (const auto& h : {yoshimura_masumoto_hull(hull, added), kijima_hull(hull, added), mmg_linear_hull(clarke_derivatives(hull), hull, added.m_x)}) {
+    for (const auto& h : {yoshimura_masumoto_hull(hull, added), kijima_hull(hull, added),
+                          mmg_linear_hull(clarke_derivatives(hull), hull, added.m_x)}) {
       CHECK(h.Y_v < 0.0);
       CHECK(h.N_v < 0.0);
       CHECK(h.N_r < 0.0);
@@ -110,7 +115,8 @@ TEST_CASE("trim by the stern makes the bare hull hold her course better", "[nonl
     ++within;
     const double m_x = zhou_added_mass(even).m_x;
     CHECK(stability(trimmed, m_x) > stability(even, m_x));
-    CHECK_THAT(kijima_derivatives(trimmed, m_x).N_b, WithinRel((1.0 - trimmed.trim / even.d) * kijima_derivatives(even, m_x).N_b, 1e-12));
+    CHECK_THAT(kijima_derivatives(trimmed, m_x).N_b,
+               WithinRel((1.0 - trimmed.trim / even.d) * kijima_derivatives(even, m_x).N_b, 1e-12));
   }
   CHECK(within > 150);
 }
@@ -180,7 +186,10 @@ TEST_CASE("the formulas give Kulbiej's initial hull under its exchanged labels",
   const json paper = reference("nawigator_xxi");
   const auto hull = dimensions(paper);
   const double m = mass_prime(hull);
-  const MmgAddedMass<double> added{.m_x = m * paper.at("m_x_over_m").get<double>(), .m_y = m * paper.at("m_y_over_m").get<double>(), .J_z = 0.0, .surge_coupling = {}};
+  const MmgAddedMass<double> added{.m_x = m * paper.at("m_x_over_m").get<double>(),
+                                   .m_y = m * paper.at("m_y_over_m").get<double>(),
+                                   .J_z = 0.0,
+                                   .surge_coupling = {}};
   const auto h = yoshimura_masumoto_hull(hull, added, 0.0, DriftSigns::tabulated);
   const json& label = paper.at("printed_label_of");
   for (const auto& p : MmgHull<double>::parameters()) {
@@ -192,7 +201,8 @@ TEST_CASE("the formulas give Kulbiej's initial hull under its exchanged labels",
   }
 }
 
-TEST_CASE("Clarke's added masses of the wPCC agree with the authors' but for a rounded coefficient", "[nonlinear][published]") {
+TEST_CASE("Clarke's added masses of the wPCC agree with the authors' but for a rounded coefficient",
+          "[nonlinear][published]") {
   const json paper = reference("wpcc");
   const auto hull = dimensions(paper);
   const auto c = clarke_derivatives(hull);
@@ -229,11 +239,14 @@ TEST_CASE("estimated hulls of KVLCC2 and KCS lie near the measured ones", "[nonl
   CHECK_THAT(k.N_vvr, WithinRel(kcs.at("N_bbr").get<double>(), 0.01));
 }
 
-TEST_CASE("measured hulls have the consistent signs of the drift angle, not the tabulated ones", "[nonlinear][published]") {
+TEST_CASE("measured hulls have the consistent signs of the drift angle, not the tabulated ones",
+          "[nonlinear][published]") {
   const auto ship = test::mmg(test::kvlcc2_l7());
   const json kcs = reference("kcs");
-  const auto compare = [](const HullDimensions<double>& hull, const MmgAddedMass<double>& added, double Y_vvv, double N_vrr) {
-    const auto a = yoshimura_masumoto_hull(hull, added), b = yoshimura_masumoto_hull(hull, added, 0.0, DriftSigns::tabulated);
+  const auto compare = [](const HullDimensions<double>& hull, const MmgAddedMass<double>& added, double Y_vvv,
+                          double N_vrr) {
+    const auto a = yoshimura_masumoto_hull(hull, added),
+               b = yoshimura_masumoto_hull(hull, added, 0.0, DriftSigns::tabulated);
     CHECK(std::abs(a.Y_vvv - Y_vvv) < 0.12 * std::abs(b.Y_vvv - Y_vvv));
     CHECK(std::abs(a.N_vrr - N_vrr) < 0.17 * std::abs(b.N_vrr - N_vrr));
   };
@@ -242,7 +255,8 @@ TEST_CASE("measured hulls have the consistent signs of the drift angle, not the 
   compare(hull, zhou_added_mass(hull), -kcs.at("Y_bbb").get<double>(), -kcs.at("N_brr").get<double>());
   // X_βr − m_y' = −1.91 f + 0.08 < 0: the entrained water loses part of what a turning ship would get from m_y v r
   const auto added = zhou_added_mass(hull);
-  CHECK_THAT(-yoshimura_masumoto_hull(hull, added).X_vr - added.m_y, WithinRel(kcs.at("X_br_minus_m_y").get<double>(), 0.15));
+  CHECK_THAT(-yoshimura_masumoto_hull(hull, added).X_vr - added.m_y,
+             WithinRel(kcs.at("X_br_minus_m_y").get<double>(), 0.15));
 }
 
 TEST_CASE("interaction estimated for KVLCC2 lies near the published one", "[nonlinear][published]") {
@@ -253,7 +267,8 @@ TEST_CASE("interaction estimated for KVLCC2 lies near the published one", "[nonl
   CHECK_THAT(i.kappa, WithinRel(ship.rudder.kappa, 0.04));
   CHECK(i.gamma_R > ship.rudder.gamma_R_negative);
   CHECK(i.gamma_R < ship.rudder.gamma_R_positive);
-  CHECK_THAT(dnv_rudder_area(dimensions(test::mmg(test::kvlcc2()))), WithinRel(test::mmg(test::kvlcc2()).rudder.A_R, 0.10));
+  CHECK_THAT(dnv_rudder_area(dimensions(test::mmg(test::kvlcc2()))),
+             WithinRel(test::mmg(test::kvlcc2()).rudder.A_R, 0.10));
 }
 
 // ---------------------------------------------------------------- ranges

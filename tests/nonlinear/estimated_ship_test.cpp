@@ -17,11 +17,14 @@ constexpr HullDimensions<double> coaster{.L = 97.4, .B = 16.6, .d = 7.1, .C_B = 
 /// A merchant ship within the range of the formulas and her service speed, Froude number 0.12 to 0.22.
 std::pair<HullDimensions<double>, double> random_merchant(test::RandomShips& random) {
   const double L = random.uniform(60, 350), B = L / random.uniform(4.5, 8.0);
-  const HullDimensions<double> hull{.L = L, .B = B, .d = B / random.uniform(2.0, 4.5), .C_B = random.uniform(0.5, 0.85)};
+  const HullDimensions<double> hull{
+      .L = L, .B = B, .d = B / random.uniform(2.0, 4.5), .C_B = random.uniform(0.5, 0.85)};
   return {hull, random.uniform(0.12, 0.22) * std::sqrt(9.81 * L)};
 }
 
-Ship named(const MmgShip<double>& model) { return {.name = "estimated", .model = model, .confidence = {}, .surroundings = {}}; }
+Ship named(const MmgShip<double>& model) {
+  return {.name = "estimated", .model = model, .confidence = {}, .surroundings = {}};
+}
 
 /// Ships of 200 that make a 20/20 zigzag with four overshoots below 60 deg.
 int sailing(HullFormula formula) {
@@ -37,7 +40,8 @@ int sailing(HullFormula formula) {
   return count;
 }
 
-TEST_CASE("all of 200 random merchant ships sail a 20/20 zigzag on the hull of Yoshimura and Masumoto", "[nonlinear][limit]") {
+TEST_CASE("all of 200 random merchant ships sail a 20/20 zigzag on the hull of Yoshimura and Masumoto",
+          "[nonlinear][limit]") {
   CHECK(sailing(HullFormula::yoshimura_masumoto) == 200);
 }
 
@@ -45,7 +49,8 @@ TEST_CASE("all of 200 random merchant ships sail a 20/20 zigzag on the hull of K
   CHECK(sailing(HullFormula::kijima) == 200);
 }
 
-TEST_CASE("an estimated ship is complete and every number a ship file must give lies in its range", "[nonlinear][limit]") {
+TEST_CASE("an estimated ship is complete and every number a ship file must give lies in its range",
+          "[nonlinear][limit]") {
   test::RandomShips random(21);
   for (int i = 0; i < 200; ++i) {
     const auto [hull, speed] = random_merchant(random);
@@ -80,7 +85,8 @@ TEST_CASE("an estimated ship holds her service speed and is mirror-symmetric", "
   CHECK(port.N == -starboard.N);
 }
 
-TEST_CASE("KVLCC2 from main dimensions turns up to a third wider than published, an eighth with her resistance known", "[nonlinear][published]") {
+TEST_CASE("KVLCC2 from main dimensions turns up to a third wider than published, an eighth with her resistance known",
+          "[nonlinear][published]") {
   const auto published = test::kvlcc2();
   const auto& ship = test::mmg(published);
   const auto& p = ship.particulars;
@@ -98,7 +104,13 @@ TEST_CASE("KVLCC2 from main dimensions turns up to a third wider than published,
 
 TEST_CASE("what is given is taken and what is not is told", "[nonlinear][limit]") {
   const auto bare = estimated_mmg_ship(coaster, 7.272);
-  const auto known = estimated_mmg_ship(coaster, 7.272, {.rudder_area = 12.2, .rudder_height = 5.0, .propeller_diameter = 4.0, .wake_fraction = 0.326, .thrust_deduction = 0.2, .resistance = 0.02});
+  const auto known = estimated_mmg_ship(coaster, 7.272,
+                                        {.rudder_area = 12.2,
+                                         .rudder_height = 5.0,
+                                         .propeller_diameter = 4.0,
+                                         .wake_fraction = 0.326,
+                                         .thrust_deduction = 0.2,
+                                         .resistance = 0.02});
   CHECK(known.ship.rudder.A_R == 12.2);
   CHECK(known.ship.rudder.H_R == 5.0);
   CHECK(known.ship.propeller.D == 4.0);

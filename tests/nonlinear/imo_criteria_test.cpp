@@ -22,7 +22,8 @@ TEST_CASE("overshoot limits are those of MSC.137(76)", "[nonlinear][published]")
   struct Row {
     double L_over_V, first, second;  // s, deg, deg
   };
-  for (const auto& [L_over_V, first, second] : {Row{5, 10, 25}, Row{9.99, 10, 25}, Row{10, 10, 25}, Row{20, 15, 32.5}, Row{30, 20, 40}, Row{45, 20, 40}}) {
+  for (const auto& [L_over_V, first, second] :
+       {Row{5, 10, 25}, Row{9.99, 10, 25}, Row{10, 10, 25}, Row{20, 15, 32.5}, Row{30, 20, 40}, Row{45, 20, 40}}) {
     CHECK_THAT(degrees(first_overshoot_limit(L_over_V)), WithinAbs(first, 1e-9));
     CHECK_THAT(degrees(second_overshoot_limit(L_over_V)), WithinAbs(second, 1e-9));
   }
@@ -35,14 +36,20 @@ TEST_CASE("the criteria hold what turning circle and zigzags tell", "[nonlinear]
   CHECK(all.criteria.size() == 12);
   for (const Side side : {Side::starboard, Side::port}) {
     const auto circle = turning_circle(ship, {radians(35), side});
-    const auto ten = zigzag(ship, {radians(10), radians(10), side}), twenty = zigzag(ship, {radians(20), radians(20), side});
+    const auto ten = zigzag(ship, {radians(10), radians(10), side}),
+               twenty = zigzag(ship, {radians(20), radians(20), side});
     CHECK_THAT(named(all.criteria, "advance", side).value.value(), WithinRel(*circle.advance / L, 1e-12));
-    CHECK_THAT(named(all.criteria, "tactical_diameter", side).value.value(), WithinRel(*circle.tactical_diameter / L, 1e-12));
+    CHECK_THAT(named(all.criteria, "tactical_diameter", side).value.value(),
+               WithinRel(*circle.tactical_diameter / L, 1e-12));
     CHECK_THAT(named(all.criteria, "initial_turning", side).value.value(), WithinRel(*ten.initial_turning / L, 1e-12));
-    CHECK_THAT(named(all.criteria, "first_overshoot_10_10", side).value.value(), WithinRel(degrees(*ten.reversals[0].overshoot), 1e-12));
-    CHECK_THAT(named(all.criteria, "second_overshoot_10_10", side).value.value(), WithinRel(degrees(*ten.reversals[1].overshoot), 1e-12));
-    CHECK_THAT(named(all.criteria, "first_overshoot_20_20", side).value.value(), WithinRel(degrees(*twenty.reversals[0].overshoot), 1e-12));
-    CHECK_THAT(named(all.criteria, "second_overshoot_10_10", side).limit, WithinRel(degrees(second_overshoot_limit(L / V)), 1e-12));
+    CHECK_THAT(named(all.criteria, "first_overshoot_10_10", side).value.value(),
+               WithinRel(degrees(*ten.reversals[0].overshoot), 1e-12));
+    CHECK_THAT(named(all.criteria, "second_overshoot_10_10", side).value.value(),
+               WithinRel(degrees(*ten.reversals[1].overshoot), 1e-12));
+    CHECK_THAT(named(all.criteria, "first_overshoot_20_20", side).value.value(),
+               WithinRel(degrees(*twenty.reversals[0].overshoot), 1e-12));
+    CHECK_THAT(named(all.criteria, "second_overshoot_10_10", side).limit,
+               WithinRel(degrees(second_overshoot_limit(L / V)), 1e-12));
   }
   for (const auto& c : all.criteria) CHECK(c.pass == (*c.value <= c.limit));
 }
@@ -80,7 +87,8 @@ TEST_CASE("a ship with a tenth of her rudder fails", "[nonlinear][limit]") {
   CHECK_FALSE(named(all.criteria, "first_overshoot_10_10", Side::port).pass.value());
 }
 
-TEST_CASE("a manoeuvre cut short is not judged, and others than those of the standards tell nothing", "[nonlinear][limit]") {
+TEST_CASE("a manoeuvre cut short is not judged, and others than those of the standards tell nothing",
+          "[nonlinear][limit]") {
   const Ship ship = test::kvlcc2_l7();
   const double L = length(ship);
   const TurnOrder turn{radians(35), Side::starboard};

@@ -30,7 +30,9 @@ struct ZigzagTrial {
 template <class Trial>
 auto difference(const Ship& ship, const Trial& trial, const ManoeuvreOptions& options, const ShipNumber& n) {
   const double step = 2e-5 * (n.value == 0.0 ? 1.0 : std::abs(n.value));
-  const auto at = [&](double value) { return trial.indices(trial.sail(with_values(ship, std::span(&n, 1), std::array{value}), options)); };
+  const auto at = [&](double value) {
+    return trial.indices(trial.sail(with_values(ship, std::span(&n, 1), std::array{value}), options));
+  };
   auto slope = at(n.value + step);
   const auto before = at(n.value - step);
   for (const auto& p : slope.parameters()) slope.*p.member = (slope.*p.member - before.*p.member) / (2.0 * step);
@@ -39,7 +41,8 @@ auto difference(const Ship& ship, const Trial& trial, const ManoeuvreOptions& op
 
 /// Largest difference of the two derivatives, as a change of the index by 100 % of the number, over the index.
 template <class Trial>
-double disagreement(const Ship& ship, const Trial& trial, const ManoeuvreOptions& options, std::span<const ShipNumber> numbers) {
+double disagreement(const Ship& ship, const Trial& trial, const ManoeuvreOptions& options,
+                    std::span<const ShipNumber> numbers) {
   const auto result = trial.sail(ship, options);
   const auto indices = trial.indices(result);
   const auto slopes = index_slopes(ship, trial.order, options, result, numbers);
@@ -64,26 +67,33 @@ double disagreement(const Ship& ship, const Trial& trial, const ManoeuvreOptions
 
 const std::array<Side, 2> sides{Side::port, Side::starboard};
 
-TEST_CASE("derivatives of turn indices are those of differences for every hull number of MV Nawigator XXI", "[nonlinear][second-route]") {
+TEST_CASE("derivatives of turn indices are those of differences for every hull number of MV Nawigator XXI",
+          "[nonlinear][second-route]") {
   const Ship ship = nawigator_xxi(NawigatorHull::yoshimura_masumoto, SurgeReading::negative_X_vr);
   auto options = precise;
   options.rev = nawigator_rev;
   for (const Side side : sides)
-    for (const double rudder : {15.0, 35.0}) CHECK(disagreement(ship, Turn{{radians(rudder), side}}, options, coefficients_of(ship, "hull")) < 1e-5);
+    for (const double rudder : {15.0, 35.0})
+      CHECK(disagreement(ship, Turn{{radians(rudder), side}}, options, coefficients_of(ship, "hull")) < 1e-5);
 }
 
-TEST_CASE("derivatives of zigzag indices are those of differences for every hull number of MV Nawigator XXI", "[nonlinear][second-route]") {
+TEST_CASE("derivatives of zigzag indices are those of differences for every hull number of MV Nawigator XXI",
+          "[nonlinear][second-route]") {
   const Ship ship = nawigator_xxi(NawigatorHull::yoshimura_masumoto, SurgeReading::negative_X_vr);
   auto options = precise;
   options.rev = nawigator_rev;
-  for (const Side side : sides) CHECK(disagreement(ship, ZigzagTrial{{radians(20), radians(20), side}}, options, coefficients_of(ship, "hull")) < 1e-5);
+  for (const Side side : sides)
+    CHECK(disagreement(ship, ZigzagTrial{{radians(20), radians(20), side}}, options, coefficients_of(ship, "hull")) <
+          1e-5);
 }
 
-TEST_CASE("derivatives of indices hold for every number of an MMG ship, also where self-propulsion follows it", "[nonlinear][second-route]") {
+TEST_CASE("derivatives of indices hold for every number of an MMG ship, also where self-propulsion follows it",
+          "[nonlinear][second-route]") {
   test::RandomShips random(20261122);
   for (int i = 0; i < 2; ++i) {
     auto model = test::symmetric(random.ship());
-    model.steering_gear = {.rate = 0.08, .max_angle = 0.7, .lag = i == 0 ? 0.0 : 1.5, .dead_band = i == 0 ? 0.0 : 0.002};
+    model.steering_gear = {
+        .rate = 0.08, .max_angle = 0.7, .lag = i == 0 ? 0.0 : 1.5, .dead_band = i == 0 ? 0.0 : 0.002};
     model.particulars.A_front = model.particulars.A_lateral = 0.0;
     const Ship ship = test::ship_of(model);
     auto numbers = ship_numbers(ship);
@@ -115,7 +125,8 @@ TEST_CASE("a symmetric ship has the same derivatives to both sides", "[nonlinear
   };
   const auto port = of(Side::port), starboard = of(Side::starboard);
   for (const auto& p : port.parameters())
-    for (std::size_t j = 0; j < (port.*p.member).size(); ++j) CHECK_THAT((port.*p.member)[j], WithinRel((starboard.*p.member)[j], 1e-9));
+    for (std::size_t j = 0; j < (port.*p.member).size(); ++j)
+      CHECK_THAT((port.*p.member)[j], WithinRel((starboard.*p.member)[j], 1e-9));
 }
 
 TEST_CASE("in wind there are no derivatives of indices", "[nonlinear][refusal]") {

@@ -37,7 +37,8 @@ TEST_CASE("the parts of a linearization add up, and equal extrapolated differenc
         const auto a = acceleration(model, m, forces(model, m, c, branch).total());
         return std::array{a.u, a.v, a.r};
       };
-      const double steps[] = {1e-3 * U, 1e-3 * U, 1e-3 * U / L, 1e-3}, units[] = {U * U / L, U * U / L, U * U / (L * L)};
+      const double steps[] = {1e-3 * U, 1e-3 * U, 1e-3 * U / L, 1e-3},
+                   units[] = {U * U / L, U * U / L, U * U / (L * L)};
       for (std::size_t k = 0; k < 4; ++k) {
         const double h = steps[k];
         const auto p1 = along(k, h), m1 = along(k, -h), p2 = along(k, 2 * h), m2 = along(k, -2 * h);
@@ -57,11 +58,13 @@ double error_of_linear_response(const Ship& ship, double delta) {
   REQUIRE(is_stable(equations));
   const LinearResponse<double> answer(equations);
   const auto [L, U] = linear.scale;
-  const auto circle = turning_circle(ship, {.rudder = delta, .side = Side::port}, {.duration = 5.0 * L / U, .step = 0.05 * L / U, .tolerance = 1e-12});
+  const auto circle = turning_circle(ship, {.rudder = delta, .side = Side::port},
+                                     {.duration = 5.0 * L / U, .step = 0.05 * L / U, .tolerance = 1e-12});
   double worst = 0.0;
   for (std::size_t i = 0; i < circle.run.samples(); ++i) {
     const auto small = state_after(answer, {0.0, 0.0, 0.0}, {delta, 0.0}, circle.run.time[i] * U / L);
-    worst = std::max({worst, std::abs(circle.run[Channel::u][i] / U - 1.0), std::abs(-circle.run[Channel::v][i] / U - small.beta),
+    worst = std::max({worst, std::abs(circle.run[Channel::u][i] / U - 1.0),
+                      std::abs(-circle.run[Channel::v][i] / U - small.beta),
                       std::abs(circle.run[Channel::r][i] * L / U - small.omega)});
   }
   return worst;
@@ -108,9 +111,11 @@ TEST_CASE("without a side the derivatives are the mean of both sides", "[nonline
   const Ship ship = test::kvlcc2_l7();
   const auto point = straight(ship);
   CHECK(has_kink(ship, point));
-  const auto both = linearize(ship, point), port = linearize(ship, point, Side::port), starboard = linearize(ship, point, Side::starboard);
+  const auto both = linearize(ship, point), port = linearize(ship, point, Side::port),
+             starboard = linearize(ship, point, Side::starboard);
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 4; ++k) CHECK(both.whole.d[i][k] == Approx(0.5 * (port.whole.d[i][k] + starboard.whole.d[i][k])).margin(1e-15));
+    for (std::size_t k = 0; k < 4; ++k)
+      CHECK(both.whole.d[i][k] == Approx(0.5 * (port.whole.d[i][k] + starboard.whole.d[i][k])).margin(1e-15));
 }
 
 TEST_CASE("without rudder and propeller the SNAME derivatives of the MMG hull are its own", "[nonlinear][published]") {
@@ -128,7 +133,8 @@ TEST_CASE("without rudder and propeller the SNAME derivatives of the MMG hull ar
   CHECK(d.Y_rdot == Approx(0.0).margin(1e-15));
 }
 
-TEST_CASE("the poles of the straight course are those of surge and of the coupled equations", "[nonlinear][second-route]") {
+TEST_CASE("the poles of the straight course are those of surge and of the coupled equations",
+          "[nonlinear][second-route]") {
   const Ship ship = test::kvlcc2_l7();
   const auto linear = linearize(ship, straight(ship));
   const auto h = transfer_functions(sway_yaw(linear.whole, linear.scale));
@@ -144,7 +150,8 @@ TEST_CASE("the poles of the straight course are those of surge and of the couple
 
 TEST_CASE("a ship at rest, or one that accelerates, is not linearized", "[nonlinear][refusal]") {
   const Ship ship = test::kvlcc2_l7();
-  CHECK_THROWS_WITH(linearize(ship, {{0.0, 0.0, 0.0}, {0.0, 10.0}}), "a ship is linearized under way ahead, not at u = 0 m/s");
+  CHECK_THROWS_WITH(linearize(ship, {{0.0, 0.0, 0.0}, {0.0, 10.0}}),
+                    "a ship is linearized under way ahead, not at u = 0 m/s");
   CHECK_THROWS_AS(linearize(ship, {{1.0, 0.2, 0.0}, {0.0, 10.0}}), Refusal);
 }
 

@@ -27,7 +27,13 @@ std::vector<double> slow_zigzag(const MmgShip<double>& ship, const ZigzagOrder& 
   const auto rate = [&](const State& s, double slope) {
     const PlanarMotion<double> m{s[3], s[4], s[5]};
     const auto a = acceleration(ship, m, forces(ship, m, Controls<double>{s[6], rev}).total());
-    return State{m.u * std::cos(s[2]) - m.v * std::sin(s[2]), m.u * std::sin(s[2]) + m.v * std::cos(s[2]), m.r, a.u, a.v, a.r, slope};
+    return State{m.u * std::cos(s[2]) - m.v * std::sin(s[2]),
+                 m.u * std::sin(s[2]) + m.v * std::cos(s[2]),
+                 m.r,
+                 a.u,
+                 a.v,
+                 a.r,
+                 slope};
   };
   const auto step = [&](const State& s, double length, double slope) {
     const auto plus = [](const State& a, const State& k, double f) {
@@ -35,8 +41,8 @@ std::vector<double> slow_zigzag(const MmgShip<double>& ship, const ZigzagOrder& 
       for (std::size_t i = 0; i < b.size(); ++i) b[i] += f * k[i];
       return b;
     };
-    const State k1 = rate(s, slope), k2 = rate(plus(s, k1, length / 2), slope), k3 = rate(plus(s, k2, length / 2), slope),
-                k4 = rate(plus(s, k3, length), slope);
+    const State k1 = rate(s, slope), k2 = rate(plus(s, k1, length / 2), slope),
+                k3 = rate(plus(s, k2, length / 2), slope), k4 = rate(plus(s, k3, length), slope);
     State next = s;
     for (std::size_t i = 0; i < next.size(); ++i) next[i] += length / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
     return next;
@@ -73,7 +79,8 @@ TEST_CASE("zigzag switches agree with a fixed-step integration", "[nonlinear][se
   RandomShips random(11);
   for (int i = 0; i < 10; ++i) {
     const auto ship = random.ship();
-    const ZigzagOrder order{.rudder = radians(random.uniform(5, 20)), .heading = radians(random.uniform(3, 20)),
+    const ZigzagOrder order{.rudder = radians(random.uniform(5, 20)),
+                            .heading = radians(random.uniform(3, 20)),
                             .first = i % 2 ? Side::port : Side::starboard};
     const double end = 15.0 * ship.particulars.L / ship.particulars.U_0;
     const auto slow = slow_zigzag(ship, order, end, 2e-3 * ship.particulars.L / ship.particulars.U_0);
@@ -97,7 +104,9 @@ TEST_CASE("the rudder is reversed at the switch angle and the peak is where yaw 
 
 TEST_CASE("the rudder never leaves its order and never moves faster than the gear", "[nonlinear][limit]") {
   const Ship ship = test::kvlcc2();
-  const auto run = zigzag(ship, {.rudder = radians(20), .heading = radians(5), .first = Side::port}, {.duration = 1500.0, .step = 0.25}).run;
+  const auto run = zigzag(ship, {.rudder = radians(20), .heading = radians(5), .first = Side::port},
+                          {.duration = 1500.0, .step = 0.25})
+                       .run;
   const auto delta = run[Channel::delta];
   for (std::size_t i = 1; i < delta.size(); ++i) {
     REQUIRE(std::abs(delta[i]) <= radians(20) * (1.0 + 1e-12));
@@ -111,9 +120,11 @@ TEST_CASE("a mirrored ship makes the mirrored zigzag", "[nonlinear][symmetry]") 
   for (int i = 0; i < 20; ++i) {
     const auto ship = random.ship();
     const auto starboard = zigzag(with_model(ship), ten_ten, {.duration = 100.0});
-    const auto port = zigzag(with_model(test::mirrored(ship)), {.rudder = radians(10), .heading = radians(10), .first = Side::port}, {.duration = 100.0});
+    const auto port = zigzag(with_model(test::mirrored(ship)),
+                             {.rudder = radians(10), .heading = radians(10), .first = Side::port}, {.duration = 100.0});
     REQUIRE(port.reversals.size() == starboard.reversals.size());
-    for (std::size_t k = 0; k < port.reversals.size(); ++k) CHECK_THAT(port.reversals[k].time, WithinAbs(starboard.reversals[k].time, 1e-7));
+    for (std::size_t k = 0; k < port.reversals.size(); ++k)
+      CHECK_THAT(port.reversals[k].time, WithinAbs(starboard.reversals[k].time, 1e-7));
     CHECK_THAT(port.run[Channel::y].back(), WithinAbs(-starboard.run[Channel::y].back(), 1e-7));
   }
 }
@@ -153,7 +164,9 @@ TEST_CASE("sampling does not change the manoeuvre", "[nonlinear][second-route]")
 
 TEST_CASE("a tighter tolerance gives a smaller error", "[nonlinear][limit]") {
   const Ship ship = test::kvlcc2_l7();
-  const auto last_switch = [&](double tolerance) { return zigzag(ship, ten_ten, {.duration = 100.0, .tolerance = tolerance, .sampled = false}).reversals.back().time; };
+  const auto last_switch = [&](double tolerance) {
+    return zigzag(ship, ten_ten, {.duration = 100.0, .tolerance = tolerance, .sampled = false}).reversals.back().time;
+  };
   const double exact = last_switch(1e-13);
   CHECK(std::abs(last_switch(1e-6) - exact) < 1e-4);
   CHECK(std::abs(last_switch(1e-9) - exact) < 1e-7);
@@ -174,7 +187,8 @@ TEST_CASE("the way made is the length of the track", "[nonlinear][second-route]"
   const auto circle = turning_circle(ship, {.rudder = radians(35)}, {.step = 0.01});
   double way = 0.0;
   for (std::size_t i = 1; circle.run[Channel::psi][i] < radians(10); ++i)
-    way += std::hypot(circle.run[Channel::x][i] - circle.run[Channel::x][i - 1], circle.run[Channel::y][i] - circle.run[Channel::y][i - 1]);
+    way += std::hypot(circle.run[Channel::x][i] - circle.run[Channel::x][i - 1],
+                      circle.run[Channel::y][i] - circle.run[Channel::y][i - 1]);
   CHECK_THAT(circle.initial_turning.value(), WithinAbs(way, 0.02));
 }
 
@@ -187,7 +201,8 @@ TEST_CASE("a steady turn is in balance", "[nonlinear][limit]") {
     const auto circle = turning_circle(ship, {.rudder = model.steering_gear.max_angle});
     if (!circle.steady) continue;
     ++found;
-    const Controls<double> controls{rudder_sign(Side::starboard) * model.steering_gear.max_angle, circle.propulsion.rev};
+    const Controls<double> controls{rudder_sign(Side::starboard) * model.steering_gear.max_angle,
+                                    circle.propulsion.rev};
     const auto a = acceleration(model, *circle.steady, forces(model, *circle.steady, controls).total());
     const double unit = model.particulars.U_0 * model.particulars.U_0 / model.particulars.L;
     CHECK_THAT(a.u, WithinAbs(0.0, 1e-12 * unit));
@@ -199,18 +214,24 @@ TEST_CASE("a steady turn is in balance", "[nonlinear][limit]") {
 
 TEST_CASE("senseless orders are refused in words", "[nonlinear][refusal]") {
   const Ship ship = test::kvlcc2_l7();
-  CHECK_THROWS_WITH(zigzag(ship, {.rudder = radians(40), .heading = radians(10)}), "rudder angle 40 deg is beyond the ship's largest, 35 deg");
-  CHECK_THROWS_WITH(zigzag(ship, {.rudder = radians(-10), .heading = radians(10)}), ContainsSubstring("rudder angle [rad] must be positive"));
-  CHECK_THROWS_WITH(zigzag(ship, {.rudder = radians(10), .heading = 0.0}), "heading angle [rad] must be positive, got 0");
-  CHECK_THROWS_WITH(turning_circle(ship, {.rudder = radians(20)}, {.speed = -1.0}), "approach speed [m/s] must be positive, got -1");
-  CHECK_THROWS_WITH(turning_circle(ship, {.rudder = radians(20)}, {.duration = 0.0}), "duration [s] must be positive, got 0");
+  CHECK_THROWS_WITH(zigzag(ship, {.rudder = radians(40), .heading = radians(10)}),
+                    "rudder angle 40 deg is beyond the ship's largest, 35 deg");
+  CHECK_THROWS_WITH(zigzag(ship, {.rudder = radians(-10), .heading = radians(10)}),
+                    ContainsSubstring("rudder angle [rad] must be positive"));
+  CHECK_THROWS_WITH(zigzag(ship, {.rudder = radians(10), .heading = 0.0}),
+                    "heading angle [rad] must be positive, got 0");
+  CHECK_THROWS_WITH(turning_circle(ship, {.rudder = radians(20)}, {.speed = -1.0}),
+                    "approach speed [m/s] must be positive, got -1");
+  CHECK_THROWS_WITH(turning_circle(ship, {.rudder = radians(20)}, {.duration = 0.0}),
+                    "duration [s] must be positive, got 0");
 }
 
 TEST_CASE("a ship that turns until she stops is refused with the loss of her way", "[nonlinear][refusal]") {
   // at 35 deg the published gap factor turns the lift round; she turns to the wrong side, ever more across her course
   auto ship = read_ship(test::ships / "wpcc_pi.toml");
   const TurnOrder hard{.rudder = radians(35)};
-  CHECK_THROWS_WITH(turning_circle(ship, hard), ContainsSubstring("the ship loses her way at 14.9") && ContainsSubstring("for way ahead only"));
+  CHECK_THROWS_WITH(turning_circle(ship, hard),
+                    ContainsSubstring("the ship loses her way at 14.9") && ContainsSubstring("for way ahead only"));
   // where the lift ends at zero, the rudder's drag stops her, but much later
   std::get<PiShip<double>>(ship.model).rudder.gap_factor.index = 1;
   CHECK_THROWS_WITH(turning_circle(ship, hard), ContainsSubstring("the ship loses her way at 5"));
@@ -220,7 +241,8 @@ TEST_CASE("a ship that turns until she stops is refused with the loss of her way
 TEST_CASE("a motion without bound is refused, not tabled", "[nonlinear][refusal]") {
   auto model = test::mmg(test::kvlcc2_l7());
   for (double* derivative : {&model.hull.N_rrr, &model.hull.Y_vvv, &model.hull.X_vvvv}) *derivative = 50.0;
-  CHECK_THROWS_WITH(turning_circle(with_model(model), {.rudder = radians(35)}), ContainsSubstring("grows without bound"));
+  CHECK_THROWS_WITH(turning_circle(with_model(model), {.rudder = radians(35)}),
+                    ContainsSubstring("grows without bound"));
 }
 
 TEST_CASE("a ship whose propeller cannot carry her is refused", "[nonlinear][refusal]") {

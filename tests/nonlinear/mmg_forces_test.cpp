@@ -99,7 +99,8 @@ TEST_CASE("thrust and rudder force are those of the printed equations", "[nonlin
     REQUIRE_THAT(split.propeller.X, WithinAbs((1.0 - ship.propeller.t_P) * printed.thrust, 1e-13 * scale));
     REQUIRE_THAT(split.rudder.X, WithinAbs((1.0 - ship.rudder.t_R) * printed.F_N * std::sin(c.delta), 1e-13 * scale));
     REQUIRE_THAT(split.rudder.Y, WithinAbs(-(1.0 + ship.rudder.a_H) * printed.F_N * std::cos(c.delta), 1e-13 * scale));
-    REQUIRE_THAT(split.rudder.N, WithinAbs(-lever * printed.F_N * std::cos(c.delta), 1e-13 * scale * ship.particulars.L));
+    REQUIRE_THAT(split.rudder.N,
+                 WithinAbs(-lever * printed.F_N * std::cos(c.delta), 1e-13 * scale * ship.particulars.L));
   }
 }
 
@@ -155,9 +156,11 @@ TEST_CASE("dual numbers carry the value and the derivatives of the MMG model", "
     // central differences, extrapolated once, on the branch of the point
     const auto branch = branch_at(ship, m, c);
     const auto along = [&](int k, double h) {
-      const auto a = acceleration(ship, {m.u + (k == 0 ? h : 0.0), m.v + (k == 1 ? h : 0.0), m.r + (k == 2 ? h : 0.0)},
-                                  forces(ship, {m.u + (k == 0 ? h : 0.0), m.v + (k == 1 ? h : 0.0), m.r + (k == 2 ? h : 0.0)},
-                                         {c.delta + (k == 3 ? h : 0.0), c.rev + (k == 4 ? h : 0.0)}, branch).total());
+      const auto a =
+          acceleration(ship, {m.u + (k == 0 ? h : 0.0), m.v + (k == 1 ? h : 0.0), m.r + (k == 2 ? h : 0.0)},
+                       forces(ship, {m.u + (k == 0 ? h : 0.0), m.v + (k == 1 ? h : 0.0), m.r + (k == 2 ? h : 0.0)},
+                              {c.delta + (k == 3 ? h : 0.0), c.rev + (k == 4 ? h : 0.0)}, branch)
+                           .total());
       return std::array{a.u, a.v, a.r * L};
     };
     const double step[] = {1e-3 * U, 1e-3 * U, 1e-3 * U / L, 1e-3, 1e-3 * c.rev};

@@ -83,6 +83,8 @@ Model symmetric(Model ship) {
   return ship;
 }
 
-inline Ship ship_of(const ShipModel& model) { return {.name = "test ship", .model = model, .confidence = {}, .surroundings = {}}; }
+inline Ship ship_of(const ShipModel& model) {
+  return {.name = "test ship", .model = model, .confidence = {}, .surroundings = {}};
+}
 
 }  // namespace swayaw::test

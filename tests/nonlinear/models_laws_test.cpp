@@ -69,8 +69,8 @@ std::array<double, 3> extrapolated_difference(Function&& f) {
   return result;
 }
 
-TEMPLATE_TEST_CASE("derivatives of the acceleration by duals equal extrapolated differences at 1,000 seeded states", "[nonlinear][second-route]",
-                   EVERY_MODEL) {
+TEMPLATE_TEST_CASE("derivatives of the acceleration by duals equal extrapolated differences at 1,000 seeded states",
+                   "[nonlinear][second-route]", EVERY_MODEL) {
   using D = Dual<static_cast<int>(inputs)>;
   RandomModels random(61);
   for (int i = 0; i < states; ++i) {
@@ -98,13 +98,15 @@ TEMPLATE_TEST_CASE("derivatives of the acceleration by duals equal extrapolated 
 
 // ---------------------------------------------------------------- forces
 
-TEMPLATE_TEST_CASE("a ship without asymmetric numbers feels mirrored forces in mirrored motion", "[nonlinear][symmetry]", EVERY_MODEL) {
+TEMPLATE_TEST_CASE("a ship without asymmetric numbers feels mirrored forces in mirrored motion",
+                   "[nonlinear][symmetry]", EVERY_MODEL) {
   RandomModels random(62);
   for (int i = 0; i < states; ++i) {
     const auto ship = test::symmetric(random.ship<TestType>());
     const auto m = random.motion(ship);
     const auto c = random.controls(ship);
-    const auto port = forces(ship, mirrored(m), test::mirrored_sides(c)).parts(), starboard = forces(ship, m, c).parts();
+    const auto port = forces(ship, mirrored(m), test::mirrored_sides(c)).parts(),
+               starboard = forces(ship, m, c).parts();
     const double F = force_unit(ship, speed(m)), L = ship.particulars.L;
     for (std::size_t k = 0; k < port.size(); ++k) {
       const auto there = mirrored(port[k].force), here = starboard[k].force;
@@ -136,7 +138,9 @@ TEMPLATE_TEST_CASE("the acceleration is affine in the force", "[nonlinear][limit
     const auto ship = random.ship<TestType>();
     const auto m = random.motion(ship);
     const double U = speed(m), L = ship.particulars.L, F = 1e-2 * force_unit(ship, U), s = random.uniform(-1.0, 2.0);
-    const auto any = [&] { return PlanarForce<double>{F * random.uniform(-1, 1), F * random.uniform(-1, 1), F * L * random.uniform(-1, 1)}; };
+    const auto any = [&] {
+      return PlanarForce<double>{F * random.uniform(-1, 1), F * random.uniform(-1, 1), F * L * random.uniform(-1, 1)};
+    };
     const auto f = any(), g = any();
     const PlanarForce<double> mixed{s * f.X + (1 - s) * g.X, s * f.Y + (1 - s) * g.Y, s * f.N + (1 - s) * g.N};
     const auto a = acceleration(ship, m, f), b = acceleration(ship, m, g), c = acceleration(ship, m, mixed);
@@ -216,7 +220,8 @@ TEMPLATE_TEST_CASE("mirrored winds make mirrored zigzags of a symmetric ship", "
     }
     // the wind is felt
     ship.surroundings.wind.speed = 0.0;
-    CHECK(std::abs(zigzag(ship, ten_ten(Side::port), options_for(model)).run[Channel::y].back() - port[Channel::y].back()) > 1e-4 * L);
+    CHECK(std::abs(zigzag(ship, ten_ten(Side::port), options_for(model)).run[Channel::y].back() -
+                   port[Channel::y].back()) > 1e-4 * L);
   }
 }
 

@@ -57,7 +57,9 @@ const Reading& reading(const std::string& name) { return *std::ranges::find(read
 
 constexpr std::array rudders{35, 25, 15};  ///< of the turns [deg]
 
-Controls<double> paper_controls(double rudder_to_starboard_deg) { return {.delta = -radians(rudder_to_starboard_deg), .rev = nawigator_rev}; }
+Controls<double> paper_controls(double rudder_to_starboard_deg) {
+  return {.delta = -radians(rudder_to_starboard_deg), .rev = nawigator_rev};
+}
 
 TurningCircle turn(const Ship& ship, int rudder_deg, double tolerance = 1e-10) {
   return turning_circle(ship, {.rudder = radians(rudder_deg), .side = Side::starboard},
@@ -80,7 +82,8 @@ MmgHull<double> hull_of(const json& column) {
 }
 
 /// Ship files of the paper: hull set of table 3 and name.
-constexpr std::array<std::pair<const char*, NawigatorHull>, 2> sets{{{"N7", NawigatorHull::n7}, {"YM", NawigatorHull::yoshimura_masumoto}}};
+constexpr std::array<std::pair<const char*, NawigatorHull>, 2> sets{
+    {{"N7", NawigatorHull::n7}, {"YM", NawigatorHull::yoshimura_masumoto}}};
 
 // ---------------------------------------------------------------- numbers of the ship files
 
@@ -120,7 +123,9 @@ std::string text_as_printed(const std::string& file, const json& column, const s
 
 TEST_CASE("table 3 typed as printed gives the same ship with labels = \"kulbiej2021\"", "[nonlinear][second-route]") {
   for (const auto& [name, file] : {std::pair{"N7", "nawigator_n7.toml"}, {"YM", "nawigator_ym.toml"}}) {
-    const auto printed = parse_ship(text_as_printed(file, golden()["table_3_as_printed"][name], "[confidence]\nY_vvr = 0.5\nY_vrr = 0.3\n"), "ship.toml");
+    const auto printed = parse_ship(
+        text_as_printed(file, golden()["table_3_as_printed"][name], "[confidence]\nY_vvr = 0.5\nY_vrr = 0.3\n"),
+        "ship.toml");
     const auto right = test::mmg(read_ship(test::ships / file)).hull, is = test::mmg(printed).hull;
     for (const auto& p : MmgHull<double>::parameters()) CHECK(is.*p.member == right.*p.member);
     CHECK(is.labels.index == 0);
@@ -133,7 +138,8 @@ TEST_CASE("table 3 typed as printed gives the same ship with labels = \"kulbiej2
 TEST_CASE("a word that is no set of labels is refused", "[nonlinear][refusal]") {
   auto text = read_text(test::ships / "nawigator_n7.toml");
   text.insert(text.find("R_0 = "), "labels = \"kulbiej\"\n");
-  CHECK_THROWS_WITH(parse_ship(text, "ship.toml"), ContainsSubstring("labels in [hull] must be one of \"standard\", \"kulbiej2021\""));
+  CHECK_THROWS_WITH(parse_ship(text, "ship.toml"),
+                    ContainsSubstring("labels in [hull] must be one of \"standard\", \"kulbiej2021\""));
 }
 
 TEST_CASE("each label of table 3 is another derivative's, and each derivative has one", "[nonlinear][limit]") {
@@ -147,12 +153,16 @@ TEST_CASE("each label of table 3 is another derivative's, and each derivative ha
   CHECK(meant_by("Y_vrr") == "Y_vrr");
 }
 
-TEST_CASE("the formulas of Yoshimura and Masumoto give table 3 under the right labels and five numbers of it under the printed ones not",
-          "[nonlinear][published]") {
+TEST_CASE(
+    "the formulas of Yoshimura and Masumoto give table 3 under the right labels and five numbers of it under the "
+    "printed ones not",
+    "[nonlinear][published]") {
   const HullDimensions<double> hull{.L = 60.0, .B = 10.5, .d = 3.15, .C_B = 0.59};
-  const MmgAddedMass<double> added{.m_x = 0.05 * mass_prime(hull), .m_y = mass_prime(hull), .J_z = 0.0, .surge_coupling = {}};
+  const MmgAddedMass<double> added{
+      .m_x = 0.05 * mass_prime(hull), .m_y = mass_prime(hull), .J_z = 0.0, .surge_coupling = {}};
   const auto formula = yoshimura_masumoto_hull(hull, added, 0.0, DriftSigns::tabulated);
-  const auto right = hull_of(golden()["table_3_labels_corrected"]["YM"]), printed = hull_of(golden()["table_3_as_printed"]["YM"]);
+  const auto right = hull_of(golden()["table_3_labels_corrected"]["YM"]),
+             printed = hull_of(golden()["table_3_as_printed"]["YM"]);
   int off = 0;
   for (const auto& p : MmgHull<double>::parameters()) {
     if (p.key == "R_0") continue;
@@ -196,7 +206,8 @@ TEST_CASE("forces of Nawigator XXI agree with an independent program", "[nonline
 
 TEST_CASE("3.7 1/s carries Nawigator XXI at 5.387 m/s, and 5.91 m/s asks for 4.0592 1/s", "[nonlinear][published]") {
   for (const auto& r : readings) {
-    CHECK_THAT(straight_course(r.ship(), {.delta = 0.0, .rev = nawigator_rev}).motion.u, WithinRel(golden()["equilibrium_speed_n3.7"].get<double>(), 1e-12));
+    CHECK_THAT(straight_course(r.ship(), {.delta = 0.0, .rev = nawigator_rev}).motion.u,
+               WithinRel(golden()["equilibrium_speed_n3.7"].get<double>(), 1e-12));
     CHECK_THAT(self_propulsion(r.ship(), 5.91).rev, WithinRel(golden()["equilibrium_n_at_5.91"].get<double>(), 1e-12));
   }
 }
@@ -205,7 +216,8 @@ TEST_CASE("3.7 1/s carries Nawigator XXI at 5.387 m/s, and 5.91 m/s asks for 4.0
 
 ZigzagOrder zigzag_order(const std::string& name) {
   const auto slash = name.find('/');
-  return {.rudder = radians(std::stod(name.substr(0, slash))), .heading = radians(std::stod(name.substr(slash + 1))),
+  return {.rudder = radians(std::stod(name.substr(0, slash))),
+          .heading = radians(std::stod(name.substr(slash + 1))),
           .first = name.back() == 'S' ? Side::starboard : Side::port};
 }
 
@@ -229,12 +241,14 @@ double zigzag_error(const Reading& r, std::size_t first) {
   for (const auto& [name, printed] : golden()["table5_simulated_printed"].items()) {
     if (name == "turn35") continue;
     const auto run = zigzag(r.ship(), zigzag_order(name), {.speed = 5.91, .rev = nawigator_rev});
-    for (std::size_t i = 0; i < 2; ++i, ++count) sum += std::abs(degrees(*run.reversals[first + i].overshoot) / printed[i].get<double>() - 1.0);
+    for (std::size_t i = 0; i < 2; ++i, ++count)
+      sum += std::abs(degrees(*run.reversals[first + i].overshoot) / printed[i].get<double>() - 1.0);
   }
   return sum / count;
 }
 
-TEST_CASE("the overshoots of table 5 are the second and third heading peak of N7 as printed, within 2.3 per cent", "[nonlinear][published]") {
+TEST_CASE("the overshoots of table 5 are the second and third heading peak of N7 as printed, within 2.3 per cent",
+          "[nonlinear][published]") {
   const auto& literal = reading("N7-literal");
   CHECK(zigzag_error(literal, 1) < 0.024);
   CHECK(zigzag_error(literal, 0) > 0.15);
@@ -266,7 +280,8 @@ TEST_CASE("turns of Nawigator XXI agree with an independent program in every rea
   }
 }
 
-TEST_CASE("steady motions of Nawigator XXI at 35 deg are those that a search from 400 starts found, and no more", "[nonlinear][published]") {
+TEST_CASE("steady motions of Nawigator XXI at 35 deg are those that a search from 400 starts found, and no more",
+          "[nonlinear][published]") {
   for (const auto& r : readings) {
     INFO(r.name);
     const Ship ship = r.ship();
@@ -288,10 +303,12 @@ TEST_CASE("steady motions of Nawigator XXI at 35 deg are those that a search fro
   }
 }
 
-TEST_CASE("N7 as printed has no steady turn at 35 deg, and with X_vr negative no stable one", "[nonlinear][published]") {
+TEST_CASE("N7 as printed has no steady turn at 35 deg, and with X_vr negative no stable one",
+          "[nonlinear][published]") {
   CHECK(steady_turns(reading("N7-literal").ship(), paper_controls(35)).empty());
   for (const auto& steady : steady_turns(reading("N7-Xvrneg").ship(), paper_controls(35))) CHECK_FALSE(steady.stable);
-  for (const auto* name : {"N7-literal", "N7-Xvrneg"}) CHECK_FALSE(turning_indices(turn(reading(name).ship(), 35), 56.85));
+  for (const auto* name : {"N7-literal", "N7-Xvrneg"})
+    CHECK_FALSE(turning_indices(turn(reading(name).ship(), 35), 56.85));
 }
 
 TEST_CASE("N7 as printed turns by 180 deg at 35 deg of rudder and then loses her way", "[nonlinear][limit]") {
@@ -316,7 +333,8 @@ TEST_CASE("ten per cent more of Y_rrr, N_vvr or N_vrr take the 35 deg turn of N7
   }
 }
 
-TEST_CASE("with the labels as printed Nawigator XXI finds no steady 35 deg turn with either set", "[nonlinear][published]") {
+TEST_CASE("with the labels as printed Nawigator XXI finds no steady 35 deg turn with either set",
+          "[nonlinear][published]") {
   for (const auto& [name, set] : sets) {
     auto ship = nawigator_xxi(set);
     auto& hull = std::get<MmgShip<double>>(ship.model).hull;
@@ -331,7 +349,8 @@ TEST_CASE("with the labels as printed Nawigator XXI finds no steady 35 deg turn 
 
 /// What is left of the sway balance of a steady turn, in ½ρLdU², when the yaw balance has told the rudder force.
 ///
-///     Y_H − (m + m_x) u r − N_H (1 + a_H)/((x_R + a_H x_H) L),   from Y_R = −(1 + a_H) F, N_R = −(x_R + a_H x_H) L F, N_H + N_R = 0
+///     Y_H − (m + m_x) u r − N_H (1 + a_H)/((x_R + a_H x_H) L),   from Y_R = −(1 + a_H) F, N_R = −(x_R + a_H x_H) L F,
+///     N_H + N_R = 0
 double rudder_free_residual(const MmgShip<double>& ship, const PlanarMotion<double>& motion) {
   const auto& [p, k] = std::tie(ship.particulars, ship.rudder);
   const auto hull = hull_force(ship, motion);
@@ -346,7 +365,8 @@ void over_rounding_box(const PlanarMotion<double>& printed, Visit visit) {
   constexpr int n = 10;
   for (int i = -n; i <= n; ++i)
     for (int j = -n; j <= n; ++j)
-      for (int k = -n; k <= n; ++k) visit(PlanarMotion<double>{printed.u + 0.005 * i / n, printed.v + 0.005 * j / n, printed.r + 0.0005 * k / n});
+      for (int k = -n; k <= n; ++k)
+        visit(PlanarMotion<double>{printed.u + 0.005 * i / n, printed.v + 0.005 * j / n, printed.r + 0.0005 * k / n});
 }
 
 PlanarMotion<double> printed_turn() {
@@ -354,11 +374,13 @@ PlanarMotion<double> printed_turn() {
   return {row["us"], row["vs"], row["rs"]};
 }
 
-TEST_CASE("the 35 deg turn of table 5 is no steady motion of N7, whatever rudder and propeller do", "[nonlinear][published]") {
+TEST_CASE("the 35 deg turn of table 5 is no steady motion of N7, whatever rudder and propeller do",
+          "[nonlinear][published]") {
   const auto ship = test::mmg(reading("N7-literal").ship());
   CHECK_THAT(rudder_free_residual(ship, printed_turn()), WithinAbs(-0.062, 5e-4));
   double nearest = 1.0;
-  over_rounding_box(printed_turn(), [&](const auto& m) { nearest = std::min(nearest, std::abs(rudder_free_residual(ship, m))); });
+  over_rounding_box(printed_turn(),
+                    [&](const auto& m) { nearest = std::min(nearest, std::abs(rudder_free_residual(ship, m))); });
   CHECK_THAT(nearest, WithinAbs(0.053, 5e-4));
   auto printed = ship;
   printed.hull = hull_of(golden()["table_3_as_printed"]["N7"]);
@@ -392,7 +414,8 @@ TEST_CASE("speed and yaw rate of table 5 make another diameter than the one besi
 
 // ---------------------------------------------------------------- linear
 
-/// What the differences by which the independent program takes derivatives leave; exact ones are checked by closed forms below.
+/// What the differences by which the independent program takes derivatives leave; exact ones are checked by closed
+/// forms below.
 constexpr double by_differences = 1e-7;
 
 /// From a pole in units of U/L to the nearest of the ship.
@@ -402,7 +425,9 @@ double distance_to_pole(const Linearization& linear, double pole) {
   return std::ranges::min(linear.poles | std::views::transform(distance));
 }
 
-TEST_CASE("linear coefficients, time constants and poles of Nawigator XXI agree with an independent program on both sides", "[nonlinear][published]") {
+TEST_CASE(
+    "linear coefficients, time constants and poles of Nawigator XXI agree with an independent program on both sides",
+    "[nonlinear][published]") {
   for (const auto* name : {"N7-literal", "YM-literal"})
     for (const auto& [side, key] : {std::pair{Side::starboard, "_side+1"}, {Side::port, "_side-1"}}) {
       INFO(name << key);
@@ -422,23 +447,28 @@ TEST_CASE("linear coefficients, time constants and poles of Nawigator XXI agree 
     }
 }
 
-/// Sway and yaw derivatives straight ahead: hull, and a rudder in a flow of speed u_R that comes from gamma_R (beta − l_R' r').
+/// Sway and yaw derivatives straight ahead: hull, and a rudder in a flow of speed u_R that comes from gamma_R (beta −
+/// l_R' r').
 ///
-///     dY/dv = ½ρLdU Y_v' − (1 + a_H) R,   dN/dr = ½ρL³dU N_r' − (x_R + a_H x_H) l_R L² R,   …   with R = ½ρ A_R f_alpha u_R gamma_R
+///     dY/dv = ½ρLdU Y_v' − (1 + a_H) R,   dN/dr = ½ρL³dU N_r' − (x_R + a_H x_H) l_R L² R,   …   with R = ½ρ A_R
+///     f_alpha u_R gamma_R
 DimensionalSwayYaw<double> closed_form(const MmgShip<double>& ship, double U, double thrust, double gamma_R) {
   const auto& [h, p, k] = std::tie(ship.hull, ship.particulars, ship.rudder);
   const double rho = ship.water.rho, q = 0.5 * rho * p.L * p.d * U, u_P = (1.0 - ship.propeller.w_P0) * U;
-  const double race = u_P + k.kappa * (std::sqrt(u_P * u_P + 8.0 * thrust / (pi * rho * std::pow(ship.propeller.D, 2))) - u_P);
+  const double race =
+      u_P + k.kappa * (std::sqrt(u_P * u_P + 8.0 * thrust / (pi * rho * std::pow(ship.propeller.D, 2))) - u_P);
   const double eta = ship.propeller.D / k.H_R, u_R = k.epsilon * std::sqrt(eta * race * race + (1.0 - eta) * u_P * u_P);
-  const double F = 0.5 * rho * k.A_R * k.f_alpha * u_R, R = F * gamma_R, arm = p.L * (k.x_R + k.a_H * k.x_H), l = k.l_R * p.L, up = 1.0 + k.a_H;
+  const double F = 0.5 * rho * k.A_R * k.f_alpha * u_R, R = F * gamma_R, arm = p.L * (k.x_R + k.a_H * k.x_H),
+               l = k.l_R * p.L, up = 1.0 + k.a_H;
   const double m = rho * p.nabla, added = 0.5 * rho * p.L * p.L * p.d;
   const double m_x = m + added * ship.added_mass.m_x, m_y = m + added * ship.added_mass.m_y;
   const double I = m * p.k_zz * p.k_zz + added * p.L * p.L * ship.added_mass.J_z;
-  return {(q * h.Y_v - up * R) / m_y,      (q * p.L * h.Y_r - m_x * U - up * R * l) / m_y,      up * F * u_R / m_y,
-          (q * p.L * h.N_v - arm * R) / I, (q * p.L * p.L * h.N_r - arm * R * l) / I, arm * F * u_R / I};
+  return {(q * h.Y_v - up * R) / m_y,      (q * p.L * h.Y_r - m_x * U - up * R * l) / m_y, up * F * u_R / m_y,
+          (q * p.L * h.N_v - arm * R) / I, (q * p.L * p.L * h.N_r - arm * R * l) / I,      arm * F * u_R / I};
 }
 
-TEST_CASE("linear coefficients of Nawigator XXI are those of the closed form on either side", "[nonlinear][second-route]") {
+TEST_CASE("linear coefficients of Nawigator XXI are those of the closed form on either side",
+          "[nonlinear][second-route]") {
   for (const auto& r : readings)
     for (const Side side : {Side::port, Side::starboard}) {
       INFO(r.name << ", " << name_of(side));
@@ -448,12 +478,15 @@ TEST_CASE("linear coefficients of Nawigator XXI are those of the closed form on 
       const auto linear = linearize(ship, point, side);
       const auto is = sway_yaw(linear.whole, linear.scale);
       const double gamma_R = side == Side::starboard ? model.rudder.gamma_R_positive : model.rudder.gamma_R_negative;
-      const auto should = to_prime(closed_form(model, linear.scale.U, thrust(model, point.motion, point.controls), gamma_R), linear.scale);
-      for (const auto& c : SwayYawCoefficients<double>::parameters()) CHECK_THAT(is.*c.member, WithinRel(should.*c.member, 1e-12));
+      const auto should = to_prime(
+          closed_form(model, linear.scale.U, thrust(model, point.motion, point.controls), gamma_R), linear.scale);
+      for (const auto& c : SwayYawCoefficients<double>::parameters())
+        CHECK_THAT(is.*c.member, WithinRel(should.*c.member, 1e-12));
     }
 }
 
-TEST_CASE("T3b and T3w of Nawigator XXI are the same on both sides though the rudder's flow straightening is not", "[nonlinear][published]") {
+TEST_CASE("T3b and T3w of Nawigator XXI are the same on both sides though the rudder's flow straightening is not",
+          "[nonlinear][published]") {
   const Ship ship = reading("N7-literal").ship();
   const auto straight = straight_course(ship, {.delta = 0.0, .rev = nawigator_rev});
   const auto on = [&](Side side) {
@@ -467,7 +500,8 @@ TEST_CASE("T3b and T3w of Nawigator XXI are the same on both sides though the ru
   CHECK(port.Kw / starboard.Kw > 2.8);
 }
 
-TEST_CASE("the hull of Nawigator XXI alone is unstable on a straight course with either set", "[nonlinear][published]") {
+TEST_CASE("the hull of Nawigator XXI alone is unstable on a straight course with either set",
+          "[nonlinear][published]") {
   for (const auto* name : {"N7-literal", "YM-literal"}) {
     const auto ship = test::mmg(reading(name).ship());
     const auto& l = golden()["linearised"][std::string(name) + "_hull"];
@@ -502,7 +536,8 @@ std::optional<std::vector<TurningIndices>> turns_of(const Ship& ship) {
   return turns;
 }
 
-TEST_CASE("the error of 18 indices agrees with an independent program where all turns are steady", "[nonlinear][published]") {
+TEST_CASE("the error of 18 indices agrees with an independent program where all turns are steady",
+          "[nonlinear][published]") {
   std::map<std::string, IndexError> errors;
   for (const auto& r : readings) {
     INFO(r.name);
@@ -519,11 +554,16 @@ TEST_CASE("the error of 18 indices agrees with an independent program where all 
   CHECK(errors["N7-mvr"].squares > 1.05);
 }
 
-TEST_CASE("the error of indices is 0 against themselves, and of a turn to port that of its mirror image", "[nonlinear][symmetry]") {
+TEST_CASE("the error of indices is 0 against themselves, and of a turn to port that of its mirror image",
+          "[nonlinear][symmetry]") {
   const auto turns = measured_turns();
   CHECK(index_error(turns, turns).squares == 0.0);
   CHECK(index_error(turns, turns).absolute == 0.0);
-  const TurningCircle starboard{.advance = 3.0, .tactical_diameter = 2.0, .final_diameter = 1.0, .steady = PlanarMotion<double>{2.0, -0.5, 0.05}, .run = {}};
+  const TurningCircle starboard{.advance = 3.0,
+                                .tactical_diameter = 2.0,
+                                .final_diameter = 1.0,
+                                .steady = PlanarMotion<double>{2.0, -0.5, 0.05},
+                                .run = {}};
   auto port = starboard;
   port.steady = mirrored(*starboard.steady);
   const std::array a{turning_indices(starboard, 1.0).value()}, b{turning_indices(port, 1.0).value()};
@@ -542,7 +582,8 @@ TEST_CASE("indices of different turns are not compared, nor with a measured 0", 
 
 std::array<double, 6> numbers_of(const TurningIndices& t) { return {t.u_s, t.v_s, t.r_s, t.D, t.Ad, t.Td}; }
 
-TEST_CASE("ten per cent of each derivative change the 35 deg turn as an independent program says", "[nonlinear][published]") {
+TEST_CASE("ten per cent of each derivative change the 35 deg turn as an independent program says",
+          "[nonlinear][published]") {
   const Ship ship = reading("YM-Xvrneg").ship();
   const auto base = numbers_of(turning_indices(turn(ship, 35), length(ship)).value());
   const auto& table = golden()["sensitivity_10percent"]["table_percent"];

@@ -73,7 +73,12 @@ void check_duals(unsigned seed) {
     const auto dual = acceleration_at(cast<D>(ship), {D(m.u, 0), D(m.v, 1), D(m.r, 2)}, controls);
     REQUIRE_THAT(dual.v.a, WithinAbs(acceleration_at(ship, m, c).v, 1e-13 * unit));
     const auto branch = branch_at(ship, m, c);
-    const double step[] = {1e-3 * U, 1e-3 * U, 1e-3 * U / L, 1e-3, 1e-3 * (c.by_thrust ? c.thrust.port : c.rev), 1e-3 * c.thrust.starboard};
+    const double step[] = {1e-3 * U,
+                           1e-3 * U,
+                           1e-3 * U / L,
+                           1e-3,
+                           1e-3 * (c.by_thrust ? c.thrust.port : c.rev),
+                           1e-3 * c.thrust.starboard};
     const auto along = [&](std::size_t k, double h) {
       const auto moved = [&](std::size_t j, double x) { return x + (j == k ? h * step[k] : 0.0); };
       const PlanarMotion<double> at{moved(0, m.u), moved(1, m.v), moved(2, m.r)};
@@ -88,7 +93,8 @@ void check_duals(unsigned seed) {
       const auto j = static_cast<std::size_t>(k);
       const auto p1 = along(j, 1), m1 = along(j, -1), p2 = along(j, 2), m2 = along(j, -2);
       const double exact[] = {dual.u.v[k] * step[k], dual.v.v[k] * step[k], dual.r.v[k] * step[k] * L};
-      for (std::size_t n = 0; n < 3; ++n) REQUIRE_THAT(exact[n], WithinAbs((8.0 * (p1[n] - m1[n]) - (p2[n] - m2[n])) / 12.0, 1e-10 * unit));
+      for (std::size_t n = 0; n < 3; ++n)
+        REQUIRE_THAT(exact[n], WithinAbs((8.0 * (p1[n] - m1[n]) - (p2[n] - m2[n])) / 12.0, 1e-10 * unit));
     }
   }
 }
@@ -117,7 +123,8 @@ void check_packs(unsigned seed) {
                                         Controls<Pack>{load(3), load(4), {load(5), load(6)}, by_thrust});
     for (std::size_t k = 0; k < lanes; ++k) {
       const PlanarMotion<double> m{column[0][k], column[1][k], column[2][k]};
-      const auto alone = acceleration_at(ship, m, Controls<double>{column[3][k], column[4][k], {column[5][k], column[6][k]}, by_thrust});
+      const auto alone = acceleration_at(
+          ship, m, Controls<double>{column[3][k], column[4][k], {column[5][k], column[6][k]}, by_thrust});
       const double unit = speed(m) * speed(m) / ship.particulars.L;
       REQUIRE_THAT(packed.u.get(k), WithinAbs(alone.u, 1e-12 * unit));
       REQUIRE_THAT(packed.v.get(k), WithinAbs(alone.v, 1e-12 * unit));
@@ -144,7 +151,8 @@ TEST_CASE("PI forces are continuous where a branch changes", "[nonlinear][limit]
     const double delta_from = c.delta, delta_to = random.uniform(-0.7, 0.7);
     const auto at = [&](double s) {
       c.delta = delta_from + s * (delta_to - delta_from);
-      return PlanarMotion<double>{from.u + s * (to.u - from.u), from.v + s * (to.v - from.v), from.r + s * (to.r - from.r)};
+      return PlanarMotion<double>{from.u + s * (to.u - from.u), from.v + s * (to.v - from.v),
+                                  from.r + s * (to.r - from.r)};
     };
     for (std::size_t b = 0; b < 6; ++b) {
       const auto g = [&](double s) {
@@ -179,7 +187,8 @@ void check_self_propulsion(unsigned seed) {
     const double U = random.uniform(0.4, 2.0) * ship.particulars.U_0;
     const auto c = self_propulsion(ship, U);
     REQUIRE(c.by_thrust == (i % 2 == 0));
-    REQUIRE_THAT(acceleration_at(ship, PlanarMotion<double>{U, 0.0, 0.0}, c).u, WithinAbs(0.0, 1e-14 * U * U / ship.particulars.L));
+    REQUIRE_THAT(acceleration_at(ship, PlanarMotion<double>{U, 0.0, 0.0}, c).u,
+                 WithinAbs(0.0, 1e-14 * U * U / ship.particulars.L));
   }
 }
 
@@ -198,7 +207,8 @@ TEST_CASE("a hull without resistance has no self-propulsion point", "[nonlinear]
   CHECK_THROWS_AS(self_propulsion(ship, 0.0), std::domain_error);
 }
 
-TEST_CASE("a radius of gyration about the centre of gravity stands for an inertia about midship", "[nonlinear][second-route]") {
+TEST_CASE("a radius of gyration about the centre of gravity stands for an inertia about midship",
+          "[nonlinear][second-route]") {
   auto ship = test::pi_ship("wpcc_pi");
   const double m = ship.water.rho * ship.particulars.nabla, x_G = ship.particulars.x_G;
   const PlanarForce<double> force{1.0, 2.0, 3.0};
@@ -228,7 +238,8 @@ TEST_CASE("a race far behind the propeller contracts as momentum theory says", "
   CHECK_THAT((race.V_corr - V_A) * race.r * race.r, WithinRel((V_inf - V_A) * r_inf * r_inf, 1e-6));
 }
 
-TEST_CASE("the gap takes lift away, all of it beyond 33 deg, and more only when it is not clipped", "[nonlinear][limit]") {
+TEST_CASE("the gap takes lift away, all of it beyond 33 deg, and more only when it is not clipped",
+          "[nonlinear][limit]") {
   auto ship = test::pi_ship("wpcc_pi");
   const auto K = [&](double angle_deg) {
     const double beyond = std::abs(radians(angle_deg)) - ship.rudder.delta_lim;
@@ -247,10 +258,13 @@ TEST_CASE("the gap takes lift away, all of it beyond 33 deg, and more only when 
   CHECK_THAT(forces(ship, PlanarMotion<double>{0.9, 0.0, 0.0}, c).rudder.Y, WithinAbs(0.0, 1e-12));
   // a late gap is closed, not clipped, amidships
   ship.rudder.delta_lim = 0.6;
-  CHECK(branch_functions(ship, PlanarMotion<double>{0.9, 0.0, 0.0}, Controls<double>{.delta = 0.1, .thrust = {5.0, 5.0}, .by_thrust = true})[PiBranch::gap_lifts] == 1.0);
+  CHECK(branch_functions(
+            ship, PlanarMotion<double>{0.9, 0.0, 0.0},
+            Controls<double>{.delta = 0.1, .thrust = {5.0, 5.0}, .by_thrust = true})[PiBranch::gap_lifts] == 1.0);
 }
 
-TEST_CASE("the ITTC 1957 line is 2.7 times the published one at the Reynolds number of the model rudder", "[nonlinear][published]") {
+TEST_CASE("the ITTC 1957 line is 2.7 times the published one at the Reynolds number of the model rudder",
+          "[nonlinear][published]") {
   CHECK_THAT(friction_coefficient(1.31e5, true) / friction_coefficient(1.31e5, false), WithinAbs(2.70, 0.01));
   CHECK_THAT(friction_coefficient(1e7, true), WithinRel(0.003, 1e-14));
 }

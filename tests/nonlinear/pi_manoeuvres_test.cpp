@@ -18,25 +18,30 @@ json figure_10() {
 TEST_CASE("the wPCC answers a rudder ramp as in the independent program", "[nonlinear][second-route]") {
   const auto golden = test::alexandersson2024().at("wPCC ramp Reference");
   const auto ship = test::pi_ship("wpcc_reference");
-  const auto run = test::sail(ship, golden.at("U"), 40.0, 0.01, [&](double) { return golden.at("thrust_total").get<double>(); },
-                              [&](const test::PrimeSample&) { return golden.at("delta").get<double>(); });
+  const auto run = test::sail(
+      ship, golden.at("U"), 40.0, 0.01, [&](double) { return golden.at("thrust_total").get<double>(); },
+      [&](const test::PrimeSample&) { return golden.at("delta").get<double>(); });
   for (std::size_t i = 0; i < 3; ++i) {
     const double t = golden.at("t")[i];
     const auto& s = run.at(static_cast<std::size_t>(t / 0.01 + 0.5)).state;
     const double values[] = {s.x, s.y, s.psi, s.motion.u, s.motion.v, s.motion.r};
-    for (std::size_t j = 0; j < 6; ++j) CHECK_THAT(values[j], WithinAbs(golden.at("state_x_y_psi_u_v_r")[i][j].get<double>(), 1e-5));
+    for (std::size_t j = 0; j < 6; ++j)
+      CHECK_THAT(values[j], WithinAbs(golden.at("state_x_y_psi_u_v_r")[i][j].get<double>(), 1e-5));
   }
 }
 
 void check_overshoots(const PiShip<double>& ship, const json& golden) {
   const double angle = radians(golden.at("rudder_deg"));
-  const auto run = test::sail(ship, golden.at("U"), 50.0, 0.01, [&](double) { return golden.at("thrust_total").get<double>(); },
-                              test::ZigzagOrders(angle));
+  const auto run = test::sail(
+      ship, golden.at("U"), 50.0, 0.01, [&](double) { return golden.at("thrust_total").get<double>(); },
+      test::ZigzagOrders(angle));
   std::vector<double> overshoots;
   for (std::size_t i = 2; i < run.size(); ++i)
-    if (run[i - 1].state.motion.r * run[i].state.motion.r <= 0.0) overshoots.push_back(degrees(std::abs(run[i].state.psi) - angle));
+    if (run[i - 1].state.motion.r * run[i].state.motion.r <= 0.0)
+      overshoots.push_back(degrees(std::abs(run[i].state.psi) - angle));
   REQUIRE(overshoots.size() >= 3);
-  for (std::size_t i = 0; i < 3; ++i) CHECK_THAT(overshoots[i], WithinAbs(golden.at("overshoot_deg")[i].get<double>(), 0.05));
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK_THAT(overshoots[i], WithinAbs(golden.at("overshoot_deg")[i].get<double>(), 0.05));
 }
 
 TEST_CASE("overshoots of the wPCC are those of the independent program", "[nonlinear][second-route]") {
@@ -52,7 +57,8 @@ double interpolated(const json& curve, double t) {
   const auto& value = curve[1];
   for (std::size_t i = 1; i < time.size(); ++i)
     if (t <= time[i].get<double>())
-      return std::lerp(value[i - 1].get<double>(), value[i].get<double>(), (t - time[i - 1].get<double>()) / (time[i].get<double>() - time[i - 1].get<double>()));
+      return std::lerp(value[i - 1].get<double>(), value[i].get<double>(),
+                       (t - time[i - 1].get<double>()) / (time[i].get<double>() - time[i - 1].get<double>()));
   return value.back();
 }
 
@@ -63,11 +69,13 @@ double heading_error(const Ship& ship, const json& figure, const std::string& zi
   const auto& psi = drawn.at(model + ".psi_deg");
   const double angle = radians(zigzag == "zigzag10/10" ? 10.0 : 20.0);
   const auto thrust = [&](double t) { return zigzag == "zigzag10/10" ? 11.0 : interpolated(drawn.at("thrust"), t); };
-  const auto run = test::sail(ship, drawn.at("test.V")[1][0], psi[0].back().get<double>() + 0.05, 0.02, thrust, test::ZigzagOrders(angle));
+  const auto run = test::sail(ship, drawn.at("test.V")[1][0], psi[0].back().get<double>() + 0.05, 0.02, thrust,
+                              test::ZigzagOrders(angle));
   double squares = 0.0;
   for (std::size_t i = 0; i < psi[0].size(); ++i) {
     const auto& s = run.at(static_cast<std::size_t>(psi[0][i].get<double>() / 0.02 + 0.5));
-    const double error = degrees(s.state.psi) - psi[1][i].get<double>() + degrees(s.state.motion.r) * (psi[0][i].get<double>() - s.time);
+    const double error =
+        degrees(s.state.psi) - psi[1][i].get<double>() + degrees(s.state.motion.r) * (psi[0][i].get<double>() - s.time);
     squares += error * error;
   }
   return std::sqrt(squares / static_cast<double>(psi[0].size()));

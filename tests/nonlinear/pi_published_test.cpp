@@ -40,14 +40,16 @@ void check_state(const PiShip<double>& ship, const json& state) {
   CHECK_THAT(a.r, WithinAbs(expected[2].get<double>(), 1e-11));
 }
 
-TEST_CASE("forces and accelerations of the wPCC are those of the independent program, part by part", "[nonlinear][second-route]") {
+TEST_CASE("forces and accelerations of the wPCC are those of the independent program, part by part",
+          "[nonlinear][second-route]") {
   const auto golden = test::alexandersson2024();
   for (const auto& state : golden.at("wPCC forces Reference")) check_state(test::pi_ship("wpcc_reference"), state);
   for (const auto& state : golden.at("wPCC forces PI")) check_state(test::pi_ship("wpcc_pi"), state);
 }
 
 TEST_CASE("forces of the single-screw KVLCC2 are those of the independent program", "[nonlinear][second-route]") {
-  for (const auto& state : test::alexandersson2024().at("KVLCC2 forces PI paper +Yr+vvr")) check_state(test::pi_ship("kvlcc2_pi_vvr"), state);
+  for (const auto& state : test::alexandersson2024().at("KVLCC2 forces PI paper +Yr+vvr"))
+    check_state(test::pi_ship("kvlcc2_pi_vvr"), state);
 }
 
 // ---------------------------------------------------------------- inside the rudder
@@ -112,14 +114,17 @@ class Figure9 {
 
   /// Thrust is what the figure's total has beyond hull and rudder.
   Captive at(const std::string& test, const json& marks, std::size_t i) const {
-    const double x = marks.at("x")[i], U = ship_.particulars.U_0, L = ship_.particulars.L, beta = test == "Drift angle" ? radians(x) : 0.0;
+    const double x = marks.at("x")[i], U = ship_.particulars.U_0, L = ship_.particulars.L,
+                 beta = test == "Drift angle" ? radians(x) : 0.0;
     const PlanarMotion<double> m{U * std::cos(beta), -U * std::sin(beta), test == "Circle" ? x * U / L : 0.0};
     const double delta = test == "Rudder angle" ? radians(x) : test == "Thrust variation" ? radians(-10.0) : 0.0;
     const auto mark = [&](const char* name) { return marks.at(name)[i].get<double>() * 1e-3; };
     const double q = 0.5 * ship_.water.rho * L * L * U * U;
     const double T = q * (mark("XD_model") - mark("XH_model") - mark("XR_model")) / (1.0 - ship_.propeller.t_P);
     const auto f = forces(ship_, m, Controls<double>{.delta = delta, .thrust = {T / 2, T / 2}, .by_thrust = true});
-    const auto prime = [&](const PlanarForce<double>& p) { return PlanarForce<double>{p.X / q, p.Y / q, p.N / (q * L)}; };
+    const auto prime = [&](const PlanarForce<double>& p) {
+      return PlanarForce<double>{p.X / q, p.Y / q, p.N / (q * L)};
+    };
     return {prime(f.hull + f.rudder_hull_interaction), prime(f.rudder)};
   }
 
@@ -152,7 +157,9 @@ TEST_CASE("figure 9 has the X_vv and X_rr of table 7, and another resistance", "
   const auto golden = test::alexandersson2024().at("published fig 9 model markers (x1000 prime)");
   auto ship = test::pi_ship("wpcc_reference");
   const auto X = [&](const char* test, std::size_t i) { return Figure9(ship).at(test, golden.at(test), i).hull.X; };
-  const auto mark = [&](const char* test, std::size_t i) { return golden.at(test).at("XH_model")[i].get<double>() * 1e-3; };
+  const auto mark = [&](const char* test, std::size_t i) {
+    return golden.at(test).at("XH_model")[i].get<double>() * 1e-3;
+  };
   // X_0' + X_u' u' of the figure, from a straight course and from 10 deg of drift
   const double ahead = mark("Rudder angle", 1) - X("Rudder angle", 1);
   const double adrift = mark("Drift angle", 2) - X("Drift angle", 2);
@@ -170,7 +177,8 @@ template <template <class> class Model>
 void check_figure_14(const Model<double>& ship, const json& figure, const char* name) {
   const double V = figure.at("V"), beta = radians(figure.at("beta_deg")), T = figure.at("thrust_total");
   const PlanarMotion<double> m{V * std::cos(beta), -V * std::sin(beta), 0.0};
-  const auto total = forces(ship, m, Controls<double>{.delta = 0.0, .thrust = {T / 2, T / 2}, .by_thrust = true}).total();
+  const auto total =
+      forces(ship, m, Controls<double>{.delta = 0.0, .thrust = {T / 2, T / 2}, .by_thrust = true}).total();
   CHECK_THAT(total.Y, WithinAbs(figure.at(name).at("Y_D").get<double>(), 0.5e-3));
   CHECK_THAT(total.N, WithinAbs(figure.at(name).at("N_D").get<double>(), 0.5e-3));
 }
@@ -188,7 +196,8 @@ TEST_CASE("sway force and yaw moment in side wind are those printed in figure 14
 void check_linear(const PiShip<double>& model, const json& linear) {
   using D = Dual<3>;
   const auto ship = cast<D>(model);
-  const double U = linear.at("U"), T = linear.at("thrust"), L = model.particulars.L, q = 0.5 * model.water.rho * L * L * U * U;
+  const double U = linear.at("U"), T = linear.at("thrust"), L = model.particulars.L,
+               q = 0.5 * model.water.rho * L * L * U * U;
   Controls<D> c{.delta = D(0.0, 2), .thrust = {D(T), D(0.0)}, .by_thrust = true};
   if (model.propeller.twin()) c.thrust = {D(T / 2), D(T / 2)};
   const PlanarMotion<D> m{D(U), D(0.0, 0), D(0.0, 1)};
@@ -198,9 +207,11 @@ void check_linear(const PiShip<double>& model, const json& linear) {
                                 {total.N.v[0] * U / (q * L), (total.N.v[1] - coupling * U) * U / (q * L * L)}};
   const double B_prime[2] = {total.Y.v[2] / q, total.N.v[2] / (q * L)};
   // what unit forces accelerate is the inverse of M
-  const auto by_Y = acceleration(model, {U, 0.0, 0.0}, {0.0, 1.0, 0.0}), by_N = acceleration(model, {U, 0.0, 0.0}, {0.0, 0.0, 1.0});
+  const auto by_Y = acceleration(model, {U, 0.0, 0.0}, {0.0, 1.0, 0.0}),
+             by_N = acceleration(model, {U, 0.0, 0.0}, {0.0, 0.0, 1.0});
   const double det = by_Y.v * by_N.r - by_Y.r * by_N.v, unit = 0.5 * model.water.rho * L * L * L;
-  const double M_prime[2][2] = {{by_N.r / det / unit, -by_N.v / det / (unit * L)}, {-by_Y.r / det / (unit * L), by_Y.v / det / (unit * L * L)}};
+  const double M_prime[2][2] = {{by_N.r / det / unit, -by_N.v / det / (unit * L)},
+                                {-by_Y.r / det / (unit * L), by_Y.v / det / (unit * L * L)}};
   for (std::size_t i = 0; i < 2; ++i) {
     CHECK_THAT(B_prime[i], WithinRel(linear.at("Bprime")[i].get<double>(), 1e-8));
     for (std::size_t j = 0; j < 2; ++j) {
@@ -217,7 +228,11 @@ TEST_CASE("linear coefficients by dual numbers are those of the independent prog
   check_linear(test::pi_ship("kvlcc2_pi_vvr"), golden.at("KVLCC2 linear PI paper +Yr+vvr"));
   auto paper_form = test::pi_ship("kvlcc2_pi");
   const auto& hull = golden.at("KVLCC2 hull derivatives").at("base (paper form)");
-  paper_form.hull = {.X_0 = hull.at("X0"), .X_u = hull.at("Xu"), .X_vv = hull.at("Xvv"), .X_vr = hull.at("Xvr"), .X_rr = hull.at("Xrr")};
+  paper_form.hull = {.X_0 = hull.at("X0"),
+                     .X_u = hull.at("Xu"),
+                     .X_vv = hull.at("Xvv"),
+                     .X_vr = hull.at("Xvr"),
+                     .X_rr = hull.at("Xrr")};
   paper_form.hull.Y_v = hull.at("Yv");
   paper_form.hull.N_v = hull.at("Nv");
   paper_form.hull.N_r = hull.at("Nr");

@@ -70,7 +70,10 @@ class RandomPrimeShips {
   /// Rudder up to 40 deg; thrust that differs from side to side, or a shaft speed.
   Controls<double> controls(double U_0) {
     const bool by_thrust = uniform(0, 1) < 0.5;
-    return {.delta = uniform(-0.7, 0.7), .rev = uniform(8, 14) * U_0, .thrust = {uniform(2, 8), uniform(2, 8)}, .by_thrust = by_thrust};
+    return {.delta = uniform(-0.7, 0.7),
+            .rev = uniform(8, 14) * U_0,
+            .thrust = {uniform(2, 8), uniform(2, 8)},
+            .by_thrust = by_thrust};
   }
 
  private:

@@ -33,8 +33,9 @@ Side first_of(const json& reference) { return reference.at("first") == "port" ? 
 
 /// The states of the reference are 1e-6 of the largest value of each quantity along the run.
 void check_states(const Recording& run, const json& reference) {
-  const std::pair<Channel, const char*> columns[] = {{Channel::x, "x_m"},     {Channel::y, "y_m"},     {Channel::psi, "psi_rad"},
-                                                     {Channel::u, "u_m_s"},   {Channel::v, "v_m_s"},   {Channel::r, "r_rad_s"}};
+  const std::pair<Channel, const char*> columns[] = {{Channel::x, "x_m"},       {Channel::y, "y_m"},
+                                                     {Channel::psi, "psi_rad"}, {Channel::u, "u_m_s"},
+                                                     {Channel::v, "v_m_s"},     {Channel::r, "r_rad_s"}};
   for (const auto& state : reference.at("states")) {
     const double time = state.at("time_s");
     const auto at = std::ranges::lower_bound(run.time, time - 1e-9) - run.time.begin();
@@ -50,7 +51,8 @@ void check_zigzag(const std::string& name, const ZigzagOrder& angles) {
   const json reference = reference_case(name);
   const Ship ship = ship_of(reference);
   const double end = reference.at("states").back().at("time_s");
-  const auto result = zigzag(ship, angles, {.speed = reference.at("approach_speed_m_s"), .duration = end, .step = end / 200.0});
+  const auto result =
+      zigzag(ship, angles, {.speed = reference.at("approach_speed_m_s"), .duration = end, .step = end / 200.0});
   CHECK_THAT(result.propulsion.rev, WithinRel(reference.at("self_propulsion_rev_s").get<double>(), 1e-12));
   check_states(result.run, reference);
   const auto& overshoots = reference.at("overshoots");
@@ -59,7 +61,8 @@ void check_zigzag(const std::string& name, const ZigzagOrder& angles) {
     INFO("reversal " << i + 1);
     CHECK_THAT(result.reversals[i].time, WithinAbs(overshoots[i].at("execute_s").get<double>(), 1e-4));
     CHECK_THAT(result.reversals[i].peak_time.value(), WithinAbs(overshoots[i].at("peak_s").get<double>(), 1e-4));
-    CHECK_THAT(degrees(result.reversals[i].overshoot.value()), WithinAbs(overshoots[i].at("overshoot_deg").get<double>(), 1e-3));
+    CHECK_THAT(degrees(result.reversals[i].overshoot.value()),
+               WithinAbs(overshoots[i].at("overshoot_deg").get<double>(), 1e-3));
   }
 }
 
@@ -75,14 +78,16 @@ TEST_CASE("35 deg turn of the KVLCC2 model agrees with the reference", "[nonline
   const json reference = reference_case("turn 35");
   const Ship ship = ship_of(reference);
   const double L = length(ship);
-  const auto circle = turning_circle(ship, {.rudder = radians(35), .side = first_of(reference)}, {.duration = 400.0, .step = 1.0});
+  const auto circle =
+      turning_circle(ship, {.rudder = radians(35), .side = first_of(reference)}, {.duration = 400.0, .step = 1.0});
   check_states(circle.run, reference);
   CHECK_THAT(circle.advance.value() / L, WithinAbs(reference.at("advance_L").get<double>(), 1e-5));
   CHECK_THAT(circle.transfer.value() / L, WithinAbs(reference.at("transfer_L").get<double>(), 1e-5));
   CHECK_THAT(circle.time_90.value(), WithinAbs(reference.at("time_90_s").get<double>(), 1e-4));
   CHECK_THAT(circle.tactical_diameter.value() / L, WithinAbs(reference.at("tactical_diameter_L").get<double>(), 1e-5));
   CHECK_THAT(circle.time_180.value(), WithinAbs(reference.at("time_180_s").get<double>(), 1e-4));
-  CHECK_THAT(circle.final_diameter.value() / L, WithinAbs(reference.at("final_turning_diameter_L").get<double>(), 1e-5));
+  CHECK_THAT(circle.final_diameter.value() / L,
+             WithinAbs(reference.at("final_turning_diameter_L").get<double>(), 1e-5));
 }
 
 }  // namespace

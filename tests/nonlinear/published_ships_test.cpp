@@ -37,7 +37,8 @@ TEST_CASE("every published ship of a nonlinear model loads by her name", "[nonli
 
 TEST_CASE("a name that no published ship has is refused with the names that there are", "[nonlinear][refusal]") {
   CHECK_THROWS_AS(published_ship("titanic"), Refusal);
-  CHECK_THROWS_WITH(published_ship("titanic"), ContainsSubstring("no published ship \"titanic\"") && ContainsSubstring("kvlcc2_l7"));
+  CHECK_THROWS_WITH(published_ship("titanic"),
+                    ContainsSubstring("no published ship \"titanic\"") && ContainsSubstring("kvlcc2_l7"));
 }
 
 }  // namespace

@@ -13,14 +13,16 @@ using test::RandomShips;
 using test::with_model;
 
 PullOut patient_pull_out(const MmgShip<double>& model) {
-  return pull_out(with_model(model), {.rudder = 0.6 * model.steering_gear.max_angle, .settling = test::patient}, test::precise);
+  return pull_out(with_model(model), {.rudder = 0.6 * model.steering_gear.max_angle, .settling = test::patient},
+                  test::precise);
 }
 
 std::vector<SteadyMotion> turns_amidships(const MmgShip<double>& model) {
   return steady_turns(with_model(model), self_propulsion(model, model.particulars.U_0));
 }
 
-TEST_CASE("what a pull-out leaves are the outermost steady motions with the rudder amidships", "[nonlinear][second-route]") {
+TEST_CASE("what a pull-out leaves are the outermost steady motions with the rudder amidships",
+          "[nonlinear][second-route]") {
   RandomShips random(61);
   int compared = 0;
   for (int i = 0; i < 20; ++i) {
@@ -38,12 +40,14 @@ TEST_CASE("what a pull-out leaves are the outermost steady motions with the rudd
   CHECK(compared > 35);
 }
 
-TEST_CASE("a stable ship comes back to a straight course from both sides, after a gentle turn as fast as her T1 tells", "[nonlinear][second-route]") {
+TEST_CASE("a stable ship comes back to a straight course from both sides, after a gentle turn as fast as her T1 tells",
+          "[nonlinear][second-route]") {
   RandomShips random(62);
   int stable = 0;
   for (int i = 0; i < 30; ++i) {
     const auto model = random.ship();
-    const PullOutOrder gentle{.rudder = 0.03 * model.steering_gear.max_angle, .settling = {.tolerance = 1e-10, .longest = 2000.0}};
+    const PullOutOrder gentle{.rudder = 0.03 * model.steering_gear.max_angle,
+                              .settling = {.tolerance = 1e-10, .longest = 2000.0}};
     const auto result = pull_out(with_model(model), gentle, {.tolerance = 1e-13, .sampled = false});
     for (const auto* side : {&result.sides.port, &result.sides.starboard}) {
       if (!side->T1 || *side->T1 < 0.0 || *side->T1 > 20.0 / test::yaw_unit(model) || !side->settled) continue;
@@ -92,22 +96,26 @@ TEST_CASE("the fall time is where 1/e of the turn is left in the time series", "
   CHECK(result.sides.port.run.facts.manoeuvre == "pullout 20 from port");
 }
 
-TEST_CASE("the Mariner, not the same to both sides, comes from both turns to the one she makes by herself", "[nonlinear][second-route]") {
+TEST_CASE("the Mariner, not the same to both sides, comes from both turns to the one she makes by herself",
+          "[nonlinear][second-route]") {
   const Ship ship = read_ship(test::ships / "mariner.toml");
   const auto result = pull_out(ship, {.rudder = radians(20), .settling = test::patient}, test::precise);
   const auto turns = steady_turns(ship, result.propulsion);
   REQUIRE(turns.size() == 1);
   const double unit = service_speed(ship) / length(ship);
-  for (const auto* side : {&result.sides.port, &result.sides.starboard}) CHECK_THAT(side->residual, WithinAbs(turns[0].motion.r, 1e-6 * unit));
+  for (const auto* side : {&result.sides.port, &result.sides.starboard})
+    CHECK_THAT(side->residual, WithinAbs(turns[0].motion.r, 1e-6 * unit));
 }
 
 TEST_CASE("pull-outs of no sense are refused in words", "[nonlinear][refusal]") {
   const Ship ship = test::kvlcc2_l7();
-  CHECK_THROWS_WITH(pull_out(ship, {.rudder = radians(40)}), "rudder angle 40 deg is beyond the ship's largest, 35 deg");
+  CHECK_THROWS_WITH(pull_out(ship, {.rudder = radians(40)}),
+                    "rudder angle 40 deg is beyond the ship's largest, 35 deg");
   Ship windy = ship;
   windy.surroundings.windy = true;
   CHECK_THROWS_WITH(pull_out(windy, {.rudder = radians(10)}), ContainsSubstring("no turn is steady in wind"));
-  CHECK_THROWS_WITH(pull_out(ship, {.rudder = radians(10)}, {.speed = 0.0}), "approach speed [m/s] must be positive, got 0");
+  CHECK_THROWS_WITH(pull_out(ship, {.rudder = radians(10)}, {.speed = 0.0}),
+                    "approach speed [m/s] must be positive, got 0");
 }
 
 }  // namespace

@@ -47,7 +47,8 @@ class RandomEffects {
   static void keep_damped(Effect& effect, std::span<const EffectNumber> numbers) {
     for (const auto& n : numbers) number_of(effect, n.index) = n.null;
     for (const auto& n : numbers)
-      if (n.key == "N_r" || n.key == "Y_v" || n.key == "N_rrr" || n.key == "Y_vvv") number_of(effect, n.index) = n.null - 0.2 * std::abs(n.null) - (n.null == 0.0 ? 0.01 : 0.0);
+      if (n.key == "N_r" || n.key == "Y_v" || n.key == "N_rrr" || n.key == "Y_vvv")
+        number_of(effect, n.index) = n.null - 0.2 * std::abs(n.null) - (n.null == 0.0 ? 0.01 : 0.0);
   }
 
   double off_null(const EffectNumber& n) {

@@ -7,7 +7,9 @@
 /// What the tests of manoeuvres share.
 namespace swayaw::test {
 
-inline Ship with_model(const MmgShip<double>& model) { return {.name = "test ship", .model = model, .confidence = {}, .surroundings = {}}; }
+inline Ship with_model(const MmgShip<double>& model) {
+  return {.name = "test ship", .model = model, .confidence = {}, .surroundings = {}};
+}
 
 /// The same to both sides.
 inline MmgShip<double> symmetric(MmgShip<double> ship) {

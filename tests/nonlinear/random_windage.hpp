@@ -41,7 +41,8 @@ struct RandomWinds {
     WindTable table;
     for (double angle = 0.0; angle < 179.0; angle += uniform(5.0, 20.0)) {
       const bool ahead = angle == 0.0;
-      table.push_back({radians(angle), uniform(-1.0, 1.0), ahead ? 0.0 : uniform(-1.0, 0.0), ahead ? 0.0 : uniform(-0.2, 0.2)});
+      table.push_back(
+          {radians(angle), uniform(-1.0, 1.0), ahead ? 0.0 : uniform(-1.0, 0.0), ahead ? 0.0 : uniform(-0.2, 0.2)});
     }
     table.push_back({pi, uniform(0.0, 1.0), 0.0, 0.0});
     return table;
@@ -61,7 +62,8 @@ struct RandomWinds {
 };
 
 /// A force and a moment small against these are nothing.
-inline PlanarForce<double> scale_of(const Windage<double>& w, const Wind<double>& wind, const PlanarMotion<double>& motion) {
+inline PlanarForce<double> scale_of(const Windage<double>& w, const Wind<double>& wind,
+                                    const PlanarMotion<double>& motion) {
   const double V = wind.speed + speed(motion), Y = 0.5 * w.rho * w.A_L * V * V;
   return {.X = 0.5 * w.rho * w.A_F * V * V, .Y = Y, .N = Y * w.L_OA};
 }

@@ -64,7 +64,8 @@ TEST_CASE("the recorded state is that of the simulation", "[nonlinear][round-tri
   }
 }
 
-TEST_CASE("a track alone tells the speed at the start, even where the rudder moves at once", "[nonlinear][regression]") {
+TEST_CASE("a track alone tells the speed at the start, even where the rudder moves at once",
+          "[nonlinear][regression]") {
   // 2026-11-21: with one sample before the rudder had left its angle the speed came out as 0
   const Ship ship = test::kvlcc2_l7();
   const auto run = without(zigzag_run(ship, 0.2), {Channel::u, Channel::v});

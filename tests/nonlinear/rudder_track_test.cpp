@@ -9,10 +9,13 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-std::vector<AngleLine> lines(const std::vector<double>& time, const std::vector<double>& angle) { return lines_through(time, angle); }
+std::vector<AngleLine> lines(const std::vector<double>& time, const std::vector<double>& angle) {
+  return lines_through(time, angle);
+}
 
 /// The same by small steps.
-std::vector<double> by_steps(std::span<const AngleLine> recorded, const RudderActuator& a, std::span<const double> times) {
+std::vector<double> by_steps(std::span<const AngleLine> recorded, const RudderActuator& a,
+                             std::span<const double> times) {
   std::vector<double> result;
   const double step = 2e-5;
   double y = recorded.front().angle, played = y, now = recorded.front().time;
@@ -34,7 +37,8 @@ TEST_CASE("a lagging rudder answers a step as an exponential", "[nonlinear][publ
   const double order = 0.3;
   const auto step = lines({0.0, 1.0, 1.0 + 1e-9, 20.0}, {0.0, 0.0, order, order});
   const RudderTrack rudder(lag, step);
-  for (const double t : {1.5, 2.0, 4.0, 10.0, 25.0}) CHECK_THAT(rudder.at(t), WithinAbs(order * (1.0 - std::exp(-(t - 1.0) / lag.lag)), 1e-8));
+  for (const double t : {1.5, 2.0, 4.0, 10.0, 25.0})
+    CHECK_THAT(rudder.at(t), WithinAbs(order * (1.0 - std::exp(-(t - 1.0) / lag.lag)), 1e-8));
 }
 
 TEST_CASE("a lagging rudder answers a ramp a lag late", "[nonlinear][limit]") {
@@ -65,7 +69,9 @@ TEST_CASE("without play, lag and rate the rudder is where it is shown, off by th
 
 TEST_CASE("the closed form of play, lag, rate and offset is what small steps give", "[nonlinear][second-route]") {
   std::mt19937 engine(5);
-  const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine);
+  };
   for (int i = 0; i < 12; ++i) {
     std::vector<double> time{0.0}, angle{uniform(-0.3, 0.3)}, at;
     for (int k = 0; k < 8; ++k) {
@@ -73,7 +79,9 @@ TEST_CASE("the closed form of play, lag, rate and offset is what small steps giv
       angle.push_back(uniform(0.0, 1.0) < 0.3 ? angle.back() : uniform(-0.6, 0.6));
     }
     for (double t = 0.1; t < time.back(); t += 0.1) at.push_back(t);
-    const RudderActuator a{.width = i % 3 == 0 ? 0.0 : uniform(0.0, 0.1), .lag = i % 4 == 1 ? 0.0 : uniform(0.1, 1.5), .rate = i % 2 ? uniform(0.1, 0.4) : never,
+    const RudderActuator a{.width = i % 3 == 0 ? 0.0 : uniform(0.0, 0.1),
+                           .lag = i % 4 == 1 ? 0.0 : uniform(0.1, 1.5),
+                           .rate = i % 2 ? uniform(0.1, 0.4) : never,
                            .offset = uniform(-0.05, 0.05)};
     if (a.lag == 0.0 && a.rate == never && a.width == 0.0) continue;
     const auto recorded = lines(time, angle);

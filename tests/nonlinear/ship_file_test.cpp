@@ -109,23 +109,78 @@ std::vector<double> numbers_of(const MmgShip<double>& ship) {
 TEST_CASE("every number of the KVLCC2 model is where it belongs, in SI", "[nonlinear][published]") {
   const Ship ship = read_ship(test::ships / "kvlcc2_l7.toml");
   const std::vector<double> expected{
-      1000,                                                                                // water
-      7, 1.27, 0.46, 3.27, 0.25, 1.75, 1.179, 0.6, 1.75,                                   // particulars
-      0.022, 0.223, 0.011,                                                                 // added mass
-      0.022, -0.04, 0.002, 0.011, 0.771,                                                   // hull X
-      -0.315, 0.083, -1.607, 0.379, -0.391, 0.008,                                         // hull Y
-      -0.137, -0.049, -0.03, -0.294, 0.055, -0.013,                                        // hull N
-      0.216, -0.48, 0.22, 0.4, 0.2931, -0.2753, -0.1385, 2, 1.6, 1.1, 0, 0, 0,             // propeller
-      0.0539, 0.345, -0.5, 0.387, 0.312, -0.464, -0.71, 0.395, 0.64, 1.09, 0.5, 2.747,     // rudder
-      0, 0.5, 0.05, 0, 0,                                                                  // its stall and gap
-      radians(15.8), radians(35), 0, 0,                                                    // steering gear
-      0,                                                                                   // engine
+      1000,  // water
+      7,
+      1.27,
+      0.46,
+      3.27,
+      0.25,
+      1.75,
+      1.179,
+      0.6,
+      1.75,  // particulars
+      0.022,
+      0.223,
+      0.011,  // added mass
+      0.022,
+      -0.04,
+      0.002,
+      0.011,
+      0.771,  // hull X
+      -0.315,
+      0.083,
+      -1.607,
+      0.379,
+      -0.391,
+      0.008,  // hull Y
+      -0.137,
+      -0.049,
+      -0.03,
+      -0.294,
+      0.055,
+      -0.013,  // hull N
+      0.216,
+      -0.48,
+      0.22,
+      0.4,
+      0.2931,
+      -0.2753,
+      -0.1385,
+      2,
+      1.6,
+      1.1,
+      0,
+      0,
+      0,  // propeller
+      0.0539,
+      0.345,
+      -0.5,
+      0.387,
+      0.312,
+      -0.464,
+      -0.71,
+      0.395,
+      0.64,
+      1.09,
+      0.5,
+      2.747,  // rudder
+      0,
+      0.5,
+      0.05,
+      0,
+      0,  // its stall and gap
+      radians(15.8),
+      radians(35),
+      0,
+      0,  // steering gear
+      0,  // engine
   };
   CHECK(ship.name == "KVLCC2 model 1:45.7 (L7)");
   CHECK(numbers_of(std::get<MmgShip<double>>(ship.model)) == expected);
 }
 
-TEST_CASE("an integer is a number, tables may be written inline, and the file may begin with a byte order mark", "[nonlinear]") {
+TEST_CASE("an integer is a number, tables may be written inline, and the file may begin with a byte order mark",
+          "[nonlinear]") {
   CHECK(length(ship_of(text_with("length_m", "7"))) == 7.0);
   auto lines = model_lines();
   const auto water = std::ranges::find(lines, "[water]");
@@ -161,7 +216,8 @@ TEST_CASE("every key that is missing is named with the line of its table", "[non
   }
 }
 
-TEST_CASE("every key that is misspelt is named, where it stands, with the key that is missing", "[nonlinear][refusal]") {
+TEST_CASE("every key that is misspelt is named, where it stands, with the key that is missing",
+          "[nonlinear][refusal]") {
   const auto lines = model_lines();
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto key = key_of(lines[i]);
@@ -171,7 +227,8 @@ TEST_CASE("every key that is misspelt is named, where it stands, with the key th
     const auto table = table_line(lines, i);
     const std::string where = table == 1 ? "" : " in " + lines[table - 1];
     const std::string hint = is_optional(key) ? "" : "; " + key + " is missing";
-    CHECK(refusal_of(joined(misspelt)) == place(i + 1, 1) + key.substr(0, 1) + "_" + key.substr(1) + where + " is not known" + hint);
+    CHECK(refusal_of(joined(misspelt)) ==
+          place(i + 1, 1) + key.substr(0, 1) + "_" + key.substr(1) + where + " is not known" + hint);
   }
 }
 
@@ -188,7 +245,8 @@ TEST_CASE("a table that is missing or misspelt is named", "[nonlinear][refusal]"
   *hull = "[Hull]";
   CHECK(refusal_of(joined(lines)) == place(line, 2) + "Hull is not known; [hull] is missing");
   CHECK(refusal_of("name = \"a\"\nmodel = \"mmg\"\n") == place(1, 1) + "[water] is missing");
-  CHECK(refusal_of("name = \"a\"\nmodel = \"mmg\"\nwater = 1\n[particulars]\n[added_mass]\n[hull]\n[propeller]\n[rudder]\n") ==
+  CHECK(refusal_of(
+            "name = \"a\"\nmodel = \"mmg\"\nwater = 1\n[particulars]\n[added_mass]\n[hull]\n[propeller]\n[rudder]\n") ==
         place(3, 9) + "water must be a table");
 }
 
@@ -230,7 +288,8 @@ TEST_CASE("a value that makes no sense is refused with file, line and key", "[no
 TEST_CASE("a bad number in a list is refused where it stands", "[nonlinear][refusal]") {
   const auto line = line_of(model_lines(), "kt") + 1;
   CHECK(refusal_of(text_with("kt", "[0.29, \"b\", -0.1]")) == place(line, 13) + "kt in [propeller] must be a number");
-  CHECK(refusal_of(text_with("kt", "[-0.29, -0.2, -0.1]")) == place(line, 7) + "kt in [propeller] must be positive, got -0.29");
+  CHECK(refusal_of(text_with("kt", "[-0.29, -0.2, -0.1]")) ==
+        place(line, 7) + "kt in [propeller] must be positive, got -0.29");
 }
 
 // ---------------------------------------------------------------- trust
@@ -241,7 +300,8 @@ TEST_CASE("coefficients are trusted to a tenth unless the file says otherwise", 
 }
 
 TEST_CASE("trust is read for all coefficients and for single ones", "[nonlinear]") {
-  const auto confidence = ship_of(text_with_tail("[confidence]\ncoefficients = 0.02\nN_v = 0.05\nkt = 0\nf_alpha = 1\n")).confidence;
+  const auto confidence =
+      ship_of(text_with_tail("[confidence]\ncoefficients = 0.02\nN_v = 0.05\nkt = 0\nf_alpha = 1\n")).confidence;
   CHECK(confidence.of("Y_v") == 0.02);
   CHECK(confidence.of("N_v") == 0.05);
   CHECK(confidence.of("kt") == 0.0);
@@ -251,10 +311,13 @@ TEST_CASE("trust is read for all coefficients and for single ones", "[nonlinear]
 
 TEST_CASE("trust in what is not a coefficient, or that is not a number, is refused", "[nonlinear][refusal]") {
   const auto line = model_lines().size() + 2;
-  const auto refusal = [](const std::string& text) { return refusal_of(text_with_tail("[confidence]\n" + text + "\n")); };
+  const auto refusal = [](const std::string& text) {
+    return refusal_of(text_with_tail("[confidence]\n" + text + "\n"));
+  };
   CHECK(refusal("N_w = 0.05") == place(line, 1) + "N_w in [confidence] is not a coefficient of this model");
   CHECK(refusal("length_m = 0.05") == place(line, 1) + "length_m in [confidence] is not a coefficient of this model");
-  CHECK(refusal("coefficients = -0.1") == place(line, 16) + "coefficients in [confidence] must not be negative, got -0.1");
+  CHECK(refusal("coefficients = -0.1") ==
+        place(line, 16) + "coefficients in [confidence] must not be negative, got -0.1");
   CHECK(refusal("N_v = -0.1") == place(line, 7) + "N_v in [confidence] must not be negative, got -0.1");
   CHECK(refusal("N_v = \"high\"") == place(line, 7) + "N_v in [confidence] must be a number");
   CHECK(refusal_of("confidence = 0.1\n" + text_with_tail("")) == place(1, 14) + "confidence must be a table");
@@ -266,19 +329,25 @@ TEST_CASE("a model of another kind is refused in words, before its keys are", "[
   const auto line = line_of(model_lines(), "model") + 1;
   CHECK(refusal_of(text_with("model", "\"mgm\"")) ==
         place(line, 9) + "model \"mgm\" is not known to this version (known: linear, mmg, pi, pu, abkowitz)");
-  CHECK(refusal_of("model = \"linear\"\n[nomoto]\nT1 = 1\n") == place(1, 9) + "a ship of a nonlinear model is needed here, got \"linear\"");
+  CHECK(refusal_of("model = \"linear\"\n[nomoto]\nT1 = 1\n") ==
+        place(1, 9) + "a ship of a nonlinear model is needed here, got \"linear\"");
 }
 
 TEST_CASE("an effect surrounds the ship or is refused in words", "[nonlinear][refusal]") {
   const auto line = model_lines().size() + 2;
-  const auto refusal = [](std::string_view lines) { return refusal_of(text_with_tail("\n[[effect]]\n" + std::string(lines))); };
+  const auto refusal = [](std::string_view lines) {
+    return refusal_of(text_with_tail("\n[[effect]]\n" + std::string(lines)));
+  };
   CHECK(refusal("kind = \"kelp\"\n") == place(line, 1) + "effect kelp is not understood by this version");
   CHECK(refusal("current_to_rad = 1\n") == place(line, 1) + "kind is missing in [[effect]]");
-  CHECK(refusal("kind = \"steady_current\"\ncurrent_to_rad = 1\n") == place(line, 1) + "steady_current needs current_speed_m_s");
-  CHECK(refusal("kind = \"steady_current\"\nspeed = 1\n") == place(line, 1) + "speed is not a number of steady_current");
+  CHECK(refusal("kind = \"steady_current\"\ncurrent_to_rad = 1\n") ==
+        place(line, 1) + "steady_current needs current_speed_m_s");
+  CHECK(refusal("kind = \"steady_current\"\nspeed = 1\n") ==
+        place(line, 1) + "speed is not a number of steady_current");
   CHECK(refusal("kind = \"steady_current\"\ncurrent_to_rad = \"north\"\n") ==
         place(line + 2, 18) + "current_to_rad in [[effect]] must be a number");
-  const Ship ship = parse_ship(text_with_tail("\n[[effect]]\nkind = \"steady_current\"\ncurrent_speed_m_s = 0.5\ncurrent_to_rad = 1.5\n"), "s");
+  const Ship ship = parse_ship(
+      text_with_tail("\n[[effect]]\nkind = \"steady_current\"\ncurrent_speed_m_s = 0.5\ncurrent_to_rad = 1.5\n"), "s");
   CHECK(surroundings_at(ship, 0.0).current.speed == 0.5);
   CHECK(surroundings_at(ship, 0.0).current.to == 1.5);
 }
@@ -295,7 +364,8 @@ TEST_CASE("broken TOML is refused where it breaks", "[nonlinear][refusal]") {
 
 TEST_CASE("a ship file that cannot be read is refused", "[nonlinear][refusal]") {
   const test::Scratch scratch;
-  CHECK_THROWS_WITH(read_ship(scratch / "absent.toml"), (scratch / "absent.toml").string() + ":1:1: cannot be read (No such file or directory)");
+  CHECK_THROWS_WITH(read_ship(scratch / "absent.toml"),
+                    (scratch / "absent.toml").string() + ":1:1: cannot be read (No such file or directory)");
   CHECK_THROWS_WITH(read_ship(scratch / ""), (scratch / "").string() + ":1:1: is a folder, not a file");
 }
 
@@ -315,7 +385,8 @@ TEST_CASE("a damaged ship file is read or refused in one line", "[nonlinear][fuz
     for (auto times = 1 + random() % 4; times > 0; --times) damage(text, random);
     INFO("seed " << seed);
     const auto refusal = refusal_of(text);
-    REQUIRE((refusal.empty() || (refusal.starts_with("ship.toml:") && refusal[10] != '0' && refusal.find('\n') == std::string::npos)));
+    REQUIRE((refusal.empty() ||
+             (refusal.starts_with("ship.toml:") && refusal[10] != '0' && refusal.find('\n') == std::string::npos)));
   }
 }
 

@@ -70,10 +70,12 @@ TEST_CASE("the spiral of a stable ship has no loop", "[nonlinear][limit]") {
   CHECK(compared > 0.97 * all);
 }
 
-TEST_CASE("the loop of an unstable ship's spiral is that of her steady turns, seen in steps", "[nonlinear][second-route]") {
+TEST_CASE("the loop of an unstable ship's spiral is that of her steady turns, seen in steps",
+          "[nonlinear][second-route]") {
   const auto model = test::symmetric(test::mmg(test::kvlcc2_l7()));
   const double step = radians(0.1);
-  const auto result = spiral(with_model(model), {.largest = radians(3.0), .step = step, .settling = test::patient}, test::precise);
+  const auto result =
+      spiral(with_model(model), {.largest = radians(3.0), .step = step, .settling = test::patient}, test::precise);
   REQUIRE(result.loop);
   REQUIRE(result.exact);
   CHECK(result.loop->width <= result.exact->width);
@@ -101,7 +103,8 @@ TEST_CASE("a mirrored ship sails the mirrored spiral", "[nonlinear][symmetry]") 
 
 TEST_CASE("a spiral begins at the largest angle on the first side and comes back to it", "[nonlinear][limit]") {
   const Ship ship = test::kvlcc2_l7();
-  const auto result = spiral(ship, {.largest = radians(12.0), .step = radians(5.0), .first = Side::port}, {.step = 1.0});
+  const auto result =
+      spiral(ship, {.largest = radians(12.0), .step = radians(5.0), .first = Side::port}, {.step = 1.0});
   const std::vector<double> degrees_down{12.0, 10.0, 5.0, 0.0, -5.0, -10.0, -12.0};
   REQUIRE(result.down.size() == degrees_down.size());
   for (std::size_t k = 0; k < degrees_down.size(); ++k) {
@@ -116,7 +119,8 @@ TEST_CASE("a spiral begins at the largest angle on the first side and comes back
   CHECK(result.run.facts.manoeuvre == "spiral 12 first port");
 }
 
-TEST_CASE("a ship of another model sails spirals too: the Mariner is stable and turns to starboard by herself", "[nonlinear][second-route]") {
+TEST_CASE("a ship of another model sails spirals too: the Mariner is stable and turns to starboard by herself",
+          "[nonlinear][second-route]") {
   const Ship ship = read_ship(test::ships / "mariner.toml");
   const auto result = spiral(ship, {.settling = test::patient}, test::precise);
   CHECK_FALSE(result.loop);
@@ -160,7 +164,8 @@ TEST_CASE("a reverse spiral holds each yaw rate on the curve of steady turns", "
       const double L = model.particulars.L, unit = model.particulars.U_0 * test::yaw_unit(model);
       CHECK(std::max({std::abs(a.u), std::abs(a.v), std::abs(a.r) * L}) < 1e-10 * unit);
       const double U = model.particulars.U_0;
-      const auto again = steady_motion(with_model(model), controls, {turn->motion.u + 1e-5 * U, turn->motion.v - 1e-5 * U, turn->motion.r});
+      const auto again = steady_motion(with_model(model), controls,
+                                       {turn->motion.u + 1e-5 * U, turn->motion.v - 1e-5 * U, turn->motion.r});
       REQUIRE(again);
       CHECK(difference(model, again->motion, turn->motion) < 1e-7);
       if (r != 0.0) CHECK(again->stable == turn->stable);  // straight ahead the force has a kink
@@ -191,7 +196,8 @@ double simulated_helm(const MmgShip<double>& ship, const Controls<double>& propu
   return helm(s);
 }
 
-TEST_CASE("a helmsman who keeps the yaw rates of an unstable ship comes to the angles of the reverse spiral", "[nonlinear][second-route]") {
+TEST_CASE("a helmsman who keeps the yaw rates of an unstable ship comes to the angles of the reverse spiral",
+          "[nonlinear][second-route]") {
   const auto model = test::symmetric(test::mmg(test::kvlcc2_l7()));
   const auto result = reverse_spiral(with_model(model), {.largest = radians(10.0), .steps = 8});
   int unstable = 0;
@@ -215,14 +221,17 @@ TEST_CASE("a yaw rate beyond the largest rudder angle is not held", "[nonlinear]
 TEST_CASE("spirals of no sense are refused in words", "[nonlinear][refusal]") {
   const Ship ship = test::kvlcc2_l7();
   CHECK_THROWS_WITH(spiral(ship, {.largest = radians(36)}), "rudder angle 36 deg is beyond the ship's largest, 35 deg");
-  CHECK_THROWS_WITH(spiral(ship, {.step = radians(30)}), "steps of 30 deg are larger than the largest rudder angle, 25 deg");
+  CHECK_THROWS_WITH(spiral(ship, {.step = radians(30)}),
+                    "steps of 30 deg are larger than the largest rudder angle, 25 deg");
   CHECK_THROWS_WITH(spiral(ship, {.step = 0.0}), "step of the rudder angle [rad] must be positive, got 0");
   CHECK_THROWS_WITH(reverse_spiral(ship, {.largest = -0.1}), ContainsSubstring("rudder angle [rad] must be positive"));
   Ship windy = ship;
   windy.surroundings.windy = true;
-  CHECK_THROWS_WITH(spiral(windy), "no turn is steady in wind, which the spiral waits for; take the wind out of the ship file");
+  CHECK_THROWS_WITH(spiral(windy),
+                    "no turn is steady in wind, which the spiral waits for; take the wind out of the ship file");
   CHECK_THROWS_AS(reverse_spiral(windy), Refusal);
-  CHECK_THROWS_WITH(reverse_spiral(ship, {.steps = 0}), "a reverse spiral needs at least one yaw rate on each side, got 0");
+  CHECK_THROWS_WITH(reverse_spiral(ship, {.steps = 0}),
+                    "a reverse spiral needs at least one yaw rate on each side, got 0");
 }
 
 }  // namespace

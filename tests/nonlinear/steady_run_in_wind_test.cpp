@@ -35,8 +35,12 @@ struct RandomRuns {
     return w;
   }
 
-  Wind<double> wind(const MmgShip<double>& ship) { return {.speed = uniform(0.0, 3.0) * ship.particulars.U_0, .from = uniform(-pi, pi)}; }
-  Current<double> current(const MmgShip<double>& ship) { return {.speed = uniform(0.0, 0.2) * ship.particulars.U_0, .to = uniform(-pi, pi)}; }
+  Wind<double> wind(const MmgShip<double>& ship) {
+    return {.speed = uniform(0.0, 3.0) * ship.particulars.U_0, .from = uniform(-pi, pi)};
+  }
+  Current<double> current(const MmgShip<double>& ship) {
+    return {.speed = uniform(0.0, 0.2) * ship.particulars.U_0, .to = uniform(-pi, pi)};
+  }
 };
 
 Ship in_current(const MmgShip<double>& model, const Current<double>& current) {
@@ -46,9 +50,11 @@ Ship in_current(const MmgShip<double>& model, const Current<double>& current) {
 }
 
 /// Acceleration of a ship in wind and current.
-PlanarAcceleration<double> acceleration_in(const MmgShip<double>& ship, const Windage<double>& windage, const Wind<double>& wind,
-                                           const Current<double>& current, const PlanarMotion<double>& m, double psi, const Controls<double>& c) {
-  return acceleration(ship, m, forces(ship, m, c).total() + wind_force(windage, wind, over_ground(current, {0.0, 0.0, psi, m}), psi));
+PlanarAcceleration<double> acceleration_in(const MmgShip<double>& ship, const Windage<double>& windage,
+                                           const Wind<double>& wind, const Current<double>& current,
+                                           const PlanarMotion<double>& m, double psi, const Controls<double>& c) {
+  return acceleration(
+      ship, m, forces(ship, m, c).total() + wind_force(windage, wind, over_ground(current, {0.0, 0.0, psi, m}), psi));
 }
 
 TEST_CASE("nothing accelerates on a straight run in wind, and what is to be kept is kept", "[nonlinear][limit]") {
@@ -64,7 +70,8 @@ TEST_CASE("nothing accelerates on a straight run in wind, and what is to be kept
     const auto run = steady_run_in_wind(in_current(model, current), windage, wind, order);
     if (!run) continue;
     ++found;
-    const auto a = acceleration_in(model, windage, wind, current, run->motion, run->psi, with_rudder(propulsion, run->delta));
+    const auto a =
+        acceleration_in(model, windage, wind, current, run->motion, run->psi, with_rudder(propulsion, run->delta));
     const double L = model.particulars.L, unit = model.particulars.U_0 * test::yaw_unit(model);
     CHECK(std::max({std::abs(a.u), std::abs(a.v), std::abs(a.r) * L}) < 1e-10 * unit);
     CHECK_THAT(wrapped((i % 2 ? run->psi : run->course) - order.direction), WithinAbs(0.0, 1e-10));
@@ -80,7 +87,8 @@ TEST_CASE("a symmetric ship needs no helm without wind, nor in wind from ahead o
     const auto model = test::symmetric(random.model());
     const double U = model.particulars.U_0, psi = random.uniform(-pi, pi);
     const auto windage = random.windage(model);
-    for (const Wind<double>& wind : {Wind<double>{0.0, 1.0}, Wind<double>{0.8 * U, psi}, Wind<double>{0.8 * U, psi + pi}})
+    for (const Wind<double>& wind :
+         {Wind<double>{0.0, 1.0}, Wind<double>{0.8 * U, psi}, Wind<double>{0.8 * U, psi + pi}})
       for (const Kept kept : {Kept::heading, Kept::course}) {
         const auto run = steady_run_in_wind(with_model(model), windage, wind, {.direction = psi, .kept = kept});
         REQUIRE(run);
@@ -115,8 +123,8 @@ TEST_CASE("a mirrored ship in the mirrored wind makes the mirrored run", "[nonli
     const auto current = random.current(model);
     const double direction = random.uniform(-pi, pi);
     const auto run = steady_run_in_wind(in_current(model, current), windage, wind, {.direction = direction});
-    const auto mirror = steady_run_in_wind(in_current(test::mirrored(model), {current.speed, -current.to}), windage, {wind.speed, -wind.from},
-                                           {.direction = -direction});
+    const auto mirror = steady_run_in_wind(in_current(test::mirrored(model), {current.speed, -current.to}), windage,
+                                           {wind.speed, -wind.from}, {.direction = -direction});
     REQUIRE(run.has_value() == mirror.has_value());
     if (!run) continue;
     CHECK_THAT(mirror->delta, WithinAbs(-run->delta, 1e-9));
@@ -134,7 +142,8 @@ TEST_CASE("turning course, wind and current together changes nothing", "[nonline
     const auto current = random.current(model);
     const double turn = random.uniform(-pi, pi);
     const auto run = steady_run_in_wind(in_current(model, current), windage, wind);
-    const auto turned = steady_run_in_wind(in_current(model, {current.speed, current.to + turn}), windage, {wind.speed, wind.from + turn}, {.direction = turn});
+    const auto turned = steady_run_in_wind(in_current(model, {current.speed, current.to + turn}), windage,
+                                           {wind.speed, wind.from + turn}, {.direction = turn});
     REQUIRE(run.has_value() == turned.has_value());
     if (!run) continue;
     CHECK_THAT(turned->delta, WithinAbs(run->delta, 1e-9));
@@ -152,7 +161,8 @@ TEST_CASE("the heading of a kept course, kept as heading, gives that course", "[
     const auto wind = random.wind(model);
     const auto by_course = steady_run_in_wind(ship, windage, wind, {.direction = 0.7, .kept = Kept::course});
     if (!by_course) continue;
-    const auto by_heading = steady_run_in_wind(ship, windage, wind, {.direction = by_course->psi, .kept = Kept::heading});
+    const auto by_heading =
+        steady_run_in_wind(ship, windage, wind, {.direction = by_course->psi, .kept = Kept::heading});
     if (!by_heading) continue;
     ++found;
     CHECK_THAT(by_heading->course, WithinAbs(0.7, 1e-9));
@@ -171,7 +181,8 @@ TEST_CASE("without wind a current sets the heading by the triangle of velocities
     REQUIRE(run);
     // U sin(psi − chi) + V_c sin(psi_c − chi) = 0
     CHECK_THAT(run->psi - chi, WithinAbs(-std::asin(current.speed * std::sin(current.to - chi) / U), 1e-9));
-    CHECK_THAT(run->speed_over_ground, WithinRel(U * std::cos(run->psi - chi) + current.speed * std::cos(current.to - chi), 1e-9));
+    CHECK_THAT(run->speed_over_ground,
+               WithinRel(U * std::cos(run->psi - chi) + current.speed * std::cos(current.to - chi), 1e-9));
   }
 }
 
@@ -181,7 +192,8 @@ struct Sailed {
   double delta;
 };
 
-Sailed sailed(const MmgShip<double>& ship, const Windage<double>& windage, const Wind<double>& wind, double psi, double end) {
+Sailed sailed(const MmgShip<double>& ship, const Windage<double>& windage, const Wind<double>& wind, double psi,
+              double end) {
   using State = std::array<double, 5>;  // u, v, r, psi, integral
   const double unit = ship.particulars.L / ship.particulars.U_0;
   const auto propulsion = self_propulsion(ship, ship.particulars.U_0);
@@ -224,7 +236,8 @@ TEST_CASE("a wind too strong for the rudder is told, and one that no helm balanc
   const double U = model.particulars.U_0;
   bool was_too_strong = false;
   for (double ratio = 0.0; ratio < 60.0; ratio += 1.0) {
-    const auto run = steady_run_in_wind(with_model(model), windage, {ratio * U, radians(70.0)}, {.kept = Kept::heading});
+    const auto run =
+        steady_run_in_wind(with_model(model), windage, {ratio * U, radians(70.0)}, {.kept = Kept::heading});
     if (run && run->holds) {
       CHECK_FALSE(was_too_strong);
       continue;
@@ -268,8 +281,10 @@ TEST_CASE("the Mariner needs helm without wind, that of her steady straight cour
 
 TEST_CASE("a wind speed below zero is refused", "[nonlinear][refusal]") {
   const Ship ship = test::kvlcc2_l7();
-  CHECK_THROWS_WITH(steady_run_in_wind(ship, Windage<double>{}, {-1.0, 0.0}), "wind speed [m/s] must not be negative, got -1");
-  CHECK_THROWS_WITH(steady_run_in_wind(ship, Windage<double>{}, {std::nan(""), 0.0}), ContainsSubstring("must not be negative"));
+  CHECK_THROWS_WITH(steady_run_in_wind(ship, Windage<double>{}, {-1.0, 0.0}),
+                    "wind speed [m/s] must not be negative, got -1");
+  CHECK_THROWS_WITH(steady_run_in_wind(ship, Windage<double>{}, {std::nan(""), 0.0}),
+                    ContainsSubstring("must not be negative"));
 }
 
 }  // namespace

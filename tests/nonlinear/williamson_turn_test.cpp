@@ -11,7 +11,8 @@ namespace {
 using test::RandomShips;
 using test::with_model;
 
-TEST_CASE("the orders of a Williamson turn are given at 60 deg and at 20 deg before the reciprocal heading", "[nonlinear][limit]") {
+TEST_CASE("the orders of a Williamson turn are given at 60 deg and at 20 deg before the reciprocal heading",
+          "[nonlinear][limit]") {
   const Ship ship = test::kvlcc2_l7();
   for (const Side first : {Side::starboard, Side::port}) {
     const double turn = yaw_sign(first);
@@ -32,7 +33,9 @@ TEST_CASE("the orders of a Williamson turn are given at 60 deg and at 20 deg bef
 
 TEST_CASE("the rudder of a Williamson turn goes hard over, to the other side, and amidships", "[nonlinear][limit]") {
   const auto turn = williamson_turn(test::kvlcc2_l7(), {}, {.step = 0.5});
-  const auto delta_at = [&](double time) { return degrees(turn.run[Channel::delta][static_cast<std::size_t>(time / 0.5)]); };
+  const auto delta_at = [&](double time) {
+    return degrees(turn.run[Channel::delta][static_cast<std::size_t>(time / 0.5)]);
+  };
   CHECK_THAT(delta_at(turn.shifted->time), WithinAbs(-35.0, 1e-9));
   CHECK_THAT(delta_at(turn.amidships->time), WithinAbs(35.0, 1e-9));
   CHECK_THAT(degrees(turn.run[Channel::delta].back()), WithinAbs(0.0, 1e-9));
@@ -76,9 +79,11 @@ TEST_CASE("a swing that dies out before the reciprocal heading is told", "[nonli
 
 TEST_CASE("Williamson turns of no sense are refused in words", "[nonlinear][refusal]") {
   const Ship ship = test::kvlcc2_l7();
-  CHECK_THROWS_WITH(williamson_turn(ship, {.rudder = radians(36)}), "rudder angle 36 deg is beyond the ship's largest, 35 deg");
+  CHECK_THROWS_WITH(williamson_turn(ship, {.rudder = radians(36)}),
+                    "rudder angle 36 deg is beyond the ship's largest, 35 deg");
   CHECK_THROWS_WITH(williamson_turn(ship, {.heading = 0.0}), "heading angle [rad] must be positive, got 0");
-  CHECK_THROWS_WITH(williamson_turn(ship, {.before = radians(200)}), "200 deg before the reciprocal heading is the approach heading or beyond");
+  CHECK_THROWS_WITH(williamson_turn(ship, {.before = radians(200)}),
+                    "200 deg before the reciprocal heading is the approach heading or beyond");
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace {
 
 using test::RandomWinds;
 
-void require_close(const PlanarForce<double>& a, const PlanarForce<double>& b, const PlanarForce<double>& scale, double bound) {
+void require_close(const PlanarForce<double>& a, const PlanarForce<double>& b, const PlanarForce<double>& scale,
+                   double bound) {
   REQUIRE_THAT(a.X, WithinAbs(b.X, bound * scale.X));
   REQUIRE_THAT(a.Y, WithinAbs(b.Y, bound * scale.Y));
   REQUIRE_THAT(a.N, WithinAbs(b.N, bound * scale.N));
@@ -121,7 +122,8 @@ TEST_CASE("load from areas is that of the printed formulas", "[nonlinear][second
     const auto windage = random.windage();
     const double gamma = random.uniform(0.0, pi), V = random.uniform(1.0, 25.0), psi = random.heading();
     const Wind<double> from_port{.speed = V, .from = psi - gamma};
-    require_close(wind_force(windage, from_port, {}, psi), as_printed(windage, gamma, V), test::scale_of(windage, from_port, {}), 1e-12);
+    require_close(wind_force(windage, from_port, {}, psi), as_printed(windage, gamma, V),
+                  test::scale_of(windage, from_port, {}), 1e-12);
   }
 }
 
@@ -189,8 +191,8 @@ TEST_CASE("dual numbers carry the derivatives by the numbers of the windage", "[
       auto above = windage, below = windage;
       above.*member += h, below.*member -= h;
       const auto p = wind_force(above, air), m = wind_force(below, air);
-      require_close({dual.X.v[0] * h, dual.Y.v[0] * h, dual.N.v[0] * h}, {0.5 * (p.X - m.X), 0.5 * (p.Y - m.Y), 0.5 * (p.N - m.N)}, scale,
-                    1e-12);
+      require_close({dual.X.v[0] * h, dual.Y.v[0] * h, dual.N.v[0] * h},
+                    {0.5 * (p.X - m.X), 0.5 * (p.Y - m.Y), 0.5 * (p.N - m.N)}, scale, 1e-12);
     }
   }
 }
@@ -227,7 +229,8 @@ TEST_CASE("the slope of the load vanishes with the speed of the air", "[nonlinea
   for (const auto& windage : random.of_all_forms()) {
     for (const double V : {1e-3, 1e-20, 1e-90, 1e-120}) {
       const double from = random.uniform(-pi, pi);
-      const auto force = wind_force(cast_part<D>(windage), ApparentWind<D>{D(-V * std::cos(from), 0), D(-V * std::sin(from), 1)});
+      const auto force =
+          wind_force(cast_part<D>(windage), ApparentWind<D>{D(-V * std::cos(from), 0), D(-V * std::sin(from), 1)});
       for (const auto& [component, area] : {std::pair(force.X, windage.A_F), std::pair(force.Y, windage.A_L)}) {
         CHECK(component.v.allFinite());
         CHECK(component.v.norm() <= 50.0 * windage.rho * area * V);
@@ -246,7 +249,8 @@ TEST_CASE("every lane of a pack is one wind", "[nonlinear][second-route]") {
         const auto wind = random.wind();
         const auto motion = random.motion();
         const double values[] = {wind.speed, wind.from, motion.u, motion.v, random.heading()};
-        for (std::size_t j = 0; j < 5; ++j) column[j][k] = k == 0 && i % 2 == 0 ? 0.0 : values[j];  // still air in one lane
+        for (std::size_t j = 0; j < 5; ++j)
+          column[j][k] = k == 0 && i % 2 == 0 ? 0.0 : values[j];  // still air in one lane
       }
       std::array<Pack, 5> x;
       for (std::size_t j = 0; j < 5; ++j) x[j] = Pack::load_unaligned(column[j].data());
@@ -254,7 +258,8 @@ TEST_CASE("every lane of a pack is one wind", "[nonlinear][second-route]") {
       for (std::size_t k = 0; k < lanes; ++k) {
         const auto alone = load(windage, {column[0][k], column[1][k], column[2][k], column[3][k], column[4][k]});
         const auto scale = test::scale_of(windage, {.speed = column[0][k]}, {column[2][k], column[3][k], 0.0});
-        require_close({packed[0].get(k), packed[1].get(k), packed[2].get(k)}, {alone[0], alone[1], alone[2]}, scale, 1e-12);
+        require_close({packed[0].get(k), packed[1].get(k), packed[2].get(k)}, {alone[0], alone[1], alone[2]}, scale,
+                      1e-12);
       }
     }
   }
@@ -272,7 +277,8 @@ TEST_CASE("every number of a windage has its key and keeps its range", "[nonline
   CHECK(keys.size() == 9);
 }
 
-TEST_CASE("numbers that a windage is not given are those of a ship file that does not give them", "[nonlinear][second-route]") {
+TEST_CASE("numbers that a windage is not given are those of a ship file that does not give them",
+          "[nonlinear][second-route]") {
   const Windage<double> windage;
   for (const auto& parameter : Windage<double>::parameters()) CHECK(windage.*parameter.member == parameter.fallback);
 }
@@ -291,7 +297,8 @@ TEST_CASE("a ship with another scalar keeps the given coefficients of her windag
     const auto boat = cast<Dual<1>>(Boat<double>{windage});
     const ApparentWind<double> air{-7.0, 4.0};
     CHECK(boat.windage.given.index() == windage.given.index());
-    CHECK_THAT(wind_force(boat.windage, ApparentWind<Dual<1>>{Dual<1>(air.u), Dual<1>(air.v)}).N.a, WithinRel(wind_force(windage, air).N, 1e-12));
+    CHECK_THAT(wind_force(boat.windage, ApparentWind<Dual<1>>{Dual<1>(air.u), Dual<1>(air.v)}).N.a,
+               WithinRel(wind_force(windage, air).N, 1e-12));
   }
 }
 

@@ -40,7 +40,8 @@ TEST_CASE("a periodic spline passes through its nodes", "[nonlinear][round-trip]
   }
 }
 
-TEST_CASE("value, slope and curvature of a periodic spline go on through nodes and through astern", "[nonlinear][limit]") {
+TEST_CASE("value, slope and curvature of a periodic spline go on through nodes and through astern",
+          "[nonlinear][limit]") {
   RandomWinds random(52);
   for (int i = 0; i < 300; ++i) {
     const auto [angle, value] = random_nodes(random);
@@ -123,7 +124,8 @@ TEST_CASE("rows of a table may come in any order and in any turn", "[nonlinear][
   moved.push_back(table.front());
   moved.back().angle = 2.0 * pi;  // ahead once more
   const auto a = wind_spline(table), b = wind_spline(moved);
-  for (double angle = -pi; angle <= pi; angle += 0.05) CHECK_THAT(value_at(b.Y, angle), WithinAbs(value_at(a.Y, angle), 1e-12));
+  for (double angle = -pi; angle <= pi; angle += 0.05)
+    CHECK_THAT(value_at(b.Y, angle), WithinAbs(value_at(a.Y, angle), 1e-12));
 }
 
 TEST_CASE("a table that counts to port is the mirrored table", "[nonlinear][symmetry]") {
@@ -140,8 +142,10 @@ TEST_CASE("tables that make no curve are refused", "[nonlinear][refusal]") {
   const WindRow ahead{0.0, -0.7, 0.0, 0.0}, beam{0.5 * pi, 0.0, -0.8, 0.0}, astern{pi, 0.6, 0.0, 0.0};
   CHECK_THROWS_WITH(wind_spline({ahead, astern}), "a periodic curve needs three different angles, got 2");
   CHECK_THROWS_WITH(wind_spline({}), "a periodic curve needs three different angles, got 0");
-  CHECK_THROWS_WITH(wind_spline({ahead, beam, astern, {2.5 * pi, 0.0, -0.9, 0.0}}), "wind table has two different rows at 90 deg");
-  CHECK_THROWS_WITH(wind_spline(both_sides({{0.0, -0.7, 0.01, 0.0}, beam, astern})), "wind table has two different rows at 0 deg");
+  CHECK_THROWS_WITH(wind_spline({ahead, beam, astern, {2.5 * pi, 0.0, -0.9, 0.0}}),
+                    "wind table has two different rows at 90 deg");
+  CHECK_THROWS_WITH(wind_spline(both_sides({{0.0, -0.7, 0.01, 0.0}, beam, astern})),
+                    "wind table has two different rows at 0 deg");
   const std::vector<double> falling{1.0, 0.5, 2.0}, beyond{0.0, 1.0, pi}, two(2, 0.0), three(3, 0.0);
   CHECK_THROWS_WITH(periodic_spline(falling, three), "angles of a periodic curve must increase in [-pi, pi)");
   CHECK_THROWS_WITH(periodic_spline(beyond, three), "angles of a periodic curve must increase in [-pi, pi)");
@@ -174,17 +178,20 @@ TEST_CASE("a ship without known areas has no windage", "[nonlinear][limit]") {
 TEST_CASE("areas and types that make no sense are refused", "[nonlinear][refusal]") {
   CHECK_THROWS_WITH(windage_from({.frontal = -1.0, .lateral = 900.0, .length = 100.0}),
                     "frontal windage area [m^2] must not be negative, got -1");
-  CHECK_THROWS_WITH(windage_from({.frontal = 200.0, .lateral = 900.0, .length = 0.0}), "ship length L [m] must be positive, got 0");
+  CHECK_THROWS_WITH(windage_from({.frontal = 200.0, .lateral = 900.0, .length = 0.0}),
+                    "ship length L [m] must be positive, got 0");
   CHECK_THROWS_WITH(blendermann_ship("raft"), ContainsSubstring("no type of ship \"raft\"; known are car_carrier, ") &&
                                                   ContainsSubstring(", tender"));
 }
 
 /// Length over all 160 m: a cargo ship as they were when the regression was made.
-const Windage<double> cargo_ship{.A_F = 360.0, .A_L = 1750.0, .L_OA = 160.0, .C_Dt = 0.85, .C_Dl_bow = 0.65, .C_Dl_stern = 0.55, .delta = 0.40};
+const Windage<double> cargo_ship{
+    .A_F = 360.0, .A_L = 1750.0, .L_OA = 160.0, .C_Dt = 0.85, .C_Dl_bow = 0.65, .C_Dl_stern = 0.55, .delta = 0.40};
 const IsherwoodProfile cargo_profile{.B = 21.5, .A_SS = 620.0, .perimeter = 240.0, .masts = 3.0};
 
 WindRow row_at(const WindTable& table, double angle_deg) {
-  return *std::ranges::find_if(table, [&](const WindRow& row) { return std::abs(degrees(row.angle) - angle_deg) < 1e-6; });
+  return *std::ranges::find_if(table,
+                               [&](const WindRow& row) { return std::abs(degrees(row.angle) - angle_deg) < 1e-6; });
 }
 
 TEST_CASE("the regression of merchant ships gives its printed rows", "[nonlinear][published]") {
@@ -192,11 +199,13 @@ TEST_CASE("the regression of merchant ships gives its printed rows", "[nonlinear
   REQUIRE(table.size() == 38);
   const double lateral = 2.0 * 1750.0 / (160.0 * 160.0), frontal = 2.0 * 360.0 / (21.5 * 21.5);
   // 0 and 90 deg, written out
-  CHECK_THAT(row_at(table, 0.0).C_X, WithinRel(-(2.152 - 5.00 * lateral + 0.243 * frontal - 0.164 * 160.0 / 21.5), 1e-13));
+  CHECK_THAT(row_at(table, 0.0).C_X,
+             WithinRel(-(2.152 - 5.00 * lateral + 0.243 * frontal - 0.164 * 160.0 / 21.5), 1e-13));
   CHECK_THAT(row_at(table, 90.0).C_X, WithinRel(-(0.355 - 0.247 * 240.0 / 160.0 + 0.018 * 3.0), 1e-13));
   CHECK_THAT(row_at(table, 90.0).C_Y, WithinRel(-(0.889 + 0.138 * frontal - 0.66 * 0.5), 1e-13));
   CHECK_THAT(row_at(table, 90.0).C_N, WithinRel(-(0.2627 - 0.508 * 0.5), 1e-13));
-  CHECK_THAT(row_at(table, 130.0).C_Y, WithinRel(-(1.014 + 0.191 * frontal - 0.280 * 1.5 - 0.69 * 0.5 + 0.44 * 620.0 / 1750.0), 1e-13));
+  CHECK_THAT(row_at(table, 130.0).C_Y,
+             WithinRel(-(1.014 + 0.191 * frontal - 0.280 * 1.5 - 0.69 * 0.5 + 0.44 * 620.0 / 1750.0), 1e-13));
 }
 
 // Bounds: what two regressions over different model tests leave open.
@@ -214,7 +223,8 @@ TEST_CASE("two sources of coefficients agree on a cargo ship", "[nonlinear][seco
 TEST_CASE("a centroid forward of midship turns the bow away from the wind on the beam", "[nonlinear][symmetry]") {
   auto forward = cargo_ship;
   forward.x_A = 12.0;
-  CHECK(row_at(isherwood_table(forward, cargo_profile), 90.0).C_N < row_at(isherwood_table(cargo_ship, cargo_profile), 90.0).C_N);
+  CHECK(row_at(isherwood_table(forward, cargo_profile), 90.0).C_N <
+        row_at(isherwood_table(cargo_ship, cargo_profile), 90.0).C_N);
   CHECK(coefficients_at(forward, 0.5 * pi).N < coefficients_at(cargo_ship, 0.5 * pi).N);
 }
 

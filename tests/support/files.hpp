@@ -25,7 +25,9 @@ inline std::optional<std::filesystem::path> benchmark_recordings(const std::stri
 /// An empty folder for the files of one test, removed at its end.
 class Scratch {
  public:
-  Scratch() : folder_(std::filesystem::temp_directory_path() / ("swayaw-test-" + std::to_string(::getpid()) + "-" + std::to_string(made++))) {
+  Scratch()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("swayaw-test-" + std::to_string(::getpid()) + "-" + std::to_string(made++))) {
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

@@ -23,7 +23,8 @@ struct Outcome {
 /// @param environment  "NAME=value " before the command
 inline Outcome run(const Scratch& scratch, const std::string& arguments, const std::string& environment = "") {
   const auto out = scratch / "stdout", err = scratch / "stderr";
-  const std::string command = environment + SWAYAW_PROGRAM + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
+  const std::string command =
+      environment + SWAYAW_PROGRAM + " " + arguments + " >" + out.string() + " 2>" + err.string() + " </dev/null";
   const int status = std::system(command.c_str());
   return {WEXITSTATUS(status), read_text(out), read_text(err)};
 }

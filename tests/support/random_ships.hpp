@@ -42,7 +42,8 @@ class RandomShips {
   }
 
   Controls<double> controls(const MmgShip<double>& ship) {
-    return {uniform(-1.0, 1.0) * ship.steering_gear.max_angle, uniform(0.7, 1.3) * 1.5 * ship.particulars.U_0 / ship.propeller.D};
+    return {uniform(-1.0, 1.0) * ship.steering_gear.max_angle,
+            uniform(0.7, 1.3) * 1.5 * ship.particulars.U_0 / ship.propeller.D};
   }
 
  private:

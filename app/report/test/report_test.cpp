@@ -81,9 +81,7 @@ std::string document_text(const std::string& page) {
 
 std::string plotly(const std::string& page) { return element(page, "<script id=\"plotly\">"); }
 
-bool contains(const std::string& text, std::string_view piece) {
-  return text.find(piece) != std::string::npos;
-}
+bool contains(const std::string& text, std::string_view piece) { return text.find(piece) != std::string::npos; }
 
 std::size_t occurrences(const std::string& text, std::string_view piece) {
   std::size_t count = 0;
@@ -95,8 +93,7 @@ void the_page_carries_the_document() {
   const json given = document_of({run_of("zz10.csv", 40)});
   const json shown = json::parse(document_text(swayaw::comparison_page(given)));
   check(shown["verdict"] == given["verdict"], "the verdict is carried unchanged");
-  check(shown["runs"][0]["quantities"] == given["runs"][0]["quantities"],
-        "the errors are carried with full precision");
+  check(shown["runs"][0]["quantities"] == given["runs"][0]["quantities"], "the errors are carried with full precision");
   check(shown["runs"][0]["series"]["recorded"]["x_m"].size() == 40, "short series are kept whole");
   const double value = given["runs"][0]["series"]["recorded"]["x_m"][7];
   const double rounded = shown["runs"][0]["series"]["recorded"]["x_m"][7];
@@ -106,8 +103,7 @@ void the_page_carries_the_document() {
 void the_page_is_whole() {
   const auto page = swayaw::comparison_page(document_of({run_of("zz10.csv", 40)}));
   check(page.starts_with("<!DOCTYPE html>"), "the page is an HTML document");
-  check(!contains(page.substr(0, page.find("<script")), "{{"),
-        "every marker in the head is filled");
+  check(!contains(page.substr(0, page.find("<script")), "{{"), "every marker in the head is filled");
   check(plotly(page).size() > 900'000, "Plotly is in the page");
   check(contains(page, "IntersectionObserver"), "our script is in the page");
 }
@@ -127,8 +123,7 @@ void a_run_name_stays_text() {
   const auto harmless = swayaw::comparison_page(document_of({run_of("zz10.csv", 40)}));
   check(occurrences(page, "</script>") == occurrences(harmless, "</script>"),
         "a run name cannot close the script element");
-  check(json::parse(document_text(page))["runs"][0]["run"] == name,
-        "a run name is carried exactly");
+  check(json::parse(document_text(page))["runs"][0]["run"] == name, "a run name is carried exactly");
   check(!contains(document_text(page), "\u2028"), "line separators are escaped");
 }
 
@@ -149,15 +144,14 @@ void long_runs_are_thinned() {
 }
 
 void three_runs_stay_small() {
-  const auto page = swayaw::comparison_page(
-      document_of({run_of("a.csv", 1000), run_of("b.csv", 1000), run_of("c.csv", 1000)}));
+  const auto page =
+      swayaw::comparison_page(document_of({run_of("a.csv", 1000), run_of("b.csv", 1000), run_of("c.csv", 1000)}));
   check(page.size() < 3'000'000, "three runs of a thousand samples take less than 3 MB");
 }
 
 void sparse_documents_are_accepted() {
   check(!swayaw::comparison_page(json::object()).empty(), "an empty document gives a page");
-  check(!swayaw::comparison_page(document_of({json{{"run", "a.csv"}}})).empty(),
-        "a run without series gives a page");
+  check(!swayaw::comparison_page(document_of({json{{"run", "a.csv"}}})).empty(), "a run without series gives a page");
 }
 
 }  // namespace
@@ -171,8 +165,13 @@ void the_loop_page_carries_its_document() {
 }
 
 void the_diagnosis_page_carries_its_document() {
-  const json effect = {{"effect", "steady_wind"}, {"probability", 0.98}, {"parameters", {{"wind_speed_m_s", {{"value", 11.25}, {"standard_error", 0.4}}}}}};
-  const json document = {{"schema", "swayaw.diagnosis/1"}, {"ship", "<Tanker>"}, {"effects", {effect}}, {"runs", {run_of("zz10.csv", 40)}}};
+  const json effect = {{"effect", "steady_wind"},
+                       {"probability", 0.98},
+                       {"parameters", {{"wind_speed_m_s", {{"value", 11.25}, {"standard_error", 0.4}}}}}};
+  const json document = {{"schema", "swayaw.diagnosis/1"},
+                         {"ship", "<Tanker>"},
+                         {"effects", {effect}},
+                         {"runs", {run_of("zz10.csv", 40)}}};
   const auto page = swayaw::diagnosis_page(document);
   const json shown = json::parse(document_text(page));
   check(shown["effects"] == document["effects"], "the effects are carried unchanged");

@@ -14,8 +14,8 @@ namespace swayaw {
 /// Whether this thread works on a part already.
 inline thread_local bool on_a_part = false;
 
-/// Calls work(0) … work(parts − 1), each once, in any order; the calling thread works too. Within a part, one after the other on its thread: the
-/// cores are busy with the other parts.
+/// Calls work(0) … work(parts − 1), each once, in any order; the calling thread works too. Within a part, one after the
+/// other on its thread: the cores are busy with the other parts.
 ///
 /// @param threads  0 for one on each core
 /// @throws what the first call that failed threw, once all threads have ended

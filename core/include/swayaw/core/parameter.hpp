@@ -35,14 +35,14 @@ enum class Role { fact, coefficient };
 /// One number of a part.
 template <class Part, class Scalar>
 struct Parameter {
-  std::string_view key;     ///< name in ship files; "kt[0]" is the first number of a list
-  Scalar Part::*member;     ///< where it is kept, in SI
-  std::string_view unit;    ///< unit in ship files, "-" for none
-  Range range;              ///< accepted values, in that unit
+  std::string_view key;   ///< name in ship files; "kt[0]" is the first number of a list
+  Scalar Part::*member;   ///< where it is kept, in SI
+  std::string_view unit;  ///< unit in ship files, "-" for none
+  Range range;            ///< accepted values, in that unit
   Role role = Role::fact;
-  double si = 1.0;          ///< SI value of one unit
-  bool required = true;     ///< whether a ship file must give it
-  double fallback = 0.0;    ///< value of an optional number that is not given, in SI
+  double si = 1.0;        ///< SI value of one unit
+  bool required = true;   ///< whether a ship file must give it
+  double fallback = 0.0;  ///< value of an optional number that is not given, in SI
 };
 
 /// Which of several forms of the physics a part takes. It is the same for all lanes of a pack.

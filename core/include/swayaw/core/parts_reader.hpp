@@ -14,7 +14,8 @@
 #include "swayaw/core/parameter.hpp"
 
 /// How ship files are read: one set of rules for every model. A model lists its parts in `sections()` and each part its
-/// numbers in `parameters()`; every key of the lists must be there, no other may be, and every number must lie in its range.
+/// numbers in `parameters()`; every key of the lists must be there, no other may be, and every number must lie in its
+/// range.
 namespace swayaw {
 
 /// Models of the ship files that this version understands.
@@ -26,10 +27,10 @@ struct FileNumber {
   std::string_view key;  ///< "kt[0]" is the first number of the list kt
   Range range;           ///< in the unit of the file
   Role role;
-  double si;             ///< SI value of one unit
+  double si;  ///< SI value of one unit
   bool required;
-  double fallback;       ///< where an optional number is not given, in SI
-  double* value;         ///< to be set, in SI
+  double fallback;  ///< where an optional number is not given, in SI
+  double* value;    ///< to be set, in SI
 };
 
 /// A word of a ship file that selects a form of the physics.
@@ -37,7 +38,7 @@ struct FileChoice {
   std::string_view table;
   std::string_view key;
   std::span<const std::string_view> names;
-  Selection* value;      ///< to be set
+  Selection* value;  ///< to be set
 };
 
 /// A list of numbers of a ship file, as long as the file likes; empty where it is not given.
@@ -67,14 +68,16 @@ struct FileEffect {
 /// The numbers of a part that stands in that table.
 template <class Part>
 void add_numbers(std::vector<FileNumber>& numbers, std::string_view table, Part& part) {
-  for (const auto& p : part.parameters()) numbers.push_back({table, p.key, p.range, p.role, p.si, p.required, p.fallback, &(part.*p.member)});
+  for (const auto& p : part.parameters())
+    numbers.push_back({table, p.key, p.range, p.role, p.si, p.required, p.fallback, &(part.*p.member)});
 }
 
 /// All numbers of a model, in the order of its lists.
 template <class Model>
 std::vector<FileNumber> file_numbers(Model& model) {
   std::vector<FileNumber> numbers;
-  std::apply([&](const auto&... section) { (add_numbers(numbers, section.table, model.*section.part), ...); }, Model::sections());
+  std::apply([&](const auto&... section) { (add_numbers(numbers, section.table, model.*section.part), ...); },
+             Model::sections());
   return numbers;
 }
 
@@ -135,7 +138,8 @@ class PartsReader {
   /// @throws FileError  at the place of the effect
   [[noreturn]] void fail(const FileEffect& effect, std::string_view what) const;
 
-  /// @throws FileError  with the place of the value; of the table where the key is not there, of the file where neither is
+  /// @throws FileError  with the place of the value; of the table where the key is not there, of the file where neither
+  /// is
   [[noreturn]] void fail(std::string_view table, std::string_view key, std::string_view what) const;
 
  private:

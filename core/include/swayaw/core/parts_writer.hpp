@@ -13,7 +13,7 @@ namespace swayaw {
 ///
 /// @param remark  lines above the file, without their "# "; may be empty
 /// @throws std::domain_error  if a number is not finite or not in its range
-std::string ship_text(std::string_view model, const ShipFileHead& head, const FileKeys& keys, const std::vector<FileEffect>& effects = {},
-                      std::string_view remark = {});
+std::string ship_text(std::string_view model, const ShipFileHead& head, const FileKeys& keys,
+                      const std::vector<FileEffect>& effects = {}, std::string_view remark = {});
 
 }  // namespace swayaw

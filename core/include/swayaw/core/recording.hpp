@@ -28,9 +28,9 @@ struct ExtraColumn {
 
 /// What is known of a run besides its samples.
 struct RunFacts {
-  std::string manoeuvre;                 ///< "zigzag 10/10", "turn 35", free text; empty if not said
-  std::optional<double> execute;         ///< time of the first rudder order [s]
-  std::optional<double> water_depth;     ///< [m]
+  std::string manoeuvre;              ///< "zigzag 10/10", "turn 35", free text; empty if not said
+  std::optional<double> execute;      ///< time of the first rudder order [s]
+  std::optional<double> water_depth;  ///< [m]
   std::vector<RunRemark> remarks;
 };
 
@@ -39,9 +39,9 @@ struct RunFacts {
 /// SI, radians, rudder positive to port, position and velocity of midship, heading unwrapped.
 /// Time increases strictly; sampling may be irregular; a missing sample is NaN.
 struct Recording {
-  std::string name;          ///< file name, or what made it
+  std::string name;  ///< file name, or what made it
   RunFacts facts;
-  std::vector<double> time;  ///< [s]
+  std::vector<double> time;                                 ///< [s]
   std::array<std::vector<double>, channel_count> channels;  ///< empty, or as long as `time`
   std::vector<ExtraColumn> extra;
 

@@ -13,8 +13,6 @@ constexpr double yaw_sign(Side side) { return side == Side::starboard ? 1.0 : -1
 /// Sign of the rudder angle that turns the ship to that side: positive to port (SNAME).
 constexpr double rudder_sign(Side side) { return -yaw_sign(side); }
 
-constexpr std::string_view name_of(Side side) {
-  return side == Side::starboard ? "starboard" : "port";
-}
+constexpr std::string_view name_of(Side side) { return side == Side::starboard ? "starboard" : "port"; }
 
 }  // namespace swayaw

@@ -25,10 +25,18 @@ struct SteeringGear {
     constexpr double degree = pi / 180.0;
     return std::array{
         P{.key = "rate_deg_s", .member = &SteeringGear::rate, .unit = "deg/s", .range = positive, .si = degree},
-        P{.key = "max_angle_deg", .member = &SteeringGear::max_angle, .unit = "deg",
-          .range = {.low = 0.0, .high = 90.0, .above_low = true}, .si = degree},
+        P{.key = "max_angle_deg",
+          .member = &SteeringGear::max_angle,
+          .unit = "deg",
+          .range = {.low = 0.0, .high = 90.0, .above_low = true},
+          .si = degree},
         P{.key = "lag_s", .member = &SteeringGear::lag, .unit = "s", .range = non_negative, .required = false},
-        P{.key = "dead_band_deg", .member = &SteeringGear::dead_band, .unit = "deg", .range = non_negative, .si = degree, .required = false},
+        P{.key = "dead_band_deg",
+          .member = &SteeringGear::dead_band,
+          .unit = "deg",
+          .range = non_negative,
+          .si = degree,
+          .required = false},
     };
   }
 };
@@ -61,7 +69,8 @@ class RudderMotion {
     // T ln(|e|/b) until |e| = b; without a dead band the rudder never quite arrives
     const Mask<S> settles = slow > band;
     S settling = S(0.0);
-    if (any(settles)) settling = select(settles, select(band > S(0.0), S(gear.lag * log(slow / band)), S(never)), settling);
+    if (any(settles))
+      settling = select(settles, select(band > S(0.0), S(gear.lag * log(slow / band)), S(never)), settling);
     motion.slowing_ = select(stays, S(never), S(time + (size - slow) / gear.rate));
     motion.rest_ = motion.slowing_ + settling;
     motion.order_ = order;
@@ -85,7 +94,8 @@ class RudderMotion {
   /// The same motion with an angle added.
   RudderMotion shifted(const S& angle) const {
     RudderMotion motion = *this;
-    for (const auto member : {&RudderMotion::angle_, &RudderMotion::order_, &RudderMotion::final_}) motion.*member = motion.*member + angle;
+    for (const auto member : {&RudderMotion::angle_, &RudderMotion::order_, &RudderMotion::final_})
+      motion.*member = motion.*member + angle;
     return motion;
   }
 
@@ -101,7 +111,9 @@ class RudderMotion {
     if (all(on_ramp)) return ramp;
     const Mask<S> fading = time > slowing_ && time < rest_;
     S end = final_;
-    if (any(fading)) end = select(fading, S(order_ + order_rate_ * (time - slowing_) - error_ * decay(S((time - slowing_) / lag_))), end);
+    if (any(fading))
+      end = select(fading, S(order_ + order_rate_ * (time - slowing_) - error_ * decay(S((time - slowing_) / lag_))),
+                   end);
     return select(on_ramp, ramp, end);
   }
 
@@ -111,7 +123,8 @@ class RudderMotion {
   /// One or the other motion, lane by lane.
   friend RudderMotion select(const Mask<S>& condition, const RudderMotion& a, const RudderMotion& b) {
     RudderMotion c;
-    for (const auto member : {&RudderMotion::start_, &RudderMotion::angle_, &RudderMotion::rate_, &RudderMotion::slowing_, &RudderMotion::order_, &RudderMotion::order_rate_,
+    for (const auto member : {&RudderMotion::start_, &RudderMotion::angle_, &RudderMotion::rate_,
+                              &RudderMotion::slowing_, &RudderMotion::order_, &RudderMotion::order_rate_,
                               &RudderMotion::error_, &RudderMotion::lag_, &RudderMotion::rest_, &RudderMotion::final_})
       c.*member = select(condition, a.*member, b.*member);
     return c;
@@ -120,16 +133,16 @@ class RudderMotion {
  private:
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  S start_ = S(0.0);      ///< [s]
-  S angle_ = S(0.0);      ///< at start [rad]
-  S rate_ = S(0.0);       ///< until slowing [rad/s]
-  S slowing_ = S(never);  ///< when the exponential begins [s]
-  S order_ = S(0.0);      ///< delta_c [rad]
-  S order_rate_ = S(0.0); ///< of the angle that the exponential tends to [rad/s]
-  S error_ = S(0.0);      ///< delta_c − delta when slowing begins [rad]
-  S lag_ = S(0.0);        ///< T [s]
-  S rest_ = S(never);     ///< when the rudder stops [s]
-  S final_ = S(0.0);      ///< angle at rest [rad]
+  S start_ = S(0.0);       ///< [s]
+  S angle_ = S(0.0);       ///< at start [rad]
+  S rate_ = S(0.0);        ///< until slowing [rad/s]
+  S slowing_ = S(never);   ///< when the exponential begins [s]
+  S order_ = S(0.0);       ///< delta_c [rad]
+  S order_rate_ = S(0.0);  ///< of the angle that the exponential tends to [rad/s]
+  S error_ = S(0.0);       ///< delta_c − delta when slowing begins [rad]
+  S lag_ = S(0.0);         ///< T [s]
+  S rest_ = S(never);      ///< when the rudder stops [s]
+  S final_ = S(0.0);       ///< angle at rest [rad]
 };
 
 }  // namespace swayaw

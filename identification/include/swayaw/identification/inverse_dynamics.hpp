@@ -4,7 +4,8 @@
 
 #include "swayaw/identification/state_estimate.hpp"
 
-/// Forces that a recorded ship must have felt, from her estimated motion. docs/state_estimation.md describes the method.
+/// Forces that a recorded ship must have felt, from her estimated motion. docs/state_estimation.md describes the
+/// method.
 namespace swayaw {
 
 /// X, Y, N as indices.
@@ -19,15 +20,17 @@ struct EstimatedForce {
 /// The forces at one sample.
 struct InverseDynamics {
   double time;
-  EstimatedForce damping;  ///< of the water, by the velocity of the ship: hull, propeller, rudder and what the model lacks
-  EstimatedForce hull;     ///< the same without what the model says of propeller, rudder and rudder–hull interaction
+  EstimatedForce
+      damping;          ///< of the water, by the velocity of the ship: hull, propeller, rudder and what the model lacks
+  EstimatedForce hull;  ///< the same without what the model says of propeller, rudder and rudder–hull interaction
 };
 
 /// The force that gives an acceleration to a ship and the water she entrains, the inverse of `acceleration`:
 ///
 ///     F = M (a − a_0),   a_0 the acceleration without force, M⁻¹ what each force gives to a ship at rest
 ///
-/// for every model, since acceleration is affine in the force, X apart from Y and N, and masses do not depend on the motion.
+/// for every model, since acceleration is affine in the force, X apart from Y and N, and masses do not depend on the
+/// motion.
 template <template <class> class Ship, class S>
 PlanarForce<S> force_of(const Ship<S>& ship, const PlanarMotion<S>& motion, const PlanarAcceleration<S>& a) {
   const S zero(0.0), one(1.0);
@@ -45,8 +48,9 @@ PlanarForce<S> force_of(const Ship<S>& ship, const PlanarMotion<S>& motion, cons
 ///     damping = M (a + d) − centrifugal and Coriolis terms − wind
 ///     hull = damping − propeller − rudder − rudder–hull interaction
 ///
-/// The covariance is J P Jᵀ of the estimated state and unmodelled acceleration, which are correlated. For the model the ship
-/// was estimated with; where she differs from the truth, d brings the force back to it as far as the imperfection allows.
+/// The covariance is J P Jᵀ of the estimated state and unmodelled acceleration, which are correlated. For the model the
+/// ship was estimated with; where she differs from the truth, d brings the force back to it as far as the imperfection
+/// allows.
 ///
 /// Source: [Alexandersson2024] eqs (1)–(3), (39)–(41), with propeller and interaction taken out too
 ///

@@ -9,15 +9,16 @@
 #include "swayaw/identification/measurement.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
-/// Where a recorded ship really was, how she moved, and what pushed her besides the model: extended Kalman filter with the
-/// ship as predictor, and smoother. docs/state_estimation.md describes the method.
+/// Where a recorded ship really was, how she moved, and what pushed her besides the model: extended Kalman filter with
+/// the ship as predictor, and smoother. docs/state_estimation.md describes the method.
 namespace swayaw {
 
 /// What acts on the ship besides the model: random accelerations a of surge, sway and yaw.
 ///
 ///     coloured, with a memory tau    da/dt = −a/tau + noise; size is the standard deviation of a [m/s², m/s², rad/s²]
 ///     coloured, memory infinite      da/dt = noise;          size is what a gains over one second [m/s², m/s², rad/s²]
-///     white                          a = noise;              size is what a velocity gains over one second [m/s, m/s, rad/s]
+///     white                          a = noise;              size is what a velocity gains over one second [m/s, m/s,
+///     rad/s]
 struct Imperfection {
   PlanarAcceleration<double> size;
 };
@@ -67,7 +68,7 @@ struct NoiseEstimate {
   Imperfection imperfection;  ///< known or estimated
   double log_likelihood;      ///< of all runs
   int iterations;
-  bool converged;             ///< true where nothing had to be estimated
+  bool converged;  ///< true where nothing had to be estimated
 };
 
 struct StateEstimate {
@@ -81,10 +82,11 @@ struct StateEstimate {
 
 /// Estimates the states of a recorded ship.
 ///
-/// Channels may miss samples, sampling may be irregular; heading and course are compared as directions. What is not known of
-/// noise and imperfection is estimated from the run itself.
+/// Channels may miss samples, sampling may be irregular; heading and course are compared as directions. What is not
+/// known of noise and imperfection is estimated from the run itself.
 ///
-/// @throws Refusal            if the run has no rudder angle, or none of the channels tells position or speed, or the ship does
+/// @throws Refusal            if the run has no rudder angle, or none of the channels tells position or speed, or the
+/// ship does
 ///                            not make way through the water
 /// @throws std::domain_error  if a known noise or the memory is not positive
 StateEstimate estimate_states(const Ship& ship, const Recording& run, const EstimationOptions& options = {});

@@ -11,7 +11,8 @@
 #include "swayaw/identification/measurement.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
-/// The numbers of a nonlinear ship with which her simulation runs through recordings. docs/trajectory_fit.md describes the method.
+/// The numbers of a nonlinear ship with which her simulation runs through recordings. docs/trajectory_fit.md describes
+/// the method.
 namespace swayaw {
 
 /// What a fit tells while it works.
@@ -23,19 +24,22 @@ struct TrajectoryProgress {
 };
 
 struct TrajectoryFitOptions {
-  std::vector<std::string> numbers;     ///< to be fitted, by name as in ship_numbers: "N_v", "rudder.x_prime"
-  std::vector<Channel> channels = {};   ///< to fit to, of measured_channels; empty: all that a run has
-  MeasurementNoise noise = {};          ///< known noise; otherwise estimated
-  double segment = 0.5;                 ///< length of the segments in which the runs are sailed [ship lengths], shorter where the ship that is given
-                                        ///< leaves the recording before; infinite: none, single shooting
-  std::optional<PlanarAcceleration<double>> disturbance = {};  ///< white random accelerations act on the ship: standard deviation that
-                                        ///< a velocity gains over one second [m/s, m/s, rad/s]. Segments remain, and end apart
-  bool priors = false;                  ///< the numbers as given, with the ship's confidence, count as measurements
-  std::optional<double> robust = {};    ///< residuals beyond so many standard deviations count with their size, not its square: 1.345
-  double step = 0.04;                   ///< longest step of the integration [ship lengths]
+  std::vector<std::string> numbers;    ///< to be fitted, by name as in ship_numbers: "N_v", "rudder.x_prime"
+  std::vector<Channel> channels = {};  ///< to fit to, of measured_channels; empty: all that a run has
+  MeasurementNoise noise = {};         ///< known noise; otherwise estimated
+  double segment = 0.5;  ///< length of the segments in which the runs are sailed [ship lengths], shorter where the ship
+                         ///< that is given leaves the recording before; infinite: none, single shooting
+  std::optional<PlanarAcceleration<double>> disturbance =
+      {};               ///< white random accelerations act on the ship: standard deviation that
+                        ///< a velocity gains over one second [m/s, m/s, rad/s]. Segments remain, and end apart
+  bool priors = false;  ///< the numbers as given, with the ship's confidence, count as measurements
+  std::optional<double> robust =
+      {};              ///< residuals beyond so many standard deviations count with their size, not its square: 1.345
+  double step = 0.04;  ///< longest step of the integration [ship lengths]
   int most_iterations = 100;
-  unsigned threads = 0;                 ///< that simulate segments side by side; 0 for one on each core
-  std::function<bool(const TrajectoryProgress&)> progress = {};  ///< after each iteration; false ends the fit with the best so far
+  unsigned threads = 0;  ///< that simulate segments side by side; 0 for one on each core
+  std::function<bool(const TrajectoryProgress&)> progress =
+      {};  ///< after each iteration; false ends the fit with the best so far
 };
 
 enum class TrajectoryFitStatus {
@@ -56,10 +60,11 @@ struct FittedNumber {
 struct ChannelResiduals {
   Channel channel;
   std::size_t count;
-  double before;            ///< rms with the ship that was given, from the recorded start
-  double after;             ///< rms with the fitted ship
-  double autocorrelation;   ///< of successive residuals: near 0 where the model and the noise are right
-  double effective_count;   ///< number of independent residuals that tell as much: count (1 − autocorrelation)/(1 + autocorrelation)
+  double before;           ///< rms with the ship that was given, from the recorded start
+  double after;            ///< rms with the fitted ship
+  double autocorrelation;  ///< of successive residuals: near 0 where the model and the noise are right
+  double effective_count;  ///< number of independent residuals that tell as much: count (1 − autocorrelation)/(1 +
+                           ///< autocorrelation)
 };
 
 struct FittedRun {
@@ -69,28 +74,29 @@ struct FittedRun {
 };
 
 struct TrajectoryFit {
-  Ship ship;                                     ///< with the fitted numbers
+  Ship ship;  ///< with the fitted numbers
   TrajectoryFitStatus status;
-  std::vector<FittedNumber> numbers;             ///< in the order of the options
-  std::vector<std::vector<double>> covariance;   ///< of the numbers; not a number where the recordings do not tell them
+  std::vector<FittedNumber> numbers;            ///< in the order of the options
+  std::vector<std::vector<double>> covariance;  ///< of the numbers; not a number where the recordings do not tell them
   std::vector<std::vector<double>> correlation;
-  double condition_number;                       ///< largest over smallest relative standard error of combinations of the numbers
-  std::string best_combination;                  ///< which product of powers is known best, "|Y_v|^0.71 |N_v|^-0.70 to 0.4 %"
-  std::vector<std::string> undetermined;         ///< those with a relative error of 50 % and more, worst first
-  MeasurementNoise noise;                        ///< of the channels used: known or estimated
+  double condition_number;       ///< largest over smallest relative standard error of combinations of the numbers
+  std::string best_combination;  ///< which product of powers is known best, "|Y_v|^0.71 |N_v|^-0.70 to 0.4 %"
+  std::vector<std::string> undetermined;  ///< those with a relative error of 50 % and more, worst first
+  MeasurementNoise noise;                 ///< of the channels used: known or estimated
   double log_likelihood;
   std::vector<FittedRun> runs;
   int iterations;
-  double sensitivities;                          ///< how often all runs were simulated with derivatives
+  double sensitivities;  ///< how often all runs were simulated with derivatives
 };
 
 /// Numbers of a ship fitted to recordings by multiple shooting; each run starts from a state that is fitted too.
 ///
-/// Maximum likelihood of white measurement noise around the simulated run (output errors), with exact derivatives of the simulation by
-/// start and numbers. Rudder and propulsion are those of the recording. Standard errors allow for residuals that are correlated
-/// over a part of a ship length.
+/// Maximum likelihood of white measurement noise around the simulated run (output errors), with exact derivatives of
+/// the simulation by start and numbers. Rudder and propulsion are those of the recording. Standard errors allow for
+/// residuals that are correlated over a part of a ship length.
 ///
-/// @throws Refusal            if there is nothing to fit or to fit to, a number does not exist, a run has no rudder angle or does not tell
+/// @throws Refusal            if there is nothing to fit or to fit to, a number does not exist, a run has no rudder
+/// angle or does not tell
 ///                            its speed, or the ship that was given cannot be simulated
 /// @throws std::domain_error  if a known noise, the segment, the step or `robust` is not positive
 TrajectoryFit fit_trajectories(const Ship& ship, std::span<const Recording> runs, const TrajectoryFitOptions& options);

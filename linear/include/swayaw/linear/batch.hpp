@@ -6,8 +6,8 @@
 
 #include "swayaw/linear/loop.hpp"
 
-/// Many ships at once: over SIMD packs with the instruction set of the processor that runs the program, and over all cores.
-/// The results are those of the functions for one ship, whatever the instruction set and the number of threads.
+/// Many ships at once: over SIMD packs with the instruction set of the processor that runs the program, and over all
+/// cores. The results are those of the functions for one ship, whatever the instruction set and the number of threads.
 namespace swayaw {
 
 enum class InstructionSet {
@@ -32,12 +32,12 @@ using ShipColumns = SwayYawCoefficients<std::span<const double>>;
 /// Reversals of many zigzags; those of a ship that were not reached are not a number.
 struct ZigzagTable {
   std::size_t ships = 0;
-  std::size_t reversals = 0;      ///< asked for
-  std::vector<double> execute;    ///< s' at which the heading reaches H, [reversal · ships + ship]
-  std::vector<double> peak;       ///< s' at which the yaw rate passes zero
-  std::vector<double> overshoot;  ///< heading beyond H at the peak [rad]
+  std::size_t reversals = 0;         ///< asked for
+  std::vector<double> execute;       ///< s' at which the heading reaches H, [reversal · ships + ship]
+  std::vector<double> peak;          ///< s' at which the yaw rate passes zero
+  std::vector<double> overshoot;     ///< heading beyond H at the peak [rad]
   std::vector<unsigned char> count;  ///< how many reversals each ship made
-  std::size_t by_numbers = 0;     ///< ships that the packs left to the scalar code
+  std::size_t by_numbers = 0;        ///< ships that the packs left to the scalar code
 
   std::size_t at(std::size_t reversal, std::size_t ship) const { return reversal * ships + ship; }
 };
@@ -45,21 +45,24 @@ struct ZigzagTable {
 /// The zigzag of every ship, switches as `linear_zigzag` gives them to 1e-10, less where the heading hardly reaches H.
 ///
 /// The packs follow ships with real poles well apart and away from zero, one ship a lane, and leave the others to the
-/// scalar code, together with those for which the signs at the ends of a leg do not settle how often the heading or yaw rate
-/// passes its goal.
+/// scalar code, together with those for which the signs at the ends of a leg do not settle how often the heading or yaw
+/// rate passes its goal.
 ///
-/// @throws std::domain_error  if the columns differ in length, an angle or the rate is not positive, more than 16 reversals
+/// @throws std::domain_error  if the columns differ in length, an angle or the rate is not positive, more than 16
+/// reversals
 ///                            are asked for, or the instruction set is not available
 ZigzagTable zigzag_batch(const ShipColumns& ships, const LinearZigzagOrder& order, const BatchOptions& options = {});
 
 /// The same into a table of before, whose memory serves again.
-void zigzag_batch(const ShipColumns& ships, const LinearZigzagOrder& order, ZigzagTable& table, const BatchOptions& options = {});
+void zigzag_batch(const ShipColumns& ships, const LinearZigzagOrder& order, ZigzagTable& table,
+                  const BatchOptions& options = {});
 
-/// States at s' = 0, step, 2 step, … of a zigzag or any legs that follow each other, as many as `states` holds, by the exact
-/// map over a step. Beyond the last leg its rudder goes on.
+/// States at s' = 0, step, 2 step, … of a zigzag or any legs that follow each other, as many as `states` holds, by the
+/// exact map over a step. Beyond the last leg its rudder goes on.
 ///
 /// @throws std::domain_error  if there are no legs, or the step is not positive
-void sample_legs(const SwayYawCoefficients<double>& ship, std::span<const Leg<double>> legs, double step, std::span<LinearState<double>> states);
+void sample_legs(const SwayYawCoefficients<double>& ship, std::span<const Leg<double>> legs, double step,
+                 std::span<LinearState<double>> states);
 
 /// Limit cycle and first overshoots of one ship of a map.
 struct T3Point {
@@ -90,7 +93,7 @@ struct T3Map {
 /// |nb0 nw0 (T3w − T3b)| times that of the (z, z') loop. Defined for T3b = T3w too, where the loop is a line.
 ///
 /// @throws std::domain_error  if T1 T2, Kb or Kw is 0, or an angle or the rate of the order is not positive
-T3Map t3_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& order, std::span<const double> T3b, std::span<const double> T3w,
-             unsigned threads = 0);
+T3Map t3_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& order, std::span<const double> T3b,
+             std::span<const double> T3w, unsigned threads = 0);
 
 }  // namespace swayaw

@@ -57,7 +57,8 @@ DimensionalSwayYaw<S> dimensional(const SwayYawCoefficients<S>& m, const PrimeSc
 template <class S>
 SwayYawCoefficients<S> to_prime(const DimensionalSwayYaw<S>& d, const PrimeScale& scale) {
   const double U = scale.U, L = scale.L, rate = U / L;
-  return {d.v_v / rate, -d.v_r / U, -d.v_delta / (U * rate), -d.r_v / (rate / L), d.r_r / rate, d.r_delta / (rate * rate)};
+  return {d.v_v / rate,        -d.v_r / U,   -d.v_delta / (U * rate),
+          -d.r_v / (rate / L), d.r_r / rate, d.r_delta / (rate * rate)};
 }
 
 }  // namespace swayaw

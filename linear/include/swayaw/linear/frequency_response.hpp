@@ -11,8 +11,8 @@
 /// Drift, yaw rate and heading under a rudder that swings sinusoidally.
 ///
 /// To delta = cos(nu s') belongs one periodic motion, beta = Re[H exp(j nu s')], likewise omega' and psi; nu in radians
-/// per ship length. A stable ship settles into it from every start. An unstable or neutral ship has it too and leaves it
-/// when disturbed.
+/// per ship length. A stable ship settles into it from every start. An unstable or neutral ship has it too and leaves
+/// it when disturbed.
 namespace swayaw {
 
 /// Transfer function from the rudder to one motion, of the Laplace variable p:
@@ -50,7 +50,8 @@ struct Phasor {
 inline std::complex<double> as_complex(const Phasor<double>& z) { return {z.re, z.im}; }
 
 /// H(j nu) = (n0 + j nu n1)(e0 − nu² − j nu e1) / [(e0 − nu²)² + nu² e1²], divided by j nu for the heading.
-/// Valid for nu > 0 unless the ship swings undamped at nu (e1 = 0, nu² = e0); at nu = 0 the static gain where there is one.
+/// Valid for nu > 0 unless the ship swings undamped at nu (e1 = 0, nu² = e0); at nu = 0 the static gain where there is
+/// one.
 template <class S>
 Phasor<S> response_at(const RudderTransfer<S>& t, const S& nu) {
   const S nu2 = nu * nu, real = t.e0 - nu2;
@@ -72,8 +73,8 @@ S gain(const RudderTransfer<S>& t, const S& nu) {
 ///
 ///     arg(n0 + j nu n1) − arg(e0 − nu² + j nu e1) − integrals π/2,
 ///
-/// since the imaginary parts keep their sign. The numerator starts from 0 for n0 ≥ 0 and from −π for n0 < 0, so drift and
-/// yaw of a stable ship start from −π (a rudder to port turns to port) and her heading from −3π/2.
+/// since the imaginary parts keep their sign. The numerator starts from 0 for n0 ≥ 0 and from −π for n0 < 0, so drift
+/// and yaw of a stable ship start from −π (a rudder to port turns to port) and her heading from −3π/2.
 template <class S>
 S phase(const RudderTransfer<S>& t, const S& nu) {
   const double side = value_of(t.n0) < 0.0 ? -1.0 : 1.0;
@@ -91,7 +92,8 @@ struct BodePoint {
 
 /// Bode diagram at the given frequencies, radians per ship length.
 /// @throws std::domain_error  if a frequency, the length or the speed is not positive
-std::vector<BodePoint> bode(const RudderTransfer<double>& t, const std::vector<double>& frequencies, const PrimeScale& scale);
+std::vector<BodePoint> bode(const RudderTransfer<double>& t, const std::vector<double>& frequencies,
+                            const PrimeScale& scale);
 
 /// `count` frequencies from `low` to `high`, equal ratios apart.
 /// @throws std::domain_error  if a bound is not positive or there are fewer than 2
@@ -105,8 +107,8 @@ std::vector<double> logarithmic_frequencies(double low, double high, std::size_t
 /// @throws std::domain_error  if the gain is not positive
 std::optional<double> highest_frequency_with_gain(const RudderTransfer<double>& t, double gain);
 
-/// Frequency above which the gain stays below 1/√2 of the static gain |n0/e0|. Drift and yaw of every ship with a static
-/// gain have exactly one: the product of the two roots is negative.
+/// Frequency above which the gain stays below 1/√2 of the static gain |n0/e0|. Drift and yaw of every ship with a
+/// static gain have exactly one: the product of the two roots is negative.
 /// @return nothing for the heading, a neutral ship and n0 = 0
 std::optional<double> bandwidth(const RudderTransfer<double>& t);
 
@@ -116,7 +118,8 @@ struct Crossover {
   double phase_margin;  ///< by which the phase of the loop is above −π [rad], in [−π, π]
 };
 
-/// Crossover of the loop of a helmsman who orders delta = k (psi − wanted): −k psi/delta at its highest frequency with gain 1.
+/// Crossover of the loop of a helmsman who orders delta = k (psi − wanted): −k psi/delta at its highest frequency with
+/// gain 1.
 /// @return nothing when the loop has gain 1 nowhere
 /// @throws std::domain_error  if k is not positive
 std::optional<Crossover> crossover(const SwayYawTransfer<double>& h, double k);

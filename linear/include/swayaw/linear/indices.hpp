@@ -28,9 +28,12 @@ struct SteeringIndices {
       return Parameter<SteeringIndices, S>{key, member, "-", range, Role::coefficient};
     };
     return std::array{
-        index("T1T2", &SteeringIndices::T1T2, not_zero), index("T1_plus_T2", &SteeringIndices::T1_plus_T2),
-        index("T3b", &SteeringIndices::T3b),             index("T3w", &SteeringIndices::T3w),
-        index("Kb", &SteeringIndices::Kb),               index("Kw", &SteeringIndices::Kw),
+        index("T1T2", &SteeringIndices::T1T2, not_zero),
+        index("T1_plus_T2", &SteeringIndices::T1_plus_T2),
+        index("T3b", &SteeringIndices::T3b),
+        index("T3w", &SteeringIndices::T3w),
+        index("Kb", &SteeringIndices::Kb),
+        index("Kw", &SteeringIndices::Kw),
     };
   }
 };
@@ -106,7 +109,7 @@ template <class S>
 SwayYawCoefficients<S> coefficients_by_controllability(const SteeringIndices<S>& i) {
   const auto h = transfer_functions(i);
   const S c1 = h.nb1, c2 = h.nw1;
-  const S w1 = h.nb0 - h.e1 * c1, w2 = h.nw0 - h.e1 * c2;          // A c, since n(s) = c s + (A c + e1 c)
+  const S w1 = h.nb0 - h.e1 * c1, w2 = h.nw0 - h.e1 * c2;            // A c, since n(s) = c s + (A c + e1 c)
   const S z1 = -h.e1 * w1 - h.e0 * c1, z2 = -h.e1 * w2 - h.e0 * c2;  // A w
   const S over = 1.0 / (c1 * w2 - c2 * w1);
   return {

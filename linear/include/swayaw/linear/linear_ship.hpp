@@ -44,7 +44,8 @@ struct LinearShip {
 /// Transfer functions; every linear ship has them.
 SwayYawTransfer<double> transfer_functions(const LinearShip& ship);
 
-/// Steering indices. Infinite or not a number for a neutral ship, or where Kb or Kw is 0, unless the ship is given by them.
+/// Steering indices. Infinite or not a number for a neutral ship, or where Kb or Kw is 0, unless the ship is given by
+/// them.
 SteeringIndices<double> indices(const LinearShip& ship);
 
 /// Whether there are coupled equations: not where the ship is given by indices with T3b = T3w, or Kb or Kw = 0.
@@ -54,7 +55,8 @@ bool has_coefficients(const LinearShip& ship);
 /// @throws Refusal  unless `has_coefficients`
 SwayYawCoefficients<double> coefficients(const LinearShip& ship);
 
-/// Coefficients with the ship's yaw equation: her own, or else those of another ship whose heading moves alike and whose drift does not.
+/// Coefficients with the ship's yaw equation: her own, or else those of another ship whose heading moves alike and
+/// whose drift does not.
 /// @throws Refusal  if Kw = 0
 SwayYawCoefficients<double> yaw_coefficients(const LinearShip& ship);
 
@@ -64,8 +66,8 @@ inline const LinearParts<double>* parts(const LinearShip& ship) { return std::ge
 /// Length of the ship and a speed.
 inline PrimeScale prime_scale(const LinearShip& ship, double speed) { return {.L = ship.particulars.L, .U = speed}; }
 
-/// Mass, inertia and added masses of a hull with the centre of gravity midship, in the prime system ½ρL²T of `LinearHull`;
-/// the derivatives are left 0. m' = 2 c_B B/L
+/// Mass, inertia and added masses of a hull with the centre of gravity midship, in the prime system ½ρL²T of
+/// `LinearHull`; the derivatives are left 0. m' = 2 c_B B/L
 SnameDerivatives<double> inertia(const LinearHull<double>& hull);
 
 }  // namespace swayaw

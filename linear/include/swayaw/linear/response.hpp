@@ -40,21 +40,26 @@ struct LinearResponse {
 ///
 /// @param b  the basis functions at the time s
 template <class S>
-LinearState<S> state_after(const LinearResponse<S>& ship, const LinearState<S>& start, const RudderLine<S>& rudder, const ResponseBasis<S>& b) {
+LinearState<S> state_after(const LinearResponse<S>& ship, const LinearState<S>& start, const RudderLine<S>& rudder,
+                           const ResponseBasis<S>& b) {
   const auto& m = ship.m;
   const auto& n = ship.h;
   const S yaw = m.a2 * start.beta - m.a1 * start.omega;
   const S drift = m.b1 * start.omega - m.b2 * start.beta;
   return {
-      .beta = b.h_1 * start.beta + b.h0 * drift + rudder.value * (b.h0 * m.c1 + b.h1 * n.nb0) + rudder.rate * (b.h1 * m.c1 + b.h2 * n.nb0),
-      .omega = b.h_1 * start.omega + b.h0 * yaw + rudder.value * (b.h0 * m.c2 + b.h1 * n.nw0) + rudder.rate * (b.h1 * m.c2 + b.h2 * n.nw0),
-      .psi = start.psi + b.h0 * start.omega + b.h1 * yaw + rudder.value * (b.h1 * m.c2 + b.h2 * n.nw0) + rudder.rate * (b.h2 * m.c2 + b.h3 * n.nw0),
+      .beta = b.h_1 * start.beta + b.h0 * drift + rudder.value * (b.h0 * m.c1 + b.h1 * n.nb0) +
+              rudder.rate * (b.h1 * m.c1 + b.h2 * n.nb0),
+      .omega = b.h_1 * start.omega + b.h0 * yaw + rudder.value * (b.h0 * m.c2 + b.h1 * n.nw0) +
+               rudder.rate * (b.h1 * m.c2 + b.h2 * n.nw0),
+      .psi = start.psi + b.h0 * start.omega + b.h1 * yaw + rudder.value * (b.h1 * m.c2 + b.h2 * n.nw0) +
+             rudder.rate * (b.h2 * m.c2 + b.h3 * n.nw0),
   };
 }
 
 /// The same for one time alone.
 template <class S>
-LinearState<S> state_after(const LinearResponse<S>& ship, const LinearState<S>& start, const RudderLine<S>& rudder, const S& s) {
+LinearState<S> state_after(const LinearResponse<S>& ship, const LinearState<S>& start, const RudderLine<S>& rudder,
+                           const S& s) {
   return state_after(ship, start, rudder, response_basis(ship.p, s));
 }
 

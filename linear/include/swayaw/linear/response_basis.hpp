@@ -38,14 +38,20 @@ ResponseBasis<S> basis_by_series(const S& tr, const S& det, const S& s) {
   std::array<S, terms> p;
   p[0] = S(1.0);
   p[1] = tr;
-  for (int j = 2; j < terms; ++j) p[static_cast<std::size_t>(j)] = tr * p[static_cast<std::size_t>(j - 1)] - det * p[static_cast<std::size_t>(j - 2)];
+  for (int j = 2; j < terms; ++j)
+    p[static_cast<std::size_t>(j)] = tr * p[static_cast<std::size_t>(j - 1)] - det * p[static_cast<std::size_t>(j - 2)];
   const auto sum = [&](int k) {  // Σ p_j s^j (k+1)!/(j+1+k)!
     S value = p[terms - 1];
-    for (int j = terms - 2; j >= 0; --j) value = p[static_cast<std::size_t>(j)] + value * (s * one_over[static_cast<std::size_t>(j + 2 + k)]);
+    for (int j = terms - 2; j >= 0; --j)
+      value = p[static_cast<std::size_t>(j)] + value * (s * one_over[static_cast<std::size_t>(j + 2 + k)]);
     return value;
   };
   const S s2 = s * s;
-  return {.h_1 = sum(-1), .h0 = s * sum(0), .h1 = s2 * 0.5 * sum(1), .h2 = s2 * s * (1.0 / 6.0) * sum(2), .h3 = s2 * s2 * (1.0 / 24.0) * sum(3)};
+  return {.h_1 = sum(-1),
+          .h0 = s * sum(0),
+          .h1 = s2 * 0.5 * sum(1),
+          .h2 = s2 * s * (1.0 / 6.0) * sum(2),
+          .h3 = s2 * s2 * (1.0 / 24.0) * sum(3)};
 }
 
 /// φ_1 … φ_3 of z = l s with e = exp(z): φ_k = (φ_{k−1} − 1/(k−1)!)/z, by series near 0.
@@ -107,10 +113,10 @@ ResponseBasis<S> basis_by_recursion(const S& tr, const S& det, const S& q, const
 /// Poles of a second-order equation, prepared for many times.
 template <class S>
 struct Poles {
-  S tr;         ///< sum of the poles
-  S det;        ///< their product
-  S q;          ///< (tr/2)² − det, square of half their distance; negative for a complex pair
-  S slow, fast; ///< the poles, if they are real and well apart
+  S tr;          ///< sum of the poles
+  S det;         ///< their product
+  S q;           ///< (tr/2)² − det, square of half their distance; negative for a complex pair
+  S slow, fast;  ///< the poles, if they are real and well apart
   bool apart;
   double size;  ///< largest magnitude
 };
@@ -119,7 +125,13 @@ template <class S>
 Poles<S> poles(const S& tr, const S& det) {
   const S mu = 0.5 * tr, q = mu * mu - det;
   const double m = std::abs(value_of(mu)), distance2 = value_of(q);
-  Poles<S> p{.tr = tr, .det = det, .q = q, .slow = mu, .fast = mu, .apart = distance2 > 0.04 * m * m && distance2 > 0.0, .size = 0.0};
+  Poles<S> p{.tr = tr,
+             .det = det,
+             .q = q,
+             .slow = mu,
+             .fast = mu,
+             .apart = distance2 > 0.04 * m * m && distance2 > 0.0,
+             .size = 0.0};
   p.size = distance2 >= 0.0 ? m + std::sqrt(distance2) : std::sqrt(std::abs(value_of(det)));
   if (!p.apart) return p;
   // the faster pole without cancellation, the slower one from the product

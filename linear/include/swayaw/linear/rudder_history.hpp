@@ -11,8 +11,8 @@
 /// Exact response to a rudder that moves in straight lines of time.
 namespace swayaw {
 
-/// Rudder angle over dimensionless time, straight lines between the points and held after the last. Two points at one time
-/// are a step.
+/// Rudder angle over dimensionless time, straight lines between the points and held after the last. Two points at one
+/// time are a step.
 struct RudderHistory {
   std::vector<double> s;      ///< ship lengths, never descending; the motion starts at the first
   std::vector<double> delta;  ///< rudder angle [rad], positive to port
@@ -32,7 +32,8 @@ RudderHistory rudder_ramp_and_hold(double angle, double rate);
 /// The rudder of a zigzag.
 RudderHistory rudder_history(const LinearZigzag<double>& zigzag);
 
-/// @throws std::domain_error  if a history is empty, its lists differ in length, a number is not finite or time runs back
+/// @throws std::domain_error  if a history is empty, its lists differ in length, a number is not finite or time runs
+/// back
 void require_history(const RudderHistory& history);
 
 /// The motion from `start` until s' = `until` as legs, each in closed form.
@@ -50,7 +51,8 @@ std::vector<Leg<S>> legs(const LinearResponse<S>& ship, const RudderHistory& his
   };
   const auto &s = history.s, &delta = history.delta;
   for (std::size_t i = 0; i + 1 < s.size() && s[i] < until; ++i)
-    if (s[i + 1] > s[i]) sail(s[i], std::min(s[i + 1], until), {S(delta[i]), S((delta[i + 1] - delta[i]) / (s[i + 1] - s[i]))});
+    if (s[i + 1] > s[i])
+      sail(s[i], std::min(s[i + 1], until), {S(delta[i]), S((delta[i + 1] - delta[i]) / (s[i + 1] - s[i]))});
   if (until > s.back() || result.empty()) sail(std::min(s.back(), until), until, {S(delta.back()), S(0.0)});
   return result;
 }
@@ -62,7 +64,8 @@ const Leg<S>& leg_at(const std::vector<Leg<S>>& all, double s) {
   if (all.empty() || !(s >= value_of(all.front().from))) throw std::domain_error("the time is before the first leg");
   const double end = value_of(all.back().from) + value_of(all.back().length);
   if (s > end + 1e-12 * (1.0 + std::abs(end))) throw std::domain_error("the time is after the last leg");
-  const auto after = std::upper_bound(all.begin(), all.end(), s, [](double time, const Leg<S>& leg) { return time < value_of(leg.from); });
+  const auto after = std::upper_bound(all.begin(), all.end(), s,
+                                      [](double time, const Leg<S>& leg) { return time < value_of(leg.from); });
   return *(after - 1);
 }
 
@@ -83,7 +86,8 @@ LinearState<S> state_at(const LinearResponse<S>& ship, const std::vector<Leg<S>>
 /// States at the given times, in any order, of a ship under a rudder history.
 /// @throws std::domain_error  for a history that is none, or a time before its start
 template <class S>
-std::vector<LinearState<S>> response_to(const LinearResponse<S>& ship, const RudderHistory& history, const std::vector<double>& times,
+std::vector<LinearState<S>> response_to(const LinearResponse<S>& ship, const RudderHistory& history,
+                                        const std::vector<double>& times,
                                         const LinearState<S>& start = {S(0.0), S(0.0), S(0.0)}) {
   std::vector<LinearState<S>> states;
   if (times.empty()) return states;

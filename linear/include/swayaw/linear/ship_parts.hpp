@@ -125,10 +125,18 @@ SwayYawSplit<S> coefficients(const LinearParts<S>& ship) {
   const S x = rudder.x_Reff;
   const S a1R = -R * q / f.sway;
   return {
-      .hull = {.a1 = -f.h / f.sway * hull.Y_b * (180.0 / pi), .b1 = -f.h / f.sway * hull.Y_w, .c1 = zero,
-               .a2 = f.h / f.yaw * hull.N_b * (180.0 / pi), .b2 = f.h / f.yaw * hull.N_w, .c2 = zero},
-      .rudder = {.a1 = a1R, .b1 = -a1R * x, .c1 = -R / f.sway,
-                 .a2 = R * q * x / f.yaw, .b2 = -R * q * x * x / f.yaw, .c2 = R * x / f.yaw},
+      .hull = {.a1 = -f.h / f.sway * hull.Y_b * (180.0 / pi),
+               .b1 = -f.h / f.sway * hull.Y_w,
+               .c1 = zero,
+               .a2 = f.h / f.yaw * hull.N_b * (180.0 / pi),
+               .b2 = f.h / f.yaw * hull.N_w,
+               .c2 = zero},
+      .rudder = {.a1 = a1R,
+                 .b1 = -a1R * x,
+                 .c1 = -R / f.sway,
+                 .a2 = R * q * x / f.yaw,
+                 .b2 = -R * q * x * x / f.yaw,
+                 .c2 = R * x / f.yaw},
       .centrifugal = {.a1 = zero, .b1 = (1.0 + hull.k_11) / f.sway, .c1 = zero, .a2 = zero, .b2 = zero, .c2 = zero},
   };
 }
@@ -150,7 +158,7 @@ LinearParts<S> parts_from(const SwayYawCoefficients<S>& m, LinearParts<S> ship, 
   rudder.a_H = -m.c1 * f.sway / f.rudder - 1.0;
   rudder.x_Reff = -m.c2 / m.c1 * f.yaw / f.sway;
   const S x = rudder.x_Reff;
-  const S per_q = f.rudder * (1.0 + rudder.a_H);            // R
+  const S per_q = f.rudder * (1.0 + rudder.a_H);  // R
   const S b1C = (1.0 + hull.k_11) / f.sway;
   const S Yb_scale = -f.h / f.sway * (180.0 / pi), Yw_scale = -f.h / f.sway;
   const S Nb_scale = f.h / f.yaw * (180.0 / pi), Nw_scale = f.h / f.yaw;

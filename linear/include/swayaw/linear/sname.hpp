@@ -4,7 +4,8 @@
 
 namespace swayaw {
 
-/// Linear derivatives in the SNAME form, all primed in one system (½ρL³ for mass, ½ρL²U² for force, or their L²T twins):
+/// Linear derivatives in the SNAME form, all primed in one system (½ρL³ for mass, ½ρL²U² for force, or their L²T
+/// twins):
 ///
 ///     (m' − Y_vdot) dv'/ds' + (m' x_G − Y_rdot) dr'/ds' = Y_v v' + (Y_r − m') r' + Y_delta delta
 ///     (m' x_G − N_vdot) dv'/ds' + (I_z − N_rdot) dr'/ds' = N_v v' + (N_r − m' x_G) r' + N_delta delta
@@ -12,13 +13,13 @@ namespace swayaw {
 /// about midship, delta positive to port. v' = v/U = −beta, r' = omega'.
 template <class S = double>
 struct SnameDerivatives {
-  S m;                         ///< mass
-  S x_G;                       ///< centre of gravity forward of midship over length
-  S I_z;                       ///< moment of inertia about midship
-  S Y_vdot, Y_rdot;            ///< added masses, sway
-  S N_vdot, N_rdot;            ///< added masses, yaw
-  S Y_v, Y_r, Y_delta;         ///< sway
-  S N_v, N_r, N_delta;         ///< yaw
+  S m;                  ///< mass
+  S x_G;                ///< centre of gravity forward of midship over length
+  S I_z;                ///< moment of inertia about midship
+  S Y_vdot, Y_rdot;     ///< added masses, sway
+  S N_vdot, N_rdot;     ///< added masses, yaw
+  S Y_v, Y_r, Y_delta;  ///< sway
+  S N_v, N_r, N_delta;  ///< yaw
 };
 
 /// The sign of a rudder angle that turns the ship to port.
@@ -26,7 +27,8 @@ enum class RudderConvention { positive_to_port, positive_to_starboard };
 
 /// Coefficients of the coupled equations, A = M⁻¹F with the signs of v' = −beta.
 template <class S>
-SwayYawCoefficients<S> coefficients(const SnameDerivatives<S>& d, RudderConvention rudder = RudderConvention::positive_to_port) {
+SwayYawCoefficients<S> coefficients(const SnameDerivatives<S>& d,
+                                    RudderConvention rudder = RudderConvention::positive_to_port) {
   const S m11 = d.m - d.Y_vdot, m12 = d.m * d.x_G - d.Y_rdot;
   const S m21 = d.m * d.x_G - d.N_vdot, m22 = d.I_z - d.N_rdot;
   const S f12 = d.Y_r - d.m, f22 = d.N_r - d.m * d.x_G;
@@ -44,7 +46,8 @@ SwayYawCoefficients<S> coefficients(const SnameDerivatives<S>& d, RudderConventi
   };
 }
 
-/// The derivatives Y_v … N_delta that give the coefficients, with mass, inertia and added masses as in `inertia`; F = M A.
+/// The derivatives Y_v … N_delta that give the coefficients, with mass, inertia and added masses as in `inertia`; F = M
+/// A.
 template <class S>
 SnameDerivatives<S> sname_derivatives(const SwayYawCoefficients<S>& c, SnameDerivatives<S> inertia,
                                       RudderConvention rudder = RudderConvention::positive_to_port) {

@@ -24,8 +24,9 @@ struct SwayYawCoefficients {
       return Parameter<SwayYawCoefficients, S>{key, member, "-", any_number, Role::coefficient};
     };
     return std::array{
-        coefficient("a1", &SwayYawCoefficients::a1), coefficient("b1", &SwayYawCoefficients::b1), coefficient("c1", &SwayYawCoefficients::c1),
-        coefficient("a2", &SwayYawCoefficients::a2), coefficient("b2", &SwayYawCoefficients::b2), coefficient("c2", &SwayYawCoefficients::c2),
+        coefficient("a1", &SwayYawCoefficients::a1), coefficient("b1", &SwayYawCoefficients::b1),
+        coefficient("c1", &SwayYawCoefficients::c1), coefficient("a2", &SwayYawCoefficients::a2),
+        coefficient("b2", &SwayYawCoefficients::b2), coefficient("c2", &SwayYawCoefficients::c2),
     };
   }
 };

@@ -22,6 +22,7 @@ TrackPoint run_along(const LinearResponse<double>& ship, const Leg<double>& leg,
 
 /// Track through legs that follow each other, of a zigzag or a rudder history, at the given times in any order.
 /// @throws std::domain_error  if there are no legs, or a time is before the first or after the last
-std::vector<TrackPoint> track(const LinearResponse<double>& ship, const std::vector<Leg<double>>& legs, const std::vector<double>& times);
+std::vector<TrackPoint> track(const LinearResponse<double>& ship, const std::vector<Leg<double>>& legs,
+                              const std::vector<double>& times);
 
 }  // namespace swayaw

@@ -24,8 +24,8 @@ using PartCovariance = Eigen::Matrix<double, 7, 7>;
 /// Covariance of independent indices with relative standard deviations.
 IndexCovariance independent(const SteeringIndices<double>& indices, const SteeringIndices<double>& relative_deviation);
 
-/// Covariance of independent T1, T2, T3b, T3w, Kb and Kw, or for complex poles T1T2 and T1_plus_T2 in place of T1 and T2, with
-/// the relative standard deviations of a ship file.
+/// Covariance of independent T1, T2, T3b, T3w, Kb and Kw, or for complex poles T1T2 and T1_plus_T2 in place of T1 and
+/// T2, with the relative standard deviations of a ship file.
 IndexCovariance covariance_of(const SteeringIndices<double>& indices, const Confidence& confidence);
 
 /// Covariance of the coefficients to first order, J C Jᵀ with the exact Jacobian J = d(a1 … c2)/d(indices).
@@ -33,8 +33,8 @@ CoefficientCovariance coefficient_covariance(const SteeringIndices<double>& indi
 
 /// Covariance of the seven empirical numbers to first order; the known one is taken as exact.
 /// @throws std::domain_error  as parts_from does
-PartCovariance part_covariance(const SteeringIndices<double>& indices, const IndexCovariance& covariance, const LinearParts<double>& formal,
-                               KnownPart known);
+PartCovariance part_covariance(const SteeringIndices<double>& indices, const IndexCovariance& covariance,
+                               const LinearParts<double>& formal, KnownPart known);
 
 /// Results of normally distributed indices, by sampling.
 template <int Count>
@@ -42,25 +42,27 @@ struct Sampled {
   Eigen::Vector<double, Count> mean;
   Eigen::Matrix<double, Count, Count> covariance;
   Eigen::Vector<double, Count> low, high;  ///< 2.5 and 97.5 % quantiles
-  double crossed;                          ///< share of the samples in which T3b − T3w has the other sign: no inverse lies between
+  double crossed;  ///< share of the samples in which T3b − T3w has the other sign: no inverse lies between
 };
 
 using SampledCoefficients = Sampled<6>;
 using SampledParts = Sampled<7>;
 
 /// @param seed     same seed, same samples
-SampledCoefficients sample_coefficients(const SteeringIndices<double>& indices, const IndexCovariance& covariance, std::size_t samples = 20'000,
-                                        std::uint64_t seed = 1);
+SampledCoefficients sample_coefficients(const SteeringIndices<double>& indices, const IndexCovariance& covariance,
+                                        std::size_t samples = 20'000, std::uint64_t seed = 1);
 
 /// The seven empirical numbers alike; the known one is taken as exact.
-SampledParts sample_parts(const SteeringIndices<double>& indices, const IndexCovariance& covariance, const LinearParts<double>& formal, KnownPart known,
-                          std::size_t samples = 20'000, std::uint64_t seed = 1);
+SampledParts sample_parts(const SteeringIndices<double>& indices, const IndexCovariance& covariance,
+                          const LinearParts<double>& formal, KnownPart known, std::size_t samples = 20'000,
+                          std::uint64_t seed = 1);
 
 /// T3b − T3w in units of its own standard error. The inverse formulas divide by it: below 1 they say nothing, and below
 /// about 3 the first-order covariance is too small.
 double separation(const SteeringIndices<double>& indices, const IndexCovariance& covariance);
 
 /// A sentence when the separation is below 3, nothing otherwise.
-std::optional<std::string> separation_warning(const SteeringIndices<double>& indices, const IndexCovariance& covariance);
+std::optional<std::string> separation_warning(const SteeringIndices<double>& indices,
+                                              const IndexCovariance& covariance);
 
 }  // namespace swayaw

@@ -13,12 +13,12 @@ namespace swayaw {
 
 /// Zigzag D/H in dimensionless time.
 struct LinearZigzagOrder {
-  double rudder;                     ///< D [rad], positive
-  double heading;                    ///< H [rad], positive
-  double rate;                       ///< rudder rate, radians per ship length; infinite for a step
+  double rudder;   ///< D [rad], positive
+  double heading;  ///< H [rad], positive
+  double rate;     ///< rudder rate, radians per ship length; infinite for a step
   Side first = Side::starboard;
-  std::size_t reversals = 6;         ///< how many to sail for
-  double longest = 1000.0;           ///< ship lengths after which the zigzag is given up
+  std::size_t reversals = 6;  ///< how many to sail for
+  double longest = 1000.0;    ///< ship lengths after which the zigzag is given up
 };
 
 /// What ends a leg.
@@ -32,8 +32,8 @@ enum class LegEnd {
 /// Motion under a rudder that moves in one straight line.
 template <class S = double>
 struct Leg {
-  S from;                ///< s' at its start
-  S length;              ///< ship lengths until its end
+  S from;    ///< s' at its start
+  S length;  ///< ship lengths until its end
   LinearState<S> start;
   RudderLine<S> rudder;
   LegEnd end;
@@ -42,9 +42,9 @@ struct Leg {
 /// A rudder reversal and the heading peak that follows it.
 template <class S = double>
 struct LinearReversal {
-  S execute;      ///< s' at which the heading reaches H
-  S peak;         ///< s' at which the yaw rate passes zero
-  S overshoot;    ///< heading beyond H at the peak [rad]
+  S execute;        ///< s' at which the heading reaches H
+  S peak;           ///< s' at which the yaw rate passes zero
+  S overshoot;      ///< heading beyond H at the peak [rad]
   std::size_t leg;  ///< first leg after the reversal
 };
 
@@ -66,7 +66,8 @@ struct LinearZigzag {
 /// @throws std::domain_error  if an angle or the rate is not positive
 LinearZigzag<double> linear_zigzag(const SwayYawCoefficients<double>& ship, const LinearZigzagOrder& order);
 
-/// Coefficients whose yaw equation is Nomoto's first-order equation T d(omega')/ds' + omega' = K delta; drift stays zero.
+/// Coefficients whose yaw equation is Nomoto's first-order equation T d(omega')/ds' + omega' = K delta; drift stays
+/// zero.
 template <class S>
 SwayYawCoefficients<S> first_order_ship(const S& K, const S& T) {
   return {.a1 = S(-1.0), .b1 = S(0.0), .c1 = S(0.0), .a2 = S(0.0), .b2 = -1.0 / T, .c2 = K / T};
@@ -79,15 +80,18 @@ S carried_length(const LinearResponse<S>& ship, const Leg<S>& leg, double headin
   if (leg.end == LegEnd::limit) return s;
   if (leg.end == LegEnd::arrival) return (arrival - leg.rudder.value) / leg.rudder.rate;
   const auto x = state_after(ship, leg.start, leg.rudder, s);
-  if (leg.end == LegEnd::peak) return s - x.omega / value_of(rates(ship.m, x, S(leg.rudder.value + leg.rudder.rate * s)).omega);
+  if (leg.end == LegEnd::peak)
+    return s - x.omega / value_of(rates(ship.m, x, S(leg.rudder.value + leg.rudder.rate * s)).omega);
   return s - (x.psi - std::copysign(heading, value_of(x.psi))) / value_of(x.omega);
 }
 
-/// The same zigzag carried through duals: exact derivatives of every switch, peak and state by what the coefficients depend on.
+/// The same zigzag carried through duals: exact derivatives of every switch, peak and state by what the coefficients
+/// depend on.
 ///
 /// @param zigzag  the zigzag of the values of `coefficients`
 template <class S>
-LinearZigzag<S> carried_through(const LinearZigzag<double>& zigzag, const SwayYawCoefficients<S>& coefficients, const LinearZigzagOrder& order) {
+LinearZigzag<S> carried_through(const LinearZigzag<double>& zigzag, const SwayYawCoefficients<S>& coefficients,
+                                const LinearZigzagOrder& order) {
   const LinearResponse<S> ship(coefficients);
   LinearZigzag<S> result;
   S now(0.0), angle(0.0);

@@ -34,11 +34,11 @@ struct WorstInterval {
 /// Simulated minus recorded, in the SI unit of the quantity.
 struct QuantityError {
   Quantity quantity;
-  double variation;             ///< root-mean-square variation of the recorded quantity in the run
-  double noise;                 ///< root-mean-square scatter of the samples about local parabolas
-  double window_rms;            ///< restarted every window
-  double bias;                  ///< mean error, restarted every window
-  double open_loop_rms;         ///< never restarted
+  double variation;      ///< root-mean-square variation of the recorded quantity in the run
+  double noise;          ///< root-mean-square scatter of the samples about local parabolas
+  double window_rms;     ///< restarted every window
+  double bias;           ///< mean error, restarted every window
+  double open_loop_rms;  ///< never restarted
   std::optional<WorstInterval> worst;
   std::vector<RegionError> regions;
   std::optional<RegionError> region;  ///< the worst of them
@@ -56,7 +56,7 @@ struct Comparison {
   Recording restarted;                     ///< window after window
   std::vector<std::size_t> window_starts;  ///< first sample of each window
   Conditions conditions;
-  std::vector<QuantityError> errors;       ///< of every quantity that the run tells
+  std::vector<QuantityError> errors;  ///< of every quantity that the run tells
 };
 
 /// @throws Refusal  if the run does not tell rudder or speed, or has fewer than three samples

@@ -13,8 +13,8 @@
 #include "swayaw/nonlinear/effects.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
-/// What a model left out: where it differs from recordings, which effect explains that, and whether runs that were not used gain by it.
-/// docs/diagnose.md describes the method.
+/// What a model left out: where it differs from recordings, which effect explains that, and whether runs that were not
+/// used gain by it. docs/diagnose.md describes the method.
 namespace swayaw {
 
 struct DiagnosisOptions {
@@ -23,7 +23,8 @@ struct DiagnosisOptions {
   std::size_t most_effects = 3;
   std::size_t confirmed = 6;  ///< candidates of the screening that are fitted until they converge
   bool pictures = false;      ///< whether the runs are wanted as people look at them
-  std::function<bool(std::string_view)> progress = {};  ///< told what is going on; false ends the work with what is known
+  std::function<bool(std::string_view)> progress =
+      {};  ///< told what is going on; false ends the work with what is known
 };
 
 enum class DiagnosisVerdict { missing_physics, nothing_missing, unexplained };
@@ -55,8 +56,8 @@ struct Candidate {
   double log_evidence_gain;
   std::optional<double> holdout_log_likelihood_gain;  ///< of the held-out runs, where they were asked
   std::optional<double> holdout_gain;  ///< fall of the replay errors of held-out runs over the refitted baseline
-  bool trace;    ///< too small to matter, or not told from nothing
-  bool refuted;  ///< by runs that were not used
+  bool trace;                          ///< too small to matter, or not told from nothing
+  bool refuted;                        ///< by runs that were not used
 };
 
 /// Where force is missing in a run.
@@ -96,20 +97,21 @@ struct DetectableSize {
 
 struct Diagnosis {
   DiagnosisVerdict verdict;
-  std::string words;                    ///< one sentence
+  std::string words;  ///< one sentence
   std::vector<MismatchPlace> location;
-  std::string symmetry;                 ///< what the missing force goes with besides the motion, in words
-  std::vector<LinearView> linear;       ///< zigzags and the refitted ship, by K, T and the drift–yaw loop
-  std::vector<FoundEffect> effects;     ///< most important first
-  std::vector<std::string> traces;      ///< effects too small to matter, in words; the improved ship has them
-  std::vector<Candidate> candidates;    ///< best first
-  std::vector<BaselineShift> shifts;    ///< largest first
+  std::string symmetry;               ///< what the missing force goes with besides the motion, in words
+  std::vector<LinearView> linear;     ///< zigzags and the refitted ship, by K, T and the drift–yaw loop
+  std::vector<FoundEffect> effects;   ///< most important first
+  std::vector<std::string> traces;    ///< effects too small to matter, in words; the improved ship has them
+  std::vector<Candidate> candidates;  ///< best first
+  std::vector<BaselineShift> shifts;  ///< largest first
   std::vector<RunErrors> train, holdout;
-  Ship refitted;                        ///< baseline refitted, without effects
-  Ship improved;                        ///< with the effects found
-  double imperfection;                  ///< scale of what stays unexplained; 1 is ordinary
-  double refitted_imperfection;         ///< the same without any effect
-  double doubt = 1.0;                   ///< factor on what the ship file or the reference runs say the numbers of the baseline are known to
+  Ship refitted;                 ///< baseline refitted, without effects
+  Ship improved;                 ///< with the effects found
+  double imperfection;           ///< scale of what stays unexplained; 1 is ordinary
+  double refitted_imperfection;  ///< the same without any effect
+  double doubt =
+      1.0;  ///< factor on what the ship file or the reference runs say the numbers of the baseline are known to
   std::optional<Advice> next{};
   std::vector<DetectableSize> detectable{};
   std::vector<RunPicture> train_pictures{}, holdout_pictures{};  ///< if asked for
@@ -119,7 +121,7 @@ struct Diagnosis {
 /// @param holdout    runs that are not used and say whether the effect is real
 ///
 /// @throws Refusal  if there is no run, or one tells neither rudder nor speed
-Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference, std::span<const Recording> holdout,
-                   const DiagnosisOptions& options = {});
+Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference,
+                   std::span<const Recording> holdout, const DiagnosisOptions& options = {});
 
 }  // namespace swayaw

@@ -29,7 +29,8 @@ struct LinearView {
 /// Runs that are no zigzags, or that the model cannot sail, are left out.
 std::vector<LinearView> linear_view(const Ship& model, std::span<const Recording> runs);
 
-/// What follows, in words: offset, linear or nonlinear gain, history. Empty where recordings and model agree within a tenth, and the offsets within 0.3 deg.
+/// What follows, in words: offset, linear or nonlinear gain, history. Empty where recordings and model agree within a
+/// tenth, and the offsets within 0.3 deg.
 std::string words_of(std::span<const LinearView> views);
 
 }  // namespace swayaw

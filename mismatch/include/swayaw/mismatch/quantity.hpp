@@ -17,7 +17,8 @@ enum class Quantity {
   position,  ///< distance between the two midship points [m]
 };
 
-inline constexpr std::array all_quantities{Quantity::heading, Quantity::yaw_rate, Quantity::speed, Quantity::drift, Quantity::position};
+inline constexpr std::array all_quantities{Quantity::heading, Quantity::yaw_rate, Quantity::speed, Quantity::drift,
+                                           Quantity::position};
 
 /// "yaw_rate"
 std::string_view name_of(Quantity quantity);

@@ -16,10 +16,10 @@ namespace swayaw {
 
 /// What drives a ship beyond her model at a time, given the whole run: mean and standard deviation.
 struct MissingForce {
-  PlanarMotion<double> motion;                      ///< through the water, as estimated along with it
-  PlanarAcceleration<double> acceleration;          ///< [m/s², m/s², rad/s²]
+  PlanarMotion<double> motion;              ///< through the water, as estimated along with it
+  PlanarAcceleration<double> acceleration;  ///< [m/s², m/s², rad/s²]
   PlanarAcceleration<double> acceleration_deviation;
-  PlanarForce<double> force;                        ///< that accelerates ship and entrained water so [N, N, N m]
+  PlanarForce<double> force;  ///< that accelerates ship and entrained water so [N, N, N m]
   PlanarForce<double> force_deviation;
 };
 
@@ -29,8 +29,8 @@ struct MissingForce {
 ///
 ///     d(a)/dt = −a/T + noise,   T = L/U,   standard deviation of a: the scale times that of an adequate model,
 ///
-/// and a smoother goes back through the run, so that the force is not seen late (Rauch, Tung & Striebel 1965). F = M a, M of the model
-/// with added mass. Where the recording has a gap the mean fades and the deviation grows.
+/// and a smoother goes back through the run, so that the force is not seen late (Rauch, Tung & Striebel 1965). F = M a,
+/// M of the model with added mass. Where the recording has a gap the mean fades and the deviation grows.
 ///
 /// @throws Refusal  if the run tells neither rudder nor speed
 std::vector<MissingForce> missing_force(const Ship& ship, const Recording& run, const Noise& noise);
@@ -42,14 +42,16 @@ PlanarForce<double> ordinary_force(const Ship& ship);
 struct RunPicture {
   std::string run;
   Recording recorded;
-  std::vector<MissingForce> missing_before;  ///< of the refitted ship; empty where the run does not tell it
-  std::vector<MissingForce> missing_after;   ///< of the ship with the effects found
+  std::vector<MissingForce> missing_before;         ///< of the refitted ship; empty where the run does not tell it
+  std::vector<MissingForce> missing_after;          ///< of the ship with the effects found
   std::optional<Recording> given, refitted, after;  ///< replays by the three ships from the start of the run to its end
 };
 
 /// @param noise  one for both ships, so that what shrinks is the force and not the allowance for it
-RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& after, const Recording& run, const Noise& noise);
+RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& after, const Recording& run,
+                       const Noise& noise);
 
-std::vector<RunPicture> run_pictures(const Ship& given, const Ship& refitted, const Ship& after, std::span<const Recording> runs, const Noise& noise);
+std::vector<RunPicture> run_pictures(const Ship& given, const Ship& refitted, const Ship& after,
+                                     std::span<const Recording> runs, const Noise& noise);
 
 }  // namespace swayaw

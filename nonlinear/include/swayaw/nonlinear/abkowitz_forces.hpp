@@ -8,8 +8,8 @@
 #include "swayaw/nonlinear/branch.hpp"
 
 /// Forces of Abkowitz's polynomial, written once for double, dual and pack.
-/// Valid near the speed U_0 and within the drift, yaw rate and rudder angles the coefficients were found for; the propeller
-/// runs as it does straight ahead at U_0, whatever the controls say. Source: [Abkowitz1964], [Chislett1965]
+/// Valid near the speed U_0 and within the drift, yaw rate and rudder angles the coefficients were found for; the
+/// propeller runs as it does straight ahead at U_0, whatever the controls say. Source: [Abkowitz1964], [Chislett1965]
 namespace swayaw {
 
 /// The polynomial has one piece.
@@ -42,7 +42,10 @@ template <class S>
 AbkowitzPrimes<S> primes_of(const AbkowitzShip<S>& ship, const PlanarMotion<S>& motion) {
   const auto& p = ship.particulars;
   const S V = p.primes_at_nominal_speed() ? p.U_0 : speed(motion);
-  return {.u = (motion.u - p.U_0) / V, .v = motion.v / V, .r = motion.r * p.L / V, .unit = 0.5 * ship.water.rho * p.L * p.L * V * V};
+  return {.u = (motion.u - p.U_0) / V,
+          .v = motion.v / V,
+          .r = motion.r * p.L / V,
+          .unit = 0.5 * ship.water.rho * p.L * p.L * V * V};
 }
 
 /// Force on the mass of the ship that turns her velocity, counted as what the water must give:
@@ -64,18 +67,22 @@ PlanarForce<S> centripetal_force(const AbkowitzShip<S>& ship, const PlanarMotion
 ///                   + Y_vvv v³ + Y_vvr v² r + Y_vrr v r² + Y_rrr r³)
 ///     N_H = ½ρL³V² (N_0 + …), alike
 ///
-/// Where the derivatives hold the centrifugal force of the ship, it is taken out: what is returned is the force of the water.
+/// Where the derivatives hold the centrifugal force of the ship, it is taken out: what is returned is the force of the
+/// water.
 template <class S>
 PlanarForce<S> hull_force(const AbkowitzShip<S>& ship, const PlanarMotion<S>& motion) {
   const auto& h = ship.hull;
   const auto [u, v, r, unit] = primes_of(ship, motion);
   const S vv = v * v, vr = v * r, rr = r * r;
   const PlanarForce<S> force{
-      .X = unit * (u * (h.X_u + u * (h.X_uu + u * h.X_uuu)) + vv * (h.X_vv + h.X_vvu * u) + vr * (h.X_vr + h.X_vru * u) + rr * (h.X_rr + h.X_rru * u)),
-      .Y = unit * (h.Y_0 + u * (h.Y_0u + u * h.Y_0uu) + v * (h.Y_v + u * (h.Y_vu + u * h.Y_vuu) + h.Y_vvv * vv + h.Y_vvr * vr + h.Y_vrr * rr) +
+      .X = unit * (u * (h.X_u + u * (h.X_uu + u * h.X_uuu)) + vv * (h.X_vv + h.X_vvu * u) +
+                   vr * (h.X_vr + h.X_vru * u) + rr * (h.X_rr + h.X_rru * u)),
+      .Y = unit * (h.Y_0 + u * (h.Y_0u + u * h.Y_0uu) +
+                   v * (h.Y_v + u * (h.Y_vu + u * h.Y_vuu) + h.Y_vvv * vv + h.Y_vvr * vr + h.Y_vrr * rr) +
                    r * (h.Y_r + u * (h.Y_ru + u * h.Y_ruu) + h.Y_rrr * rr)),
       .N = unit * ship.particulars.L *
-           (h.N_0 + u * (h.N_0u + u * h.N_0uu) + v * (h.N_v + u * (h.N_vu + u * h.N_vuu) + h.N_vvv * vv + h.N_vvr * vr + h.N_vrr * rr) +
+           (h.N_0 + u * (h.N_0u + u * h.N_0uu) +
+            v * (h.N_v + u * (h.N_vu + u * h.N_vuu) + h.N_vvv * vv + h.N_vvr * vr + h.N_vrr * rr) +
             r * (h.N_r + u * (h.N_ru + u * h.N_ruu) + h.N_rrr * rr)),
   };
   return ship.inertia.centripetal_in_derivatives() ? force + centripetal_force(ship, motion) : force;
@@ -94,15 +101,18 @@ PlanarForce<S> rudder_force(const AbkowitzShip<S>& ship, const PlanarMotion<S>& 
   return {
       .X = unit * delta * (delta * (k.X_dd + k.X_udd * u) + v * (k.X_vd + k.X_uvd * u) + r * (k.X_rd + k.X_urd * u)),
       .Y = unit * delta *
-           (k.Y_d + u * (k.Y_ud + u * k.Y_uud) + k.Y_vvd * vv + k.Y_vrd * vr + k.Y_rrd * rr + delta * (k.Y_vdd * v + k.Y_rdd * r) + k.Y_ddd * dd),
+           (k.Y_d + u * (k.Y_ud + u * k.Y_uud) + k.Y_vvd * vv + k.Y_vrd * vr + k.Y_rrd * rr +
+            delta * (k.Y_vdd * v + k.Y_rdd * r) + k.Y_ddd * dd),
       .N = unit * ship.particulars.L * delta *
-           (k.N_d + u * (k.N_ud + u * k.N_uud) + k.N_vvd * vv + k.N_vrd * vr + k.N_rrd * rr + delta * (k.N_vdd * v + k.N_rdd * r) + k.N_ddd * dd),
+           (k.N_d + u * (k.N_ud + u * k.N_uud) + k.N_vvd * vv + k.N_vrd * vr + k.N_rrd * rr +
+            delta * (k.N_vdd * v + k.N_rdd * r) + k.N_ddd * dd),
   };
 }
 
 /// All forces; there is but one branch.
 template <class S>
-AbkowitzForces<S> forces(const AbkowitzShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls, const Branch<S, 0>&) {
+AbkowitzForces<S> forces(const AbkowitzShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls,
+                         const Branch<S, 0>&) {
   return {.hull = hull_force(ship, motion), .rudder = rudder_force(ship, motion, controls.delta)};
 }
 
@@ -126,7 +136,8 @@ inline RigidBody rigid_body(const AbkowitzShip<double>& ship) {
 ///
 /// Source: [Abkowitz1964]
 template <class S>
-PlanarAcceleration<S> acceleration(const AbkowitzShip<S>& ship, const PlanarMotion<S>& motion, const PlanarForce<S>& force) {
+PlanarAcceleration<S> acceleration(const AbkowitzShip<S>& ship, const PlanarMotion<S>& motion,
+                                   const PlanarForce<S>& force) {
   const auto& i = ship.inertia;
   const S& L = ship.particulars.L;
   const S mass = 0.5 * ship.water.rho * L * L * L;  // unit of mass

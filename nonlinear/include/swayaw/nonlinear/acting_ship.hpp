@@ -11,8 +11,9 @@
 
 /// A ship as her effects make her.
 ///
-/// Effects act in this order: numbers of the model, air and water, added forces, actuators, sensors. Whatever simulates, balances or
-/// linearizes a ship takes her from here; without effects the model and her surroundings are those of the ship.
+/// Effects act in this order: numbers of the model, air and water, added forces, actuators, sensors. Whatever
+/// simulates, balances or linearizes a ship takes her from here; without effects the model and her surroundings are
+/// those of the ship.
 namespace swayaw {
 
 /// What begins or ends to act at a time: a gust, an unknown force.
@@ -31,11 +32,11 @@ struct Change {
 
 /// What lies between a recorded rudder angle and the rudder, in this order: play, lag with its largest rate, offset.
 struct RudderActuator {
-  double width = 0.0;                                    ///< of the play [rad]
-  double lag = 0.0;                                      ///< T [s]
+  double width = 0.0;                                     ///< of the play [rad]
+  double lag = 0.0;                                       ///< T [s]
   double rate = std::numeric_limits<double>::infinity();  ///< [rad/s]
-  double offset = 0.0;                                   ///< [rad]
-  double record_delay = 0.0;                             ///< of the recorded angle [s]
+  double offset = 0.0;                                    ///< [rad]
+  double record_delay = 0.0;                              ///< of the recorded angle [s]
 
   bool any() const { return moves() || offset != 0.0 || record_delay != 0.0; }
 
@@ -73,7 +74,8 @@ RudderActuator rudder_actuator(const Ship& ship);
 /// Effects of her instruments.
 std::vector<Effect> sensor_effects(const Ship& ship);
 
-/// Forces that the effects add to a model of a ship with these dimensions, in any scalar. Effects of other kinds are passed over.
+/// Forces that the effects add to a model of a ship with these dimensions, in any scalar. Effects of other kinds are
+/// passed over.
 template <class Model, class S = typename Model::Scalar>
 AddedForces<S> added_forces(const Model& model, std::span<const EffectIn<S>> effects);
 
@@ -88,11 +90,12 @@ ActingShip<Model> acting_ship(const Ship& ship, const Model& model);
 /// Calls f with the acting ship of her model.
 template <class F>
 decltype(auto) visit_acting(const Ship& ship, F&& f) {
-  return std::visit([&](const auto& model) -> decltype(auto) { return std::forward<F>(f)(acting_ship(ship, model)); }, ship.model);
+  return std::visit([&](const auto& model) -> decltype(auto) { return std::forward<F>(f)(acting_ship(ship, model)); },
+                    ship.model);
 }
 
-/// The ship whose model and surroundings hold what they can of her effects: changed numbers, steady wind and current. The others
-/// stay in her list: added forces, gusts, actuators, sensors.
+/// The ship whose model and surroundings hold what they can of her effects: changed numbers, steady wind and current.
+/// The others stay in her list: added forces, gusts, actuators, sensors.
 /// @throws Refusal  as cannot_act tells
 Ship with_effects_applied(const Ship& ship);
 
@@ -110,14 +113,15 @@ struct EffectNumber {
   std::size_t index;  ///< for number_of
   Range range;
   double value;
-  double null;    ///< the effect does nothing there
-  double prior;   ///< standard deviation about null
-  double floor;   ///< a smaller departure from null is a trace
-  double law;     ///< what its law is worth: standard deviation over departure from null, of directions in radians
-  bool decides;   ///< its departure from null is the effect
+  double null;   ///< the effect does nothing there
+  double prior;  ///< standard deviation about null
+  double floor;  ///< a smaller departure from null is a trace
+  double law;    ///< what its law is worth: standard deviation over departure from null, of directions in radians
+  bool decides;  ///< its departure from null is the effect
 };
 
-/// The numbers of an effect that the model of the ship has a place for; none if it cannot act. A number that is `unchanged` has the value of the ship.
+/// The numbers of an effect that the model of the ship has a place for; none if it cannot act. A number that is
+/// `unchanged` has the value of the ship.
 std::vector<EffectNumber> numbers_of(const Ship& ship, const Effect& effect);
 
 // ---------------------------------------------------------------- implementation

@@ -29,8 +29,8 @@ struct AddedForces {
   bool mapped = false;  ///< whether the unknown force acts now
   S rho{}, L{}, d{};
   S U_0{1.0};  ///< service speed [m/s]
-  S x_P{};   ///< propeller forward of midship [m]
-  S k_xx{};  ///< radius of gyration in roll [m]
+  S x_P{};     ///< propeller forward of midship [m]
+  S k_xx{};    ///< radius of gyration in roll [m]
   CrossFlowDrag<S> drag;
   WaveDrift<S> wave;
   PropellerSideForce<S> side;
@@ -46,15 +46,34 @@ struct AddedForces {
 /// The same with another scalar.
 template <class To, class From>
 AddedForces<To> cast(const AddedForces<From>& a) {
-  return {a.cross_flow, a.waves, a.side_force, a.roll, a.memory, a.droop, a.mapped, To(a.rho), To(a.L), To(a.d), To(a.U_0), To(a.x_P), To(a.k_xx), cast_effect<To>(a.drag),
-          cast_effect<To>(a.wave), cast_effect<To>(a.side), cast_effect<To>(a.coupling), cast_effect<To>(a.lag), cast_effect<To>(a.drop), cast_effect<To>(a.map)};
+  return {a.cross_flow,
+          a.waves,
+          a.side_force,
+          a.roll,
+          a.memory,
+          a.droop,
+          a.mapped,
+          To(a.rho),
+          To(a.L),
+          To(a.d),
+          To(a.U_0),
+          To(a.x_P),
+          To(a.k_xx),
+          cast_effect<To>(a.drag),
+          cast_effect<To>(a.wave),
+          cast_effect<To>(a.side),
+          cast_effect<To>(a.coupling),
+          cast_effect<To>(a.lag),
+          cast_effect<To>(a.drop),
+          cast_effect<To>(a.map)};
 }
 
 inline constexpr double effect_gravity = 9.81;  ///< [m/s²]
 
 // ---------------------------------------------------------------- actuator
 
-/// The controls with the shaft speed that an engine keeps when the ship loses speed, n (1 − relative_drop (1 − u/U_0)). A thrust stays as it is.
+/// The controls with the shaft speed that an engine keeps when the ship loses speed, n (1 − relative_drop (1 − u/U_0)).
+/// A thrust stays as it is.
 template <class S>
 Controls<S> driven(const AddedForces<S>& added, const PlanarMotion<S>& m, Controls<S> controls) {
   if (!added.droop) return controls;
@@ -77,7 +96,8 @@ PlanarForce<S> cross_flow_force(const AddedForces<S>& a, const PlanarMotion<S>& 
   const S one = select(m.v < S(0.0), S(-1.0), S(1.0)), side = select(m.r < S(0.0), S(-1.0), S(1.0));
   const S r = select(pivots, S(side * m.r), S(1.0));
   const S Y = select(pivots, S(2.0 * m.v * (vv + 3.0 * tt) / (3.0 * r)), S(one * 2.0 * h * (vv + tt / 3.0)));
-  const S N = select(pivots, S(side * (0.5 * tt * tt + vv * tt - vv * vv / 6.0) / (r * r)), S(one * 4.0 / 3.0 * m.v * tip * h * h));
+  const S N = select(pivots, S(side * (0.5 * tt * tt + vv * tt - vv * vv / 6.0) / (r * r)),
+                     S(one * 4.0 / 3.0 * m.v * tip * h * h));
   const S q = -0.5 * a.rho * a.d * a.drag.C_D;
   return {.X = S(0.0), .Y = q * Y, .N = q * N};
 }
@@ -117,8 +137,8 @@ PlanarForce<S> linear_damping(const MmgShip<S>& ship, const S& U, const S& v, co
 }
 
 template <PrimeShip Ship>
-PlanarForce<typename Ship::Scalar> linear_damping(const Ship& ship, const typename Ship::Scalar& U, const typename Ship::Scalar& v,
-                                                  const typename Ship::Scalar& r) {
+PlanarForce<typename Ship::Scalar> linear_damping(const Ship& ship, const typename Ship::Scalar& U,
+                                                  const typename Ship::Scalar& v, const typename Ship::Scalar& r) {
   using S = typename Ship::Scalar;
   const auto& h = ship.hull;
   const S L = ship.particulars.L, q = 0.5 * ship.water.rho * L * L * U;
@@ -128,13 +148,15 @@ PlanarForce<typename Ship::Scalar> linear_damping(const Ship& ship, const typena
 template <class S>
 PlanarForce<S> linear_damping(const AbkowitzShip<S>& ship, const S& U, const S& v, const S& r) {
   const auto& h = ship.hull;
-  const S L = ship.particulars.L, q = 0.5 * ship.water.rho * L * L * (ship.particulars.primes_at_nominal_speed() ? ship.particulars.U_0 : U);
+  const S L = ship.particulars.L,
+          q = 0.5 * ship.water.rho * L * L * (ship.particulars.primes_at_nominal_speed() ? ship.particulars.U_0 : U);
   return {.X = S(0.0), .Y = q * (h.Y_v * v + h.Y_r * r * L), .N = q * L * (h.N_v * v + h.N_r * r * L)};
 }
 
 /// share (D(v_s, r_s) − D(v, r)) with the linear damping D of the hull.
 template <class Model, class S>
-PlanarForce<S> memory_force(const Model& ship, const AddedForces<S>& a, const PlanarMotion<S>& m, const Hidden<S>& hidden) {
+PlanarForce<S> memory_force(const Model& ship, const AddedForces<S>& a, const PlanarMotion<S>& m,
+                            const Hidden<S>& hidden) {
   const auto f = linear_damping(ship, speed(m), S(hidden.v - m.v), S(hidden.r - m.r));
   return {.X = S(0.0), .Y = a.lag.share * f.Y, .N = a.lag.share * f.N};
 }
@@ -142,22 +164,27 @@ PlanarForce<S> memory_force(const Model& ship, const AddedForces<S>& a, const Pl
 /// With q = ½ρL²U_0², u' = u/U_0 − 1, v' = v/U_0, r' = rL/U_0:
 ///
 ///     X = q (X_0 + X_cos cos ψ + X_sin sin ψ + X_u u' + X_vv v'² + X_vr v'r' + X_rr r'² + X_dd δ²)
-///     Y = q (Y_0 + Y_cos cos ψ + Y_sin sin ψ + Y_v v' + Y_r r' + Y_d δ + Y_vv v'|v'| + Y_rr r'|r'|),   N = q L (the same of N)
+///     Y = q (Y_0 + Y_cos cos ψ + Y_sin sin ψ + Y_v v' + Y_r r' + Y_d δ + Y_vv v'|v'| + Y_rr r'|r'|),   N = q L (the
+///     same of N)
 template <class S>
 PlanarForce<S> unknown_force(const AddedForces<S>& a, const ShipState<S>& state, const S& delta) {
   const auto& k = a.map;
   const auto [s, c] = sin_cos(state.psi);
-  const S q = 0.5 * a.rho * a.L * a.L * a.U_0 * a.U_0, u = state.motion.u / a.U_0 - 1.0, v = state.motion.v / a.U_0, r = state.motion.r * a.L / a.U_0;
+  const S q = 0.5 * a.rho * a.L * a.L * a.U_0 * a.U_0, u = state.motion.u / a.U_0 - 1.0, v = state.motion.v / a.U_0,
+          r = state.motion.r * a.L / a.U_0;
   const S vv = v * size_of(v), rr = r * size_of(r);
-  return {.X = q * (k.X_0 + k.X_cos * c + k.X_sin * s + k.X_u * u + k.X_vv * v * v + k.X_vr * v * r + k.X_rr * r * r + k.X_dd * delta * delta),
-          .Y = q * (k.Y_0 + k.Y_cos * c + k.Y_sin * s + k.Y_v * v + k.Y_r * r + k.Y_d * delta + k.Y_vv * vv + k.Y_rr * rr),
-          .N = q * a.L * (k.N_0 + k.N_cos * c + k.N_sin * s + k.N_v * v + k.N_r * r + k.N_d * delta + k.N_vv * vv + k.N_rr * rr)};
+  return {
+      .X = q * (k.X_0 + k.X_cos * c + k.X_sin * s + k.X_u * u + k.X_vv * v * v + k.X_vr * v * r + k.X_rr * r * r +
+                k.X_dd * delta * delta),
+      .Y = q * (k.Y_0 + k.Y_cos * c + k.Y_sin * s + k.Y_v * v + k.Y_r * r + k.Y_d * delta + k.Y_vv * vv + k.Y_rr * rr),
+      .N = q * a.L *
+           (k.N_0 + k.N_cos * c + k.N_sin * s + k.N_v * v + k.N_r * r + k.N_d * delta + k.N_vv * vv + k.N_rr * rr)};
 }
 
 /// Calls add(name, force) for every force that is there. `controls` as recorded.
 template <class Model, class S, class Add>
-void for_each_added(const Model& ship, const AddedForces<S>& a, const ShipState<S>& state, const Hidden<S>& hidden, const Controls<S>& controls,
-                    Add&& add) {
+void for_each_added(const Model& ship, const AddedForces<S>& a, const ShipState<S>& state, const Hidden<S>& hidden,
+                    const Controls<S>& controls, Add&& add) {
   const auto& m = state.motion;
   if (a.cross_flow) add(CrossFlowDrag<S>::id, cross_flow_force(a, m));
   if (a.waves) add(WaveDrift<S>::id, wave_drift_force(a, state.psi));
@@ -169,7 +196,8 @@ void for_each_added(const Model& ship, const AddedForces<S>& a, const ShipState<
 
 /// Sum of the added forces.
 template <class Model, class S>
-PlanarForce<S> added_force(const Model& ship, const AddedForces<S>& a, const ShipState<S>& state, const Hidden<S>& hidden, const Controls<S>& controls) {
+PlanarForce<S> added_force(const Model& ship, const AddedForces<S>& a, const ShipState<S>& state,
+                           const Hidden<S>& hidden, const Controls<S>& controls) {
   PlanarForce<S> sum{S(0.0), S(0.0), S(0.0)};
   for_each_added(ship, a, state, hidden, controls, [&](std::string_view, const PlanarForce<S>& f) { sum = sum + f; });
   return sum;
@@ -206,21 +234,24 @@ Hidden<S> steady_hidden(const AddedForces<S>& a, const PlanarMotion<S>& m) {
 
 /// Equations of motion with added forces; without any, those of surroundings.hpp.
 template <template <class> class Model, class S, std::size_t N>
-StateVector<S> rates_of(const Model<S>& ship, const Surroundings<S>& around, const AddedForces<S>& added, const ShipState<S>& state,
-                        const Hidden<S>& hidden, const Controls<S>& controls, const Branch<S, N>& branch) {
+StateVector<S> rates_of(const Model<S>& ship, const Surroundings<S>& around, const AddedForces<S>& added,
+                        const ShipState<S>& state, const Hidden<S>& hidden, const Controls<S>& controls,
+                        const Branch<S, N>& branch) {
   const auto& m = state.motion;
   const auto actual = driven(added, m, controls);
-  const auto force = forces(ship, m, actual, branch).total() + wind_load(around, state) + added_force(ship, added, state, hidden, controls);
+  const auto force = forces(ship, m, actual, branch).total() + wind_load(around, state) +
+                     added_force(ship, added, state, hidden, controls);
   const auto a = acceleration(ship, m, force);
   const auto [s, c] = sin_cos(state.psi);
   const auto& [V_c, psi_c] = around.current;
   return {m.u * c - m.v * s + V_c * cos(psi_c), m.u * s + m.v * c + V_c * sin(psi_c), m.r, a.u, a.v, a.r};
 }
 
-/// Force of model and effects in a motion that lasts, without what depends on the heading: wind, waves, an unknown force that does.
+/// Force of model and effects in a motion that lasts, without what depends on the heading: wind, waves, an unknown
+/// force that does.
 template <template <class> class Model, class S, std::size_t N>
-PlanarForce<S> steady_force(const Model<S>& ship, const AddedForces<S>& added, const PlanarMotion<S>& m, const Controls<S>& controls,
-                            const Branch<S, N>& branch) {
+PlanarForce<S> steady_force(const Model<S>& ship, const AddedForces<S>& added, const PlanarMotion<S>& m,
+                            const Controls<S>& controls, const Branch<S, N>& branch) {
   const auto own = forces(ship, m, driven(added, m, controls), branch).total();
   if (!added.any()) return own;
   auto still = added;
@@ -230,7 +261,8 @@ PlanarForce<S> steady_force(const Model<S>& ship, const AddedForces<S>& added, c
 }
 
 template <template <class> class Model, class S>
-PlanarForce<S> steady_force(const Model<S>& ship, const AddedForces<S>& added, const PlanarMotion<S>& m, const Controls<S>& controls) {
+PlanarForce<S> steady_force(const Model<S>& ship, const AddedForces<S>& added, const PlanarMotion<S>& m,
+                            const Controls<S>& controls) {
   if (!added.any()) return forces(ship, m, controls).total();
   return steady_force(ship, added, m, controls, branch_at(ship, m, driven(added, m, controls)));
 }

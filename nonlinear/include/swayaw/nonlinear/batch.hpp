@@ -10,8 +10,8 @@
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/mmg_ship.hpp"
 
-/// Many ships at once, in calm water: over SIMD packs with the instruction set of the processor that runs the program, and over
-/// all cores. What comes of a ship does not depend on the others, nor on the number of threads.
+/// Many ships at once, in calm water: over SIMD packs with the instruction set of the processor that runs the program,
+/// and over all cores. What comes of a ship does not depend on the others, nor on the number of threads.
 namespace swayaw {
 
 /// As in ManoeuvreOptions, for every ship.
@@ -48,11 +48,13 @@ struct ZigzagBatch {
   std::size_t at(std::size_t reversal, std::size_t ship) const { return reversal * ships + ship; }
 };
 
-/// The zigzag of every ship, about as near to the exact one as that of `zigzag` at the same tolerance (bench/README.md).
-/// The track is not followed, so it does not shorten the steps either.
+/// The zigzag of every ship, about as near to the exact one as that of `zigzag` at the same tolerance
+/// (bench/README.md). The track is not followed, so it does not shorten the steps either.
 ///
-/// @throws std::domain_error  if an angle is not positive or beyond the largest of one of the ships, the number of reversals is 0 or
+/// @throws std::domain_error  if an angle is not positive or beyond the largest of one of the ships, the number of
+/// reversals is 0 or
 ///                            over 255, or the instruction set is not available
-ZigzagBatch zigzag_batch(std::span<const MmgShip<double>> ships, const ZigzagOrder& order, const ZigzagBatchOptions& options = {});
+ZigzagBatch zigzag_batch(std::span<const MmgShip<double>> ships, const ZigzagOrder& order,
+                         const ZigzagBatchOptions& options = {});
 
 }  // namespace swayaw

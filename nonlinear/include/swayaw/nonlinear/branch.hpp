@@ -25,7 +25,8 @@ using Branch = std::array<Mask<S>, N>;
 
 /// The branch that belongs to a motion.
 template <template <class> class Ship, class S>
-Branch<S, Ship<S>::branch_count> branch_at(const Ship<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls) {
+Branch<S, Ship<S>::branch_count> branch_at(const Ship<S>& ship, const PlanarMotion<S>& motion,
+                                           const Controls<S>& controls) {
   const auto g = branch_functions(ship, motion, controls);
   Branch<S, Ship<S>::branch_count> branch{};
   for (std::size_t i = 0; i < g.size(); ++i) branch[i] = g[i] > S(0.0);

@@ -27,7 +27,8 @@ template <class Model, class Part, class S>
 S* replaced(Model& model, const EffectParameter<Part, S>& parameter) {
   S* found = nullptr;
   for_each_in_table(model, parameter.table, [&](const auto& p, auto& number) {
-    if (p.key == parameter.replaces[0] || (!parameter.replaces[1].empty() && p.key == parameter.replaces[1])) found = const_cast<S*>(&number);
+    if (p.key == parameter.replaces[0] || (!parameter.replaces[1].empty() && p.key == parameter.replaces[1]))
+      found = const_cast<S*>(&number);
   });
   return found;
 }
@@ -105,7 +106,8 @@ template <class Hull, class S>
 void change_hull(Hull& h, const ShallowWaterFactors<S>& f) {
   for (S* linear : {&h.Y_v, &h.N_v}) *linear = *linear * f.sway;
   for (S* linear : {&h.Y_r, &h.N_r}) *linear = *linear * f.yaw;
-  for (S* cubic : {&h.Y_vvv, &h.Y_vvr, &h.Y_vrr, &h.Y_rrr, &h.N_vvv, &h.N_vvr, &h.N_vrr, &h.N_rrr}) *cubic = *cubic * f.cubic;
+  for (S* cubic : {&h.Y_vvv, &h.Y_vvr, &h.Y_vrr, &h.Y_rrr, &h.N_vvv, &h.N_vvr, &h.N_vrr, &h.N_rrr})
+    *cubic = *cubic * f.cubic;
 }
 
 /// 1 − t and 1 − w of a propeller.
@@ -159,7 +161,8 @@ void let_wake_change(Model&, const Kind&) {}
 template <class Kind>
 constexpr bool changes_numbers() {
   using K = std::remove_cvref_t<Kind>;
-  return Kind::place == EffectPlace::force && (puts_values<K>() || K::id == "rudder_effectiveness" || K::id == "added_resistance" || K::id == "shallow_water");
+  return Kind::place == EffectPlace::force && (puts_values<K>() || K::id == "rudder_effectiveness" ||
+                                               K::id == "added_resistance" || K::id == "shallow_water");
 }
 
 /// Changes the numbers of the model as the effect says; nothing for effects that act otherwise.

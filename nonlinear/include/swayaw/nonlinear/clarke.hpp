@@ -3,7 +3,8 @@
 #include "swayaw/nonlinear/hull_dimensions.hpp"
 #include "swayaw/nonlinear/mmg_ship.hpp"
 
-/// Linear derivatives and added masses in the primes of SNAME, and the way between these and the primes of the MMG standard.
+/// Linear derivatives and added masses in the primes of SNAME, and the way between these and the primes of the MMG
+/// standard.
 namespace swayaw {
 
 /// Primes of ½ρL²U² (force), ½ρL³U² (moment), ½ρL³ (mass), ½ρL⁴ and ½ρL⁵; v' = v/U, r' = rL/U; about midship.
@@ -71,6 +72,10 @@ MmgHull<S> mmg_linear_hull(const ClarkeDerivatives<S>& c, const HullDimensions<S
 }
 
 /// Where clarke_derivatives is used without a warning; chosen like merchant_ships.
-inline constexpr HullRange clarke_ships{.C_B = {0.45, 0.85}, .L_over_B = {4.5, 8.0}, .B_over_d = {2.0, 4.6}, .trim_over_d = {0.0, 0.0}, .fineness_trimmed = {0.0, 1.0}};
+inline constexpr HullRange clarke_ships{.C_B = {0.45, 0.85},
+                                        .L_over_B = {4.5, 8.0},
+                                        .B_over_d = {2.0, 4.6},
+                                        .trim_over_d = {0.0, 0.0},
+                                        .fineness_trimmed = {0.0, 1.0}};
 
 }  // namespace swayaw

@@ -18,12 +18,12 @@ struct ShipNumber {
   std::string name;
   std::string_view table;
   std::string_view key;
-  std::size_t index;   ///< place among the numbers of the model, in the order of for_each_number
-  double value;        ///< SI
-  Range range;         ///< accepted values, in the unit of the ship file
-  double si;           ///< SI value of one unit
+  std::size_t index;  ///< place among the numbers of the model, in the order of for_each_number
+  double value;       ///< SI
+  Range range;        ///< accepted values, in the unit of the ship file
+  double si;          ///< SI value of one unit
   Role role;
-  double deviation;    ///< standard deviation by the confidence of the ship, SI; 0 for a fact
+  double deviation;  ///< standard deviation by the confidence of the ship, SI; 0 for a fact
 };
 
 /// All numbers of the ship's model.

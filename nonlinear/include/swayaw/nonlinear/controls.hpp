@@ -14,9 +14,10 @@ struct Sides {
 /// The propeller is driven either at a shaft speed, or, where thrust was measured, by that thrust.
 template <class S = double>
 struct Controls {
-  S delta;               ///< rudder angle, positive to port [rad]
-  S rev{};               ///< shaft speed [1/s]
-  Sides<S> thrust{};     ///< thrust of the propellers, in place of the shaft speed [N]; of a single propeller the sum counts
+  S delta;  ///< rudder angle, positive to port [rad]
+  S rev{};  ///< shaft speed [1/s]
+  Sides<S>
+      thrust{};  ///< thrust of the propellers, in place of the shaft speed [N]; of a single propeller the sum counts
   bool by_thrust = false;
 };
 

@@ -34,18 +34,18 @@ inline constexpr double unchanged = std::numeric_limits<double>::quiet_NaN();
 /// One number of an effect, in SI and radians.
 template <class Part, class Scalar>
 struct EffectParameter {
-  std::string_view key;                ///< name in ship files, with its unit
+  std::string_view key;  ///< name in ship files, with its unit
   Scalar Part::*member;
-  Range range = any_number;            ///< accepted values
-  double null = 0.0;                   ///< where the effect does nothing; `unchanged`: at the ship's own number
-  double prior = 0.0;                  ///< standard deviation before any data, in `scale`
-  double floor = 0.0;                  ///< a smaller departure from null is a trace, in `scale`
-  double law = 0.03;                   ///< what its law is worth: standard deviation over departure from null, of directions in radians
+  Range range = any_number;  ///< accepted values
+  double null = 0.0;         ///< where the effect does nothing; `unchanged`: at the ship's own number
+  double prior = 0.0;        ///< standard deviation before any data, in `scale`
+  double floor = 0.0;        ///< a smaller departure from null is a trace, in `scale`
+  double law = 0.03;  ///< what its law is worth: standard deviation over departure from null, of directions in radians
   ShipUnit scale = ShipUnit::one;
-  bool decides = true;                 ///< the effect is off while every number that decides has its null value
-  bool required = true;                ///< whether a ship file must give it
-  double fallback = 0.0;               ///< value where a file does not give it
-  std::string_view table{};            ///< where the model keeps the number that this one replaces; empty where it replaces none
+  bool decides = true;       ///< the effect is off while every number that decides has its null value
+  bool required = true;      ///< whether a ship file must give it
+  double fallback = 0.0;     ///< value where a file does not give it
+  std::string_view table{};  ///< where the model keeps the number that this one replaces; empty where it replaces none
   std::array<std::string_view, 2> replaces{};  ///< its key there; models may name it differently
 };
 

@@ -19,11 +19,13 @@ namespace swayaw {
 
 /// Every effect that can be simulated, in the order of the table of docs/effects.md.
 template <class S>
-using EffectIn = std::variant<SteadyWind<S>, Gust<S>, SteadyCurrent<S>, WaveDrift<S>, ShallowWater<S>, HullLinearDerivatives<S>, HullNonlinearDamping<S>,
-                              CrossFlowDrag<S>, AddedResistance<S>, SpeedLossInTurn<S>, AddedMass<S>, RudderEffectiveness<S>, RudderHullInteraction<S>,
-                              RudderStall<S>, RudderGap<S>, FlowStraightening<S>, RaceOnRudder<S>, PropellerSideForce<S>, WakeChange<S>, ShaftSpeedDrop<S>,
-                              RudderOffset<S>, SteeringGearLag<S>, SteeringGearBacklash<S>, RollCoupling<S>, FluidMemory<S>, HeadingBias<S>, GyroBias<S>,
-                              LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>, UnknownForce<S>>;
+using EffectIn =
+    std::variant<SteadyWind<S>, Gust<S>, SteadyCurrent<S>, WaveDrift<S>, ShallowWater<S>, HullLinearDerivatives<S>,
+                 HullNonlinearDamping<S>, CrossFlowDrag<S>, AddedResistance<S>, SpeedLossInTurn<S>, AddedMass<S>,
+                 RudderEffectiveness<S>, RudderHullInteraction<S>, RudderStall<S>, RudderGap<S>, FlowStraightening<S>,
+                 RaceOnRudder<S>, PropellerSideForce<S>, WakeChange<S>, ShaftSpeedDrop<S>, RudderOffset<S>,
+                 SteeringGearLag<S>, SteeringGearBacklash<S>, RollCoupling<S>, FluidMemory<S>, HeadingBias<S>,
+                 GyroBias<S>, LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>, UnknownForce<S>>;
 
 using Effect = EffectIn<double>;
 
@@ -97,7 +99,9 @@ const Kind* find(std::span<const EffectIn<S>> effects) {
 /// The same effect with another scalar.
 template <class To, class From>
 EffectIn<To> cast(const EffectIn<From>& effect) {
-  const auto cast_kind = []<template <class> class Kind>(const Kind<From>& e) -> EffectIn<To> { return cast_effect<To>(e); };
+  const auto cast_kind = []<template <class> class Kind>(const Kind<From>& e) -> EffectIn<To> {
+    return cast_effect<To>(e);
+  };
   return std::visit(cast_kind, effect);
 }
 

@@ -17,12 +17,12 @@ enum class HullFormula {
 /// What is known beyond the main dimensions; the rest is assumed, see estimated_mmg_ship.
 struct EstimateOptions {
   HullFormula hull = HullFormula::yoshimura_masumoto;
-  double rho = 1025.0;                       ///< density of the water [kg/m^3]
-  double nu = 1.19e-6;                       ///< kinematic viscosity of the water [m^2/s], sea water of 15 °C unless given
-  double x_G = 0.0;                          ///< centre of gravity forward of midship [m]
-  double k_zz_prime = 0.25;                  ///< yaw radius of gyration over L
-  std::optional<double> rudder_area;         ///< movable area [m^2]
-  std::optional<double> rudder_height;       ///< span [m]
+  double rho = 1025.0;                  ///< density of the water [kg/m^3]
+  double nu = 1.19e-6;                  ///< kinematic viscosity of the water [m^2/s], sea water of 15 °C unless given
+  double x_G = 0.0;                     ///< centre of gravity forward of midship [m]
+  double k_zz_prime = 0.25;             ///< yaw radius of gyration over L
+  std::optional<double> rudder_area;    ///< movable area [m^2]
+  std::optional<double> rudder_height;  ///< span [m]
   std::optional<double> propeller_diameter;  ///< [m]
   std::optional<double> wake_fraction;       ///< w_P0
   std::optional<double> thrust_deduction;    ///< t_P
@@ -48,7 +48,8 @@ double dnv_rudder_area(const HullDimensions<double>& hull);
 /// Source: [Fujii1961]
 double fujii_slope(double aspect_ratio);
 
-/// Resistance straight ahead over ½ρLdU², friction with form factor and allowance. Waves are left out: too low for fast ships.
+/// Resistance straight ahead over ½ρLdU², friction with form factor and allowance. Waves are left out: too low for fast
+/// ships.
 ///
 ///     R_0' = ((1 + k) C_F + 0.0004) S/(L d)
 ///     C_F = 0.075/(log₁₀(U L/ν) − 2)²,    k = −0.095 + 25.6 C_B / ((L/B)² sqrt(B/d)),    S = 1.025 L (C_B B + 1.7 d)
@@ -56,19 +57,21 @@ double fujii_slope(double aspect_ratio);
 /// Source: [ITTC1957], k after Watanabe, S after Mumford, allowance as usual for new ships
 double estimated_resistance(const HullDimensions<double>& hull, double speed, double nu = 1.19e-6);
 
-/// A single-screw, single-rudder ship in sea water, complete, mirror-symmetric, her shaft able to hold the service speed.
+/// A single-screw, single-rudder ship in sea water, complete, mirror-symmetric, her shaft able to hold the service
+/// speed.
 ///
 /// Hull: the formula chosen; added masses zhou_added_mass; interaction yoshimura_masumoto_interaction.
-/// Propeller: K_T curve of KVLCC2 [Yasukawa2015], stretched over J by the pitch factor p as K_T = k_0 p + k_1 J + k_2 J²/p,
-/// p such that J is two thirds of the J without thrust at the service speed, within 1 to 1.6;
-/// diameter 0.7 d up to C_B 0.65, falling to 0.5 d at C_B 0.8; w_P0 = C_B/2 − 0.05 (Taylor), t_P = 0.6 w_P0;
-/// wake change of KVLCC2, mean of both sides; x_P' = −0.48.
-/// Rudder: dnv_rudder_area, span 0.75 d but not less than the propeller's diameter, x_R' = −0.5, fujii_slope;
-/// 35 deg, and 65 deg in 28 s (SOLAS II-1/29).
-/// Every assumption that was used stands in `assumptions`, with its number.
+/// Propeller: K_T curve of KVLCC2 [Yasukawa2015], stretched over J by the pitch factor p as K_T = k_0 p + k_1 J + k_2
+/// J²/p, p such that J is two thirds of the J without thrust at the service speed, within 1 to 1.6; diameter 0.7 d up
+/// to C_B 0.65, falling to 0.5 d at C_B 0.8; w_P0 = C_B/2 − 0.05 (Taylor), t_P = 0.6 w_P0; wake change of KVLCC2, mean
+/// of both sides; x_P' = −0.48. Rudder: dnv_rudder_area, span 0.75 d but not less than the propeller's diameter, x_R' =
+/// −0.5, fujii_slope; 35 deg, and 65 deg in 28 s (SOLAS II-1/29). Every assumption that was used stands in
+/// `assumptions`, with its number.
 ///
 /// @throws std::domain_error  if a dimension, the speed or a given number is not positive
-/// @throws Refusal            if a trimmed ship is asked of formulas for even keel, or the propeller cannot hold the speed
-EstimatedShip estimated_mmg_ship(const HullDimensions<double>& hull, double service_speed, const EstimateOptions& options = {});
+/// @throws Refusal            if a trimmed ship is asked of formulas for even keel, or the propeller cannot hold the
+/// speed
+EstimatedShip estimated_mmg_ship(const HullDimensions<double>& hull, double service_speed,
+                                 const EstimateOptions& options = {});
 
 }  // namespace swayaw

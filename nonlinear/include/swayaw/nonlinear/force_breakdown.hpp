@@ -10,7 +10,8 @@ namespace swayaw {
 
 /// Forces about midship, split by part, and what they do to the ship.
 struct ForceBreakdown {
-  std::vector<ForcePart<double>> parts;     ///< hull, propeller, rudder, …, wind where there is some, and effects that add a force, by their names
+  std::vector<ForcePart<double>>
+      parts;  ///< hull, propeller, rudder, …, wind where there is some, and effects that add a force, by their names
   PlanarForce<double> total;                ///< drives the equations of motion of the model
   PlanarAcceleration<double> acceleration;  ///< of midship in body axes
 };
@@ -20,8 +21,8 @@ struct ForceBreakdown {
 /// @throws Refusal  if the ship does not move ahead, for which no force model holds
 ForceBreakdown force_breakdown(const Ship& ship, const ShipState<double>& state, const Controls<double>& controls);
 
-/// Forces by part as columns X_hull_N, Y_hull_N, N_hull_N_m, … beside the samples of a run, recorded or simulated. Samples of
-/// which the motion, the rudder or the propulsion is missing get none.
+/// Forces by part as columns X_hull_N, Y_hull_N, N_hull_N_m, … beside the samples of a run, recorded or simulated.
+/// Samples of which the motion, the rudder or the propulsion is missing get none.
 ///
 /// @throws Refusal  if the run lacks u, v, r, rudder, or shaft speed and thrust, altogether
 void add_forces(Recording& run, const Ship& ship);

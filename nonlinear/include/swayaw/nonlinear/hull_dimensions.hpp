@@ -11,11 +11,11 @@ namespace swayaw {
 
 template <class S = double>
 struct HullDimensions {
-  S L;               ///< length between perpendiculars [m]
-  S B;               ///< beam [m]
-  S d;               ///< mean draught [m]
-  S C_B;             ///< block coefficient, displaced volume over L B d
-  S trim = S(0.0);   ///< draught aft less draught forward [m]
+  S L;              ///< length between perpendiculars [m]
+  S B;              ///< beam [m]
+  S d;              ///< mean draught [m]
+  S C_B;            ///< block coefficient, displaced volume over L B d
+  S trim = S(0.0);  ///< draught aft less draught forward [m]
 };
 
 /// Displaced volume C_B L B d [m^3].

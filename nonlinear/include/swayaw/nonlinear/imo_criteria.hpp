@@ -6,10 +6,12 @@
 
 #include "swayaw/nonlinear/manoeuvre.hpp"
 
-/// The standards for ship manoeuvrability of [MSC.137(76)], section 5.3, as far as they are steering; stopping is not simulated.
+/// The standards for ship manoeuvrability of [MSC.137(76)], section 5.3, as far as they are steering; stopping is not
+/// simulated.
 ///
-/// They are made for full-scale ships of 100 m and more, all chemical tankers and gas carriers, at a test speed of at least 90 % of
-/// that at 85 % of the engine's largest output, in deep water and calm. A scale model has another L/V and with it other limits.
+/// They are made for full-scale ships of 100 m and more, all chemical tankers and gas carriers, at a test speed of at
+/// least 90 % of that at 85 % of the engine's largest output, in deep water and calm. A scale model has another L/V and
+/// with it other limits.
 namespace swayaw {
 
 /// One number that must not be exceeded.
@@ -35,11 +37,13 @@ double second_overshoot_limit(double L_over_V);
 /// Rudder angle of the turning circle: 35 deg, or the largest of the ship [rad].
 double turning_rudder(const Ship& ship);
 
-/// What a zigzag tells: of a 10/10 initial turning and both overshoots, of a 20/20 the first overshoot, of others nothing.
+/// What a zigzag tells: of a 10/10 initial turning and both overshoots, of a 20/20 the first overshoot, of others
+/// nothing.
 std::vector<Criterion> criteria_of(const Zigzag& zigzag, const ZigzagOrder& order, double L);
 
 /// What a turning circle tells: advance and tactical diameter at `turning_rudder`, initial turning at 10 deg.
-std::vector<Criterion> criteria_of(const TurningCircle& circle, const TurnOrder& order, double L, double turning_rudder);
+std::vector<Criterion> criteria_of(const TurningCircle& circle, const TurnOrder& order, double L,
+                                   double turning_rudder);
 
 struct ImoCriteria {
   std::vector<Criterion> criteria;  ///< first of manoeuvres to starboard, then to port
@@ -48,7 +52,8 @@ struct ImoCriteria {
   Controls<double> propulsion;      ///< held during the manoeuvres
 };
 
-/// Turning circle and the zigzags 10/10 and 20/20, to both sides. What is not reached in 100 or 200 ship lengths does not pass.
+/// Turning circle and the zigzags 10/10 and 20/20, to both sides. What is not reached in 100 or 200 ship lengths does
+/// not pass.
 ///
 /// `duration` of the options is not used.
 /// @throws as zigzag does

@@ -23,18 +23,24 @@ struct CircleIndices {
   S advance, transfer;  ///< at 90 deg change of heading
   S tactical_diameter;  ///< at 180 deg
   S time_90, time_180;
-  S initial_turning;    ///< way made at 10 deg; only if the turn was sampled
+  S initial_turning;  ///< way made at 10 deg; only if the turn was sampled
 
   static constexpr auto parameters() {
     using I = CircleIndices;
     using P = Parameter<I, S>;
     return std::array{
-        P{"final_u", &I::u, "m/s", positive},       P{"final_v", &I::v, "m/s", not_zero},
-        P{"final_yaw_rate", &I::r, "rad/s", positive}, P{"final_speed", &I::U, "m/s", positive},
-        P{"final_drift", &I::beta, "rad", not_zero}, P{"final_diameter", &I::D, "m", positive},
-        P{"advance", &I::advance, "m", not_zero},    P{"transfer", &I::transfer, "m", not_zero},
-        P{"tactical_diameter", &I::tactical_diameter, "m", not_zero}, P{"time_90", &I::time_90, "s", positive},
-        P{"time_180", &I::time_180, "s", positive},  P{"initial_turning", &I::initial_turning, "m", positive},
+        P{"final_u", &I::u, "m/s", positive},
+        P{"final_v", &I::v, "m/s", not_zero},
+        P{"final_yaw_rate", &I::r, "rad/s", positive},
+        P{"final_speed", &I::U, "m/s", positive},
+        P{"final_drift", &I::beta, "rad", not_zero},
+        P{"final_diameter", &I::D, "m", positive},
+        P{"advance", &I::advance, "m", not_zero},
+        P{"transfer", &I::transfer, "m", not_zero},
+        P{"tactical_diameter", &I::tactical_diameter, "m", not_zero},
+        P{"time_90", &I::time_90, "s", positive},
+        P{"time_180", &I::time_180, "s", positive},
+        P{"initial_turning", &I::initial_turning, "m", positive},
     };
   }
 };
@@ -44,15 +50,18 @@ template <class S = double>
 struct ZigzagIndices {
   S overshoot_1, overshoot_2, overshoot_3, overshoot_4;  ///< heading peaks beyond the switch angle
   S period;                                              ///< between the last reversal and the last but two
-  S initial_turning;                                     ///< way made at the first reversal; only if the zigzag was sampled
+  S initial_turning;  ///< way made at the first reversal; only if the zigzag was sampled
 
   static constexpr auto parameters() {
     using I = ZigzagIndices;
     using P = Parameter<I, S>;
     return std::array{
-        P{"overshoot[0]", &I::overshoot_1, "rad", positive}, P{"overshoot[1]", &I::overshoot_2, "rad", positive},
-        P{"overshoot[2]", &I::overshoot_3, "rad", positive}, P{"overshoot[3]", &I::overshoot_4, "rad", positive},
-        P{"period", &I::period, "s", positive},              P{"initial_turning", &I::initial_turning, "m", positive},
+        P{"overshoot[0]", &I::overshoot_1, "rad", positive},
+        P{"overshoot[1]", &I::overshoot_2, "rad", positive},
+        P{"overshoot[2]", &I::overshoot_3, "rad", positive},
+        P{"overshoot[3]", &I::overshoot_4, "rad", positive},
+        P{"period", &I::period, "s", positive},
+        P{"initial_turning", &I::initial_turning, "m", positive},
     };
   }
 };
@@ -78,12 +87,12 @@ using Slopes = std::vector<double>;
 /// @param circle   of the same ship, order and options, `traced`
 /// @param numbers  every slopes_at_once of them cost one more voyage
 /// @throws Refusal  for a ship in wind, or with effects other than a current
-CircleIndices<Slopes> index_slopes(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options, const TurningCircle& circle,
-                                   std::span<const ShipNumber> numbers);
+CircleIndices<Slopes> index_slopes(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options,
+                                   const TurningCircle& circle, std::span<const ShipNumber> numbers);
 
 /// The same of a zigzag.
-ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options, const Zigzag& zigzag,
-                                   std::span<const ShipNumber> numbers);
+ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options,
+                                   const Zigzag& zigzag, std::span<const ShipNumber> numbers);
 
 /// How many numbers one more voyage takes.
 inline constexpr std::size_t slopes_at_once = 19;

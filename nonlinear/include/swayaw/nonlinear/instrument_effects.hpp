@@ -21,14 +21,18 @@ struct RudderOffset {
   static constexpr EffectPlace place = EffectPlace::actuator;
   static constexpr auto parameters() {
     using P = EffectParameter<RudderOffset, S>;
-    return std::array{P{.key = "offset_rad", .member = &RudderOffset::offset, .range = {-0.6, 0.6}, .prior = radians(2.0), .floor = radians(0.3)}};
+    return std::array{P{.key = "offset_rad",
+                        .member = &RudderOffset::offset,
+                        .range = {-0.6, 0.6},
+                        .prior = radians(2.0),
+                        .floor = radians(0.3)}};
   }
 };
 
 /// The rudder follows the recorded angle late: d(delta)/dt = (delta_rec − delta)/T, at most the rate.
 template <class S = double>
 struct SteeringGearLag {
-  S lag{};                                             ///< T [s]
+  S lag{};                                              ///< T [s]
   S rate = S(std::numeric_limits<double>::infinity());  ///< [rad/s]
 
   static constexpr std::string_view id = "steering_gear_lag";
@@ -37,8 +41,19 @@ struct SteeringGearLag {
     using P = EffectParameter<SteeringGearLag, S>;
     constexpr double none = std::numeric_limits<double>::infinity();
     return std::array{
-        P{.key = "lag_s", .member = &SteeringGearLag::lag, .range = non_negative, .prior = 0.2, .floor = 0.01, .scale = ShipUnit::time},
-        P{.key = "rate_rad_s", .member = &SteeringGearLag::rate, .range = positive, .null = none, .prior = 0.05, .required = false, .fallback = none},
+        P{.key = "lag_s",
+          .member = &SteeringGearLag::lag,
+          .range = non_negative,
+          .prior = 0.2,
+          .floor = 0.01,
+          .scale = ShipUnit::time},
+        P{.key = "rate_rad_s",
+          .member = &SteeringGearLag::rate,
+          .range = positive,
+          .null = none,
+          .prior = 0.05,
+          .required = false,
+          .fallback = none},
     };
   }
 };
@@ -52,11 +67,16 @@ struct SteeringGearBacklash {
   static constexpr EffectPlace place = EffectPlace::actuator;
   static constexpr auto parameters() {
     using P = EffectParameter<SteeringGearBacklash, S>;
-    return std::array{P{.key = "width_rad", .member = &SteeringGearBacklash::width, .range = non_negative, .prior = radians(3.0), .floor = radians(0.3)}};
+    return std::array{P{.key = "width_rad",
+                        .member = &SteeringGearBacklash::width,
+                        .range = non_negative,
+                        .prior = radians(3.0),
+                        .floor = radians(0.3)}};
   }
 };
 
-/// The shaft turns slower than recorded where the ship has lost speed, n (1 − relative_drop (1 − u/U_0)): an engine at its limit of torque.
+/// The shaft turns slower than recorded where the ship has lost speed, n (1 − relative_drop (1 − u/U_0)): an engine at
+/// its limit of torque.
 template <class S = double>
 struct ShaftSpeedDrop {
   S relative_drop{};
@@ -65,7 +85,11 @@ struct ShaftSpeedDrop {
   static constexpr EffectPlace place = EffectPlace::actuator;
   static constexpr auto parameters() {
     using P = EffectParameter<ShaftSpeedDrop, S>;
-    return std::array{P{.key = "relative_drop", .member = &ShaftSpeedDrop::relative_drop, .range = {-1.0, 1.0}, .prior = 0.3, .floor = 0.02}};
+    return std::array{P{.key = "relative_drop",
+                        .member = &ShaftSpeedDrop::relative_drop,
+                        .range = {-1.0, 1.0},
+                        .prior = 0.3,
+                        .floor = 0.02}};
   }
 };
 
@@ -80,7 +104,12 @@ struct HeadingBias {
   static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<HeadingBias, S>;
-    return std::array{P{.key = "bias_rad", .member = &HeadingBias::bias, .range = {-pi, pi}, .prior = radians(2.0), .floor = radians(0.3), .law = 0.0}};
+    return std::array{P{.key = "bias_rad",
+                        .member = &HeadingBias::bias,
+                        .range = {-pi, pi},
+                        .prior = radians(2.0),
+                        .floor = radians(0.3),
+                        .law = 0.0}};
   }
 };
 
@@ -93,7 +122,12 @@ struct GyroBias {
   static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<GyroBias, S>;
-    return std::array{P{.key = "bias_rad_s", .member = &GyroBias::bias, .prior = 0.02, .floor = 0.002, .law = 0.0, .scale = ShipUnit::yaw_rate}};
+    return std::array{P{.key = "bias_rad_s",
+                        .member = &GyroBias::bias,
+                        .prior = 0.02,
+                        .floor = 0.002,
+                        .law = 0.0,
+                        .scale = ShipUnit::yaw_rate}};
   }
 };
 
@@ -106,7 +140,13 @@ struct LogScale {
   static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<LogScale, S>;
-    return std::array{P{.key = "scale", .member = &LogScale::scale, .range = positive, .null = 1.0, .prior = 0.05, .floor = 0.01, .law = 0.0}};
+    return std::array{P{.key = "scale",
+                        .member = &LogScale::scale,
+                        .range = positive,
+                        .null = 1.0,
+                        .prior = 0.05,
+                        .floor = 0.01,
+                        .law = 0.0}};
   }
 };
 
@@ -121,8 +161,19 @@ struct AntennaLeverArm {
   static constexpr auto parameters() {
     using P = EffectParameter<AntennaLeverArm, S>;
     return std::array{
-        P{.key = "x_m", .member = &AntennaLeverArm::x, .prior = 0.3, .floor = 0.02, .law = 0.0, .scale = ShipUnit::length},
-        P{.key = "y_m", .member = &AntennaLeverArm::y, .prior = 0.05, .floor = 0.02, .law = 0.0, .scale = ShipUnit::length, .required = false},
+        P{.key = "x_m",
+          .member = &AntennaLeverArm::x,
+          .prior = 0.3,
+          .floor = 0.02,
+          .law = 0.0,
+          .scale = ShipUnit::length},
+        P{.key = "y_m",
+          .member = &AntennaLeverArm::y,
+          .prior = 0.05,
+          .floor = 0.02,
+          .law = 0.0,
+          .scale = ShipUnit::length,
+          .required = false},
     };
   }
 };
@@ -137,7 +188,8 @@ struct ChannelDelay {
   static constexpr EffectPlace place = EffectPlace::sensor;
   static constexpr auto parameters() {
     using P = EffectParameter<ChannelDelay, S>;
-    return std::array{P{.key = "delay_s", .member = &ChannelDelay::delay, .prior = 0.1, .floor = 0.01, .scale = ShipUnit::time}};
+    return std::array{
+        P{.key = "delay_s", .member = &ChannelDelay::delay, .prior = 0.1, .floor = 0.01, .scale = ShipUnit::time}};
   }
 };
 

@@ -79,10 +79,13 @@ MmgHull<S> kijima_hull(const HullDimensions<S>& h, const MmgAddedMass<S>& added,
   return hull;
 }
 
-/// Where kijima_derivatives is used without a warning; chosen like merchant_ships, with trim by the stern up to a fifth of the draught.
-/// Trimmed ships are further bound to p ≤ 0.1, where trim by the stern makes every hull of the range more stable on her course;
-/// beyond, the parabola in p overtakes that and makes deep, fine hulls less stable.
-inline constexpr HullRange loaded_ships{
-    .C_B = {0.50, 0.85}, .L_over_B = {4.5, 8.0}, .B_over_d = {2.0, 4.5}, .trim_over_d = {0.0, 0.2}, .fineness_trimmed = {0.0, 0.1}};
+/// Where kijima_derivatives is used without a warning; chosen like merchant_ships, with trim by the stern up to a fifth
+/// of the draught. Trimmed ships are further bound to p ≤ 0.1, where trim by the stern makes every hull of the range
+/// more stable on her course; beyond, the parabola in p overtakes that and makes deep, fine hulls less stable.
+inline constexpr HullRange loaded_ships{.C_B = {0.50, 0.85},
+                                        .L_over_B = {4.5, 8.0},
+                                        .B_over_d = {2.0, 4.5},
+                                        .trim_over_d = {0.0, 0.2},
+                                        .fineness_trimmed = {0.0, 0.1}};
 
 }  // namespace swayaw

@@ -35,8 +35,8 @@ S geometric_crossflow(const LiftingLineRudder<S>& k, const PlanarMotion<S>& m) {
 ///
 /// Source: [Alexandersson2024] eqs (17)–(21), (B.20), (B.26), (B.27)
 template <class S>
-RudderInflow<S> rudder_inflow(const LiftingLineRudder<S>& k, const PlanarMotion<S>& m, const PropellerRace<S>& race, const S& y_R,
-                              const Mask<S>& gamma_g_positive) {
+RudderInflow<S> rudder_inflow(const LiftingLineRudder<S>& k, const PlanarMotion<S>& m, const PropellerRace<S>& race,
+                              const S& y_R, const Mask<S>& gamma_g_positive) {
   const S V_RxC = race.V_corr - m.r * y_R;
   const S gamma_g = angle_of(geometric_crossflow(k, m), V_RxC);
   const S size = select(gamma_g_positive, gamma_g, S(-gamma_g));  // |gamma_g|
@@ -44,8 +44,8 @@ RudderInflow<S> rudder_inflow(const LiftingLineRudder<S>& k, const PlanarMotion<
   return {.V_RxC = V_RxC, .V_RxU = race.V_A - m.r * y_R, .V_Ry = V_Ry, .gamma = angle_of(V_Ry, V_RxC)};
 }
 
-/// What the gap between rudder and horn leaves of the lift: 1 while it is closed, 1 + s (|delta| − delta_lim)² when open;
-/// with `gap_factor = "clipped"` never below 0. Source: [Alexandersson2024] eq (30)
+/// What the gap between rudder and horn leaves of the lift: 1 while it is closed, 1 + s (|delta| − delta_lim)² when
+/// open; with `gap_factor = "clipped"` never below 0. Source: [Alexandersson2024] eq (30)
 template <class S>
 S gap_factor(const LiftingLineRudder<S>& k, const S& delta, const Mask<S>& open, const Mask<S>& lifts) {
   const S beyond = abs(delta) - k.delta_lim;
@@ -101,14 +101,15 @@ struct LiftAndDrag {
 
 /// Lift and drag of the parts in the race (C) and outside it (U).
 ///
-///     C_L = K_gap f (dC_L/dalpha alpha + C_DC alpha |alpha|/AR_e),   f = 1 unless a lift factor or stall_factor(alpha) is there
-///     L_R = ½ρ C_L (lambda_R A_RC V_RC² + A_RU V_RU²)
-///     D_R = ½ρ (A_RC C_D(V_RC) V_RC² + A_RU C_D(V_RU) V_RU²),   C_D(V) = 2.5 C_D0,tune C_F(V c/nu) + C_D,tune C_L²/(π AR_e e_0)
+///     C_L = K_gap f (dC_L/dalpha alpha + C_DC alpha |alpha|/AR_e),   f = 1 unless a lift factor or stall_factor(alpha)
+///     is there L_R = ½ρ C_L (lambda_R A_RC V_RC² + A_RU V_RU²) D_R = ½ρ (A_RC C_D(V_RC) V_RC² + A_RU C_D(V_RU) V_RU²),
+///     C_D(V) = 2.5 C_D0,tune C_F(V c/nu) + C_D,tune C_L²/(π AR_e e_0)
 ///
 /// Source: [Alexandersson2024] eqs (23)–(27), (35), (B.4)–(B.7), (B.21), (B.28)
 template <class S>
-LiftAndDrag<S> lift_and_drag(const LiftingLineRudder<S>& k, const S& rho, const S& nu, const Planform<S>& plan, const S& lambda_R,
-                             const RudderInflow<S>& in, const S& alpha, const Mask<S>& alpha_positive, const S& K_gap) {
+LiftAndDrag<S> lift_and_drag(const LiftingLineRudder<S>& k, const S& rho, const S& nu, const Planform<S>& plan,
+                             const S& lambda_R, const RudderInflow<S>& in, const S& alpha,
+                             const Mask<S>& alpha_positive, const S& K_gap) {
   const S size = select(alpha_positive, alpha, S(-alpha));  // |alpha|
   S C_L = K_gap * k.lift_factor * alpha * (plan.slope + plan.cross_flow * size / plan.AR_e);
   if (any(k.alpha_s > S(0.0))) C_L = C_L * stall_factor(k.stall(), alpha);

@@ -14,32 +14,32 @@ namespace swayaw {
 /// Source: [Alexandersson2024] section 2.2, appendix B.2, table 5
 template <class S = double>
 struct LiftingLineRudder {
-  S A_R;                 ///< area [m^2]
-  S A_RC;                ///< area in the race [m^2]
-  S A_RU;                ///< area outside the race [m^2]; 0: the rest, A_R − A_RC
-  S b_R;                 ///< span [m]
-  S c_r, c_t;            ///< chord at root and tip [m]
-  S AR_factor;           ///< effective over geometric aspect ratio: 2 where the hull mirrors the rudder
-  S Omega;               ///< sweep of the quarter chord [rad]
-  S x_R;                 ///< forward of midship [m]
-  S y_R_port;            ///< port rudder, positive to starboard [m]; 0 leaves the twin-screw terms out
-  S y_R_starboard;       ///< starboard rudder [m]
-  S x;                   ///< from propeller to rudder [m]
-  S gamma_0_port;        ///< inflow on a straight course, port rudder [rad]
-  S gamma_0_starboard;   ///< starboard rudder [rad]
+  S A_R;                     ///< area [m^2]
+  S A_RC;                    ///< area in the race [m^2]
+  S A_RU;                    ///< area outside the race [m^2]; 0: the rest, A_R − A_RC
+  S b_R;                     ///< span [m]
+  S c_r, c_t;                ///< chord at root and tip [m]
+  S AR_factor;               ///< effective over geometric aspect ratio: 2 where the hull mirrors the rudder
+  S Omega;                   ///< sweep of the quarter chord [rad]
+  S x_R;                     ///< forward of midship [m]
+  S y_R_port;                ///< port rudder, positive to starboard [m]; 0 leaves the twin-screw terms out
+  S y_R_starboard;           ///< starboard rudder [m]
+  S x;                       ///< from propeller to rudder [m]
+  S gamma_0_port;            ///< inflow on a straight course, port rudder [rad]
+  S gamma_0_starboard;       ///< starboard rudder [rad]
   S kappa_v, kappa_v_gamma;  ///< flow straightening of v, and its growth with |gamma_g|
   S kappa_r, kappa_r_gamma;  ///< flow straightening of r, and its growth with |gamma_g|
-  S delta_lim;           ///< rudder angle beyond which the gap to the horn opens [rad]
-  S s;                   ///< strength of the gap, negative [1/rad^2]
-  S alpha_s = S(0.0);    ///< angle of attack at which the rudder stalls [rad], 0 for none; see stall_factor
+  S delta_lim;               ///< rudder angle beyond which the gap to the horn opens [rad]
+  S s;                       ///< strength of the gap, negative [1/rad^2]
+  S alpha_s = S(0.0);        ///< angle of attack at which the rudder stalls [rad], 0 for none; see stall_factor
   S stall_depth = S(0.5);
   S stall_width = S(0.05);  ///< [rad]
-  S lift_factor = S(1.0); ///< on the lift
-  S e_0;                 ///< Oswald efficiency
-  S C_D_tune;            ///< factor on induced drag
-  S C_D0_tune;           ///< factor on drag without lift; goes with the friction line
-  S a_H;                 ///< Y_RHI/Y_R
-  S x_H;                 ///< N_RHI/N_R, a ratio and no lever
+  S lift_factor = S(1.0);   ///< on the lift
+  S e_0;                    ///< Oswald efficiency
+  S C_D_tune;               ///< factor on induced drag
+  S C_D0_tune;              ///< factor on drag without lift; goes with the friction line
+  S a_H;                    ///< Y_RHI/Y_R
+  S x_H;                    ///< N_RHI/N_R, a ratio and no lever
   Selection kind;
   Selection friction_line;
   Selection gap_factor;
@@ -55,7 +55,8 @@ struct LiftingLineRudder {
     constexpr auto fact = [](std::string_view key, S R::*member, Range range, std::string_view unit = "m") {
       return P{.key = key, .member = member, .unit = unit, .range = range};
     };
-    constexpr auto coefficient = [](std::string_view key, S R::*member, Range range = any_number, std::string_view unit = "-") {
+    constexpr auto coefficient = [](std::string_view key, S R::*member, Range range = any_number,
+                                    std::string_view unit = "-") {
       return P{.key = key, .member = member, .unit = unit, .range = range, .role = Role::coefficient};
     };
     constexpr auto optional = [](P p, double fallback = 0.0) {

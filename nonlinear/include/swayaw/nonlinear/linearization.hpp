@@ -28,26 +28,27 @@ struct AccelerationDerivatives {
 
 /// What one part of the ship contributes.
 struct PartDerivatives {
-  std::string name;  ///< hull, propeller, rudder, …, or centrifugal: what follows from mass and added mass turning with the ship
+  std::string name;  ///< hull, propeller, rudder, …, or centrifugal: what follows from mass and added mass turning with
+                     ///< the ship
   AccelerationDerivatives derivatives;
 };
 
 struct Linearization {
   OperatingPoint point;
-  PrimeScale scale;                            ///< length, and speed of the operating point
+  PrimeScale scale;  ///< length, and speed of the operating point
   AccelerationDerivatives whole;
-  std::vector<PartDerivatives> parts;          ///< add up to the whole
-  SnameDerivatives<double> masses;             ///< m', x_G', I_z' and added masses in ½ρL³ … ½ρL⁵; the derivatives are 0
-  std::array<std::complex<double>, 3> poles;   ///< of u, v and r together [1/s]
+  std::vector<PartDerivatives> parts;  ///< add up to the whole
+  SnameDerivatives<double> masses;  ///< m', x_G', I_z' and added masses in ½ρL³ … ½ρL⁵; the derivatives are 0
+  std::array<std::complex<double>, 3> poles;  ///< of u, v and r together [1/s]
 };
 
 /// Linear motion about a steady motion of the ship.
 ///
-/// Effects that change numbers or add a force act, with heel and memory those of a steady motion; wind, waves and what lies between
-/// order and rudder do not.
+/// Effects that change numbers or add a force act, with heel and memory those of a steady motion; wind, waves and what
+/// lies between order and rudder do not.
 ///
-/// Where the forces have a kink at the operating point, as the MMG rudder has straight ahead, the derivatives are those of a
-/// turn to one side, or without a side the mean of both.
+/// Where the forces have a kink at the operating point, as the MMG rudder has straight ahead, the derivatives are those
+/// of a turn to one side, or without a side the mean of both.
 ///
 /// @throws Refusal  if the ship does not move ahead, or accelerates there by more than 1e-6 U²/L
 Linearization linearize(const Ship& ship, const OperatingPoint& point, std::optional<Side> side = std::nullopt);

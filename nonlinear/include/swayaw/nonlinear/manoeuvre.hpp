@@ -10,7 +10,8 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Standard manoeuvres. Each begins at t = 0, where the first rudder order is given, at the origin on heading 0
-/// straight ahead through the water, with the propulsion held that carries the ship at the approach speed, unless another is given.
+/// straight ahead through the water, with the propulsion held that carries the ship at the approach speed, unless
+/// another is given.
 namespace swayaw {
 
 struct ManoeuvreOptions {
@@ -18,10 +19,10 @@ struct ManoeuvreOptions {
   std::optional<double> rev;       ///< shaft speed [1/s]; that of self-propulsion at the approach speed unless given
   std::optional<double> thrust;    ///< thrust of all propellers [N], in place of a shaft speed
   std::optional<double> duration;  ///< [s]; else until the indices are known
-  std::optional<double> step;      ///< between samples of the time series [s]; a round number near 0.02 L/U unless given
-  double tolerance = 1e-9;         ///< error of an integration step: lengths over L, speeds over U, angles in rad
-  bool sampled = true;             ///< keep the time series; without it `run` is empty and no way is measured
-  bool traced = false;             ///< keep the steps, from which index_slopes.hpp takes derivatives
+  std::optional<double> step;  ///< between samples of the time series [s]; a round number near 0.02 L/U unless given
+  double tolerance = 1e-9;     ///< error of an integration step: lengths over L, speeds over U, angles in rad
+  bool sampled = true;         ///< keep the time series; without it `run` is empty and no way is measured
+  bool traced = false;         ///< keep the steps, from which index_slopes.hpp takes derivatives
 };
 
 // ---------------------------------------------------------------- zigzag
@@ -35,9 +36,9 @@ struct ZigzagOrder {
 
 /// A rudder reversal and the heading peak that follows.
 struct Reversal {
-  double time;                              ///< when the heading reaches the switch angle [s]
-  std::optional<double> peak_time;          ///< when the yaw rate passes zero [s]
-  std::optional<double> overshoot;          ///< heading peak beyond the switch angle [rad]
+  double time;                      ///< when the heading reaches the switch angle [s]
+  std::optional<double> peak_time;  ///< when the yaw rate passes zero [s]
+  std::optional<double> overshoot;  ///< heading peak beyond the switch angle [rad]
 };
 
 /// Source of the indices: IMO resolution MSC.137(76)
@@ -48,7 +49,7 @@ struct Zigzag {
   double approach_speed;                  ///< [m/s]
   Controls<double> propulsion;            ///< held during the manoeuvre
   Recording run;
-  std::vector<ManoeuvreStep> steps;       ///< of the integration, if traced
+  std::vector<ManoeuvreStep> steps;  ///< of the integration, if traced
 };
 
 /// Zigzag: the rudder is put to D; whenever the heading reaches H on the side of the turn it is reversed.
@@ -68,23 +69,23 @@ struct TurnOrder {
 /// Source of the indices: IMO resolution MSC.137(76). Lengths from the place of the rudder order,
 /// along and across the approach course; nothing for what was not reached or does not exist.
 struct TurningCircle {
-  std::optional<double> advance;            ///< forward way at 90 deg change of heading [m]
-  std::optional<double> transfer;           ///< sideways way at 90 deg [m]
-  std::optional<double> time_90;            ///< [s]
-  std::optional<double> tactical_diameter;  ///< sideways way at 180 deg [m]
-  std::optional<double> time_180;           ///< [s]
-  std::optional<double> initial_turning;    ///< way made at 10 deg change of heading [m]
-  std::optional<double> final_diameter;     ///< 2U/|r| of the steady turn [m]
+  std::optional<double> advance;               ///< forward way at 90 deg change of heading [m]
+  std::optional<double> transfer;              ///< sideways way at 90 deg [m]
+  std::optional<double> time_90;               ///< [s]
+  std::optional<double> tactical_diameter;     ///< sideways way at 180 deg [m]
+  std::optional<double> time_180;              ///< [s]
+  std::optional<double> initial_turning;       ///< way made at 10 deg change of heading [m]
+  std::optional<double> final_diameter;        ///< 2U/|r| of the steady turn [m]
   std::optional<PlanarMotion<double>> steady;  ///< the steady turn, if the ship settles in one
-  std::optional<double> way_lost;           ///< when the ship ceased to move ahead, which ended the turn [s]
-  double approach_speed;                    ///< [m/s]
-  Controls<double> propulsion;              ///< held during the manoeuvre
+  std::optional<double> way_lost;              ///< when the ship ceased to move ahead, which ended the turn [s]
+  double approach_speed;                       ///< [m/s]
+  Controls<double> propulsion;                 ///< held during the manoeuvre
   Recording run;
-  std::vector<ManoeuvreStep> steps;         ///< of the integration, if traced
+  std::vector<ManoeuvreStep> steps;  ///< of the integration, if traced
 };
 
-/// Turning circle with the rudder held at the ordered angle. Ends after 540 deg, or where the ship no longer moves ahead, unless
-/// a duration is given.
+/// Turning circle with the rudder held at the ordered angle. Ends after 540 deg, or where the ship no longer moves
+/// ahead, unless a duration is given.
 /// @throws as zigzag does
 TurningCircle turning_circle(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options = {});
 

@@ -18,10 +18,10 @@ enum class StepEnd {
 
 /// A step that was sailed, so that it can be sailed again in another scalar.
 struct ManoeuvreStep {
-  double to;                   ///< its end [s]
+  double to;  ///< its end [s]
   StepEnd end;
   std::array<bool, most_branches> branch;  ///< the branch of the force during the step
-  std::size_t function;        ///< branch function that passed zero at its end
+  std::size_t function;                    ///< branch function that passed zero at its end
 };
 
 }  // namespace swayaw

@@ -21,7 +21,8 @@ struct MathematicalRudder {
   static constexpr auto parameters() {
     using R = MathematicalRudder;
     constexpr auto term = [](std::string_view key, S R::*member) {
-      return Parameter<R, S>{.key = key, .member = member, .unit = "-", .range = any_number, .role = Role::coefficient, .required = false};
+      return Parameter<R, S>{
+          .key = key, .member = member, .unit = "-", .range = any_number, .role = Role::coefficient, .required = false};
     };
     return std::array{
         term("X_deltadelta", &R::X_deltadelta),
@@ -42,7 +43,9 @@ struct MathematicalRudder {
     };
   }
 
-  static constexpr auto choices() { return std::array{Choice<MathematicalRudder>{"kind", &MathematicalRudder::kind, {"mathematical"}}}; }
+  static constexpr auto choices() {
+    return std::array{Choice<MathematicalRudder>{"kind", &MathematicalRudder::kind, {"mathematical"}}};
+  }
 };
 
 /// Force of the Taylor expansion, delta positive to port.

@@ -117,8 +117,8 @@ struct PropellerFlow {
 ///
 /// Source: [Yasukawa2015] eqs (10)–(12)
 template <class S>
-PropellerFlow<S> propeller_flow(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls, const S& beta_P,
-                                const Branch<S, 3>& branch) {
+PropellerFlow<S> propeller_flow(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls,
+                                const S& beta_P, const Branch<S, 3>& branch) {
   const auto& p = ship.propeller;
   const S u_P = propeller_inflow(p, motion.u, beta_P, branch[MmgBranch::propeller]);
   if (controls.by_thrust) return {.u_P = u_P, .thrust = controls.thrust.port + controls.thrust.starboard};
@@ -144,12 +144,12 @@ PlanarForce<S> propeller_force(const MmgPropeller<S>& propeller, const S& thrust
 ///     Y_R = −(1 + a_H) F_N cos(delta)
 ///     N_R = −(x_R + a_H x_H) F_N cos(delta)
 ///
-/// Where the rudder stalls, or has a gap above it, F_N is multiplied by stall_factor(alpha_R) and open_gap_factor(delta).
-/// Here delta is positive to starboard, as in the source; the argument is positive to port.
+/// Where the rudder stalls, or has a gap above it, F_N is multiplied by stall_factor(alpha_R) and
+/// open_gap_factor(delta). Here delta is positive to starboard, as in the source; the argument is positive to port.
 /// Source: [Yasukawa2015] eqs (17)–(24)
 template <class S>
-PlanarForce<S> rudder_force(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const S& delta_to_port, const S& beta_R,
-                            const PropellerFlow<S>& flow, const Mask<S>& from_starboard) {
+PlanarForce<S> rudder_force(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const S& delta_to_port,
+                            const S& beta_R, const PropellerFlow<S>& flow, const Mask<S>& from_starboard) {
   const auto& k = ship.rudder;
   const S& D = ship.propeller.D;
   const S u_P = flow.u_P;
@@ -171,7 +171,8 @@ PlanarForce<S> rudder_force(const MmgShip<S>& ship, const PlanarMotion<S>& motio
 
 /// All forces, on a given branch.
 template <class S>
-MmgForces<S> forces(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls, const Branch<S, 3>& branch) {
+MmgForces<S> forces(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls,
+                    const Branch<S, 3>& branch) {
   const auto [beta_P, beta_R] = local_drift(ship, motion);
   const auto flow = propeller_flow(ship, motion, controls, beta_P, branch);
   return {
@@ -184,7 +185,8 @@ MmgForces<S> forces(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const
 /// Propeller thrust T [N].
 template <class S>
 S thrust(const MmgShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls) {
-  return propeller_flow(ship, motion, controls, local_drift(ship, motion).propeller, branch_at(ship, motion, controls)).thrust;
+  return propeller_flow(ship, motion, controls, local_drift(ship, motion).propeller, branch_at(ship, motion, controls))
+      .thrust;
 }
 
 /// m = ρ∇, I_z = m (k_zz² + x_G²).
@@ -200,7 +202,8 @@ inline RigidBody rigid_body(const MmgShip<double>& ship) {
 ///     (m + m_y) dv/dt + (m + m_x) u r + m x_G dr/dt = Y
 ///     (I_zG + m x_G² + J_z) dr/dt + m x_G (dv/dt + u r) = N
 ///
-/// With `surge_coupling = "m"` the term (m + m_y) v r of the first equation is m v r, for derivatives X_vr' that hold m_y.
+/// With `surge_coupling = "m"` the term (m + m_y) v r of the first equation is m v r, for derivatives X_vr' that hold
+/// m_y.
 ///
 /// Source: [Yasukawa2015] eq (4)
 template <class S>

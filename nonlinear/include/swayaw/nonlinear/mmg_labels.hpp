@@ -15,8 +15,9 @@ struct PermutedLabel {
   std::string_view meant;
 };
 
-/// Table 3 of [Kulbiej2021]. Its second column gives the formulas of [Yoshimura2012] for L = 60, B = 10.5, d = 3.15 m and
-/// C_B = 0.59 to the printed digit, five of them under these names; with the names as printed neither set turns or zigzags.
+/// Table 3 of [Kulbiej2021]. Its second column gives the formulas of [Yoshimura2012] for L = 60, B = 10.5, d = 3.15 m
+/// and C_B = 0.59 to the printed digit, five of them under these names; with the names as printed neither set turns or
+/// zigzags.
 inline constexpr std::array<PermutedLabel, 5> kulbiej2021_labels{{
     {"Y_vvr", "Y_rrr"},
     {"Y_rrr", "Y_vvr"},

@@ -28,15 +28,15 @@ struct Water {
 
 template <class S = double>
 struct MmgParticulars {
-  S L;         ///< length between perpendiculars [m]
-  S B;         ///< beam [m]
-  S d;         ///< draught [m]
-  S nabla;     ///< displaced volume [m^3]
-  S x_G;       ///< centre of gravity forward of midship [m]
-  S k_zz;      ///< radius of gyration about the centre of gravity [m]
-  S U_0;       ///< service speed [m/s]
-  S A_front;   ///< frontal windage area [m^2], 0 if not known
-  S A_lateral; ///< lateral windage area [m^2], 0 if not known
+  S L;          ///< length between perpendiculars [m]
+  S B;          ///< beam [m]
+  S d;          ///< draught [m]
+  S nabla;      ///< displaced volume [m^3]
+  S x_G;        ///< centre of gravity forward of midship [m]
+  S k_zz;       ///< radius of gyration about the centre of gravity [m]
+  S U_0;        ///< service speed [m/s]
+  S A_front;    ///< frontal windage area [m^2], 0 if not known
+  S A_lateral;  ///< lateral windage area [m^2], 0 if not known
 
   static constexpr auto parameters() {
     using P = Parameter<MmgParticulars, S>;
@@ -48,17 +48,25 @@ struct MmgParticulars {
         P{"x_g_m", &MmgParticulars::x_G, "m", any_number},
         P{"radius_of_gyration_m", &MmgParticulars::k_zz, "m", positive},
         P{"service_speed_m_s", &MmgParticulars::U_0, "m/s", positive},
-        P{.key = "frontal_area_m2", .member = &MmgParticulars::A_front, .unit = "m2", .range = non_negative, .required = false},
-        P{.key = "lateral_area_m2", .member = &MmgParticulars::A_lateral, .unit = "m2", .range = non_negative, .required = false},
+        P{.key = "frontal_area_m2",
+          .member = &MmgParticulars::A_front,
+          .unit = "m2",
+          .range = non_negative,
+          .required = false},
+        P{.key = "lateral_area_m2",
+          .member = &MmgParticulars::A_lateral,
+          .unit = "m2",
+          .range = non_negative,
+          .required = false},
     };
   }
 };
 
 template <class S = double>
 struct MmgAddedMass {
-  S m_x;  ///< surge, m_x'
-  S m_y;  ///< sway, m_y'
-  S J_z;  ///< yaw, J_z'
+  S m_x;                     ///< surge, m_x'
+  S m_y;                     ///< sway, m_y'
+  S J_z;                     ///< yaw, J_z'
   Selection surge_coupling;  ///< what v r accelerates in surge: m + m_y as in the standard, or m alone
 
   static constexpr auto parameters() {
@@ -77,11 +85,11 @@ struct MmgAddedMass {
 
 template <class S = double>
 struct MmgHull {
-  S R_0;                                     ///< resistance, R_0'
-  S X_vv, X_vr, X_rr, X_vvvv;                ///< surge derivatives
-  S Y_v, Y_r, Y_vvv, Y_vvr, Y_vrr, Y_rrr;    ///< sway derivatives
-  S N_v, N_r, N_vvv, N_vvr, N_vrr, N_rrr;    ///< yaw derivatives, about midship
-  Selection labels;                          ///< under which names a ship file gives them; see relabelled
+  S R_0;                                   ///< resistance, R_0'
+  S X_vv, X_vr, X_rr, X_vvvv;              ///< surge derivatives
+  S Y_v, Y_r, Y_vvv, Y_vvr, Y_vrr, Y_rrr;  ///< sway derivatives
+  S N_v, N_r, N_vvv, N_vvr, N_vrr, N_rrr;  ///< yaw derivatives, about midship
+  Selection labels;                        ///< under which names a ship file gives them; see relabelled
 
   static constexpr auto parameters() {
     constexpr auto derivative = [](std::string_view key, S MmgHull::*member) {
@@ -139,9 +147,24 @@ struct MmgPropeller {
         P{"wake_C1", &MmgPropeller::C_1, "-", non_negative, coefficient},
         P{"wake_C2_positive", &MmgPropeller::C_2_positive, "-", non_negative, coefficient},
         P{"wake_C2_negative", &MmgPropeller::C_2_negative, "-", non_negative, coefficient},
-        P{.key = "kq[0]", .member = &MmgPropeller::q_0, .unit = "-", .range = positive, .role = coefficient, .required = false},
-        P{.key = "kq[1]", .member = &MmgPropeller::q_1, .unit = "-", .range = any_number, .role = coefficient, .required = false},
-        P{.key = "kq[2]", .member = &MmgPropeller::q_2, .unit = "-", .range = any_number, .role = coefficient, .required = false},
+        P{.key = "kq[0]",
+          .member = &MmgPropeller::q_0,
+          .unit = "-",
+          .range = positive,
+          .role = coefficient,
+          .required = false},
+        P{.key = "kq[1]",
+          .member = &MmgPropeller::q_1,
+          .unit = "-",
+          .range = any_number,
+          .role = coefficient,
+          .required = false},
+        P{.key = "kq[2]",
+          .member = &MmgPropeller::q_2,
+          .unit = "-",
+          .range = any_number,
+          .role = coefficient,
+          .required = false},
     };
   }
 };
@@ -155,8 +178,12 @@ struct Engine {
   bool torque_limited() const { return kind.index == 1; }
 
   static constexpr auto parameters() {
-    return std::array{Parameter<Engine, S>{
-        .key = "torque_limit_kN_m", .member = &Engine::Q_max, .unit = "kN m", .range = positive, .si = 1e3, .required = false}};
+    return std::array{Parameter<Engine, S>{.key = "torque_limit_kN_m",
+                                           .member = &Engine::Q_max,
+                                           .unit = "kN m",
+                                           .range = positive,
+                                           .si = 1e3,
+                                           .required = false}};
   }
 
   static constexpr auto choices() {
@@ -181,8 +208,8 @@ struct MmgRudder {
   S alpha_s = S(0.0);  ///< angle of attack at which the rudder stalls [rad], 0 for none; see stall_factor
   S stall_depth = S(0.5);
   S stall_width = S(0.05);  ///< [rad]
-  S delta_lim = S(0.0);///< rudder angle beyond which the gap to the horn opens [rad]
-  S s = S(0.0);        ///< strength of the gap, negative [1/rad²], 0 for none
+  S delta_lim = S(0.0);     ///< rudder angle beyond which the gap to the horn opens [rad]
+  S s = S(0.0);             ///< strength of the gap, negative [1/rad²], 0 for none
 
   Stall<S> stall() const { return {alpha_s, stall_depth, stall_width}; }
 
@@ -202,11 +229,36 @@ struct MmgRudder {
         P{"epsilon", &MmgRudder::epsilon, "-", positive, coefficient},
         P{"kappa", &MmgRudder::kappa, "-", any_number, coefficient},
         P{"f_alpha", &MmgRudder::f_alpha, "1/rad", positive, coefficient},
-        P{.key = "stall_angle_rad", .member = &MmgRudder::alpha_s, .unit = "rad", .range = non_negative, .role = coefficient, .required = false},
-        P{.key = "stall_depth", .member = &MmgRudder::stall_depth, .range = {0.0, 1.0}, .role = coefficient, .required = false, .fallback = 0.5},
-        P{.key = "stall_width_rad", .member = &MmgRudder::stall_width, .unit = "rad", .range = positive, .role = coefficient, .required = false, .fallback = 0.05},
-        P{.key = "gap_angle_rad", .member = &MmgRudder::delta_lim, .unit = "rad", .range = non_negative, .required = false},
-        P{.key = "gap_strength", .member = &MmgRudder::s, .unit = "1/rad2", .range = {.high = 0.0}, .role = coefficient, .required = false},
+        P{.key = "stall_angle_rad",
+          .member = &MmgRudder::alpha_s,
+          .unit = "rad",
+          .range = non_negative,
+          .role = coefficient,
+          .required = false},
+        P{.key = "stall_depth",
+          .member = &MmgRudder::stall_depth,
+          .range = {0.0, 1.0},
+          .role = coefficient,
+          .required = false,
+          .fallback = 0.5},
+        P{.key = "stall_width_rad",
+          .member = &MmgRudder::stall_width,
+          .unit = "rad",
+          .range = positive,
+          .role = coefficient,
+          .required = false,
+          .fallback = 0.05},
+        P{.key = "gap_angle_rad",
+          .member = &MmgRudder::delta_lim,
+          .unit = "rad",
+          .range = non_negative,
+          .required = false},
+        P{.key = "gap_strength",
+          .member = &MmgRudder::s,
+          .unit = "1/rad2",
+          .range = {.high = 0.0},
+          .role = coefficient,
+          .required = false},
     };
   }
 };

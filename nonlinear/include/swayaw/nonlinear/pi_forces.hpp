@@ -23,14 +23,14 @@ struct PiBranch {
 /// Propellers and what reaches the rudders behind them.
 template <class S>
 struct PiFlow {
-  Sides<S> thrust;               ///< [N]
+  Sides<S> thrust;  ///< [N]
   Sides<PropellerRace<S>> race;
   Sides<RudderInflow<S>> inflow;
 };
 
 template <class S>
-PiFlow<S> flow_at_rudders(const PiShip<S>& ship, const PlanarMotion<S>& m, const Controls<S>& controls, const Mask<S>& beta_P_positive,
-                          const Mask<S>& gamma_g_positive) {
+PiFlow<S> flow_at_rudders(const PiShip<S>& ship, const PlanarMotion<S>& m, const Controls<S>& controls,
+                          const Mask<S>& beta_P_positive, const Mask<S>& gamma_g_positive) {
   const auto& k = ship.rudder;
   const S V_A = propeller_inflow(ship, m, beta_P_positive);
   const S r_0 = 0.5 * ship.propeller.D;
@@ -46,7 +46,8 @@ PiFlow<S> flow_at_rudders(const PiShip<S>& ship, const PlanarMotion<S>& m, const
 
 /// The branch functions at a flow that was found with the signs of beta_P and V_g.
 template <class S>
-std::array<S, 6> branch_functions(const PiShip<S>& ship, const S& delta, const S& beta_P, const S& V_g, const PiFlow<S>& flow) {
+std::array<S, 6> branch_functions(const PiShip<S>& ship, const S& delta, const S& beta_P, const S& V_g,
+                                  const PiFlow<S>& flow) {
   const auto& k = ship.rudder;
   const auto has_gap = k.s != S(0.0);
   const S beyond = abs(delta) - k.delta_lim;
@@ -65,7 +66,8 @@ template <class S>
 std::array<S, 6> branch_functions(const PiShip<S>& ship, const PlanarMotion<S>& m, const Controls<S>& controls) {
   const S beta_P = wake_branch_function(ship, m);
   const S V_g = geometric_crossflow(ship.rudder, m);
-  return branch_functions(ship, controls.delta, beta_P, V_g, flow_at_rudders(ship, m, controls, beta_P > S(0.0), V_g > S(0.0)));
+  return branch_functions(ship, controls.delta, beta_P, V_g,
+                          flow_at_rudders(ship, m, controls, beta_P > S(0.0), V_g > S(0.0)));
 }
 
 /// Forces split by part, about midship.
@@ -79,7 +81,10 @@ struct PiForces {
   PlanarForce<S> total() const { return hull + propeller + rudder + rudder_hull_interaction; }
 
   std::array<ForcePart<S>, 4> parts() const {
-    return {{{"hull", hull}, {"propeller", propeller}, {"rudder", rudder}, {"rudder_hull_interaction", rudder_hull_interaction}}};
+    return {{{"hull", hull},
+             {"propeller", propeller},
+             {"rudder", rudder},
+             {"rudder_hull_interaction", rudder_hull_interaction}}};
   }
 };
 
@@ -93,17 +98,20 @@ PlanarForce<S> rudder_force(const PiShip<S>& ship, const S& delta, const PiFlow<
                        const Mask<S>& alpha_positive) {
     const S alpha_f = gamma_0 + inflow.gamma;
     const S lambda_R = lift_diminution(race, plan.chord);
-    const auto f = lift_and_drag(k, ship.water.rho, ship.water.nu, plan, lambda_R, inflow, S(delta + alpha_f), alpha_positive, K_gap);
+    const auto f = lift_and_drag(k, ship.water.rho, ship.water.nu, plan, lambda_R, inflow, S(delta + alpha_f),
+                                 alpha_positive, K_gap);
     return turned_to_ship(f, alpha_f, k.x_R, y_R);
   };
   const auto port = one(flow.race.port, flow.inflow.port, k.gamma_0_port, k.y_R_port, branch[PiBranch::attack_port]);
   if (!ship.propeller.twin()) return port;
-  return port + one(flow.race.starboard, flow.inflow.starboard, k.gamma_0_starboard, k.y_R_starboard, branch[PiBranch::attack_starboard]);
+  return port + one(flow.race.starboard, flow.inflow.starboard, k.gamma_0_starboard, k.y_R_starboard,
+                    branch[PiBranch::attack_starboard]);
 }
 
 /// All forces in a given flow.
 template <class S>
-PiForces<S> forces(const PiShip<S>& ship, const PlanarMotion<S>& m, const S& delta, const PiFlow<S>& flow, const Branch<S, 6>& branch) {
+PiForces<S> forces(const PiShip<S>& ship, const PlanarMotion<S>& m, const S& delta, const PiFlow<S>& flow,
+                   const Branch<S, 6>& branch) {
   const auto rudder = rudder_force(ship, delta, flow, branch);
   return {
       .hull = hull_force(ship, m),
@@ -115,8 +123,10 @@ PiForces<S> forces(const PiShip<S>& ship, const PlanarMotion<S>& m, const S& del
 
 /// All forces, on a given branch.
 template <class S>
-PiForces<S> forces(const PiShip<S>& ship, const PlanarMotion<S>& m, const Controls<S>& controls, const Branch<S, 6>& branch) {
-  return forces(ship, m, controls.delta, flow_at_rudders(ship, m, controls, branch[PiBranch::wake], branch[PiBranch::crossflow]), branch);
+PiForces<S> forces(const PiShip<S>& ship, const PlanarMotion<S>& m, const Controls<S>& controls,
+                   const Branch<S, 6>& branch) {
+  return forces(ship, m, controls.delta,
+                flow_at_rudders(ship, m, controls, branch[PiBranch::wake], branch[PiBranch::crossflow]), branch);
 }
 
 /// All forces on the branch of the motion; the flow that tells the branch is found once.

@@ -121,7 +121,8 @@ template <PrimeShip Ship>
 typename Ship::Scalar thrust(const Ship& ship, const PlanarMotion<typename Ship::Scalar>& motion,
                              const Controls<typename Ship::Scalar>& controls) {
   using S = typename Ship::Scalar;
-  const auto T = propeller_thrust(ship, controls, propeller_inflow(ship, motion, wake_branch_function(ship, motion) > S(0.0)));
+  const auto T =
+      propeller_thrust(ship, controls, propeller_inflow(ship, motion, wake_branch_function(ship, motion) > S(0.0)));
   return T.port + T.starboard;
 }
 
@@ -149,7 +150,8 @@ RigidBody rigid_body(const Ship& ship) {
 ///
 /// Source: [Alexandersson2024] eqs (1)–(3)
 template <PrimeShip Ship>
-PlanarAcceleration<typename Ship::Scalar> acceleration(const Ship& ship, const PlanarMotion<typename Ship::Scalar>& motion,
+PlanarAcceleration<typename Ship::Scalar> acceleration(const Ship& ship,
+                                                       const PlanarMotion<typename Ship::Scalar>& motion,
                                                        const PlanarForce<typename Ship::Scalar>& force) {
   using S = typename Ship::Scalar;
   const auto& a = ship.added_mass;

@@ -7,9 +7,9 @@
 
 /// Parts that the physics-informed and the physics-uninformed model share.
 ///
-/// Derivatives are in the prime system of SNAME: forces over ½ρL²U², moments over ½ρL³U², masses over ½ρL³, their coupling
-/// over ½ρL⁴, inertia over ½ρL⁵. They hold the centrifugal and Munk terms of the entrained water, which the equations of
-/// motion of this model leave out; they are not those of the MMG model in another scale.
+/// Derivatives are in the prime system of SNAME: forces over ½ρL²U², moments over ½ρL³U², masses over ½ρL³, their
+/// coupling over ½ρL⁴, inertia over ½ρL⁵. They hold the centrifugal and Munk terms of the entrained water, which the
+/// equations of motion of this model leave out; they are not those of the MMG model in another scale.
 ///
 /// Source: [Alexandersson2024] section 2.1, table 1, appendix A
 namespace swayaw {
@@ -54,7 +54,12 @@ struct PrimeParticulars {
         P{.key = "inertia_z_kg_m2", .member = &Q::I_z, .unit = "kg m2", .range = positive, .required = false},
         P{.key = "radius_of_gyration_m", .member = &Q::k_zz, .unit = "m", .range = positive, .required = false},
         P{"service_speed_m_s", &Q::U_0, "m/s", positive},
-        P{.key = "perturbed_speed_froude", .member = &Q::Fn_0, .unit = "-", .range = non_negative, .required = false, .fallback = 0.02},
+        P{.key = "perturbed_speed_froude",
+          .member = &Q::Fn_0,
+          .unit = "-",
+          .range = non_negative,
+          .required = false,
+          .fallback = 0.02},
         P{.key = "frontal_area_m2", .member = &Q::A_front, .unit = "m2", .range = non_negative, .required = false},
         P{.key = "lateral_area_m2", .member = &Q::A_lateral, .unit = "m2", .range = non_negative, .required = false},
     };
@@ -89,13 +94,15 @@ struct PrimeHull {
   static constexpr auto parameters() {
     using H = PrimeHull;
     constexpr auto term = [](std::string_view key, S H::*member) {
-      return Parameter<H, S>{.key = key, .member = member, .unit = "-", .range = any_number, .role = Role::coefficient, .required = false};
+      return Parameter<H, S>{
+          .key = key, .member = member, .unit = "-", .range = any_number, .role = Role::coefficient, .required = false};
     };
     return std::array{
-        term("X_0", &H::X_0),     term("X_u", &H::X_u),     term("X_vv", &H::X_vv),   term("X_vr", &H::X_vr),   term("X_rr", &H::X_rr),
-        term("Y_0", &H::Y_0),     term("Y_v", &H::Y_v),     term("Y_r", &H::Y_r),     term("Y_vvv", &H::Y_vvv), term("Y_vvr", &H::Y_vvr),
-        term("Y_vrr", &H::Y_vrr), term("Y_rrr", &H::Y_rrr), term("N_0", &H::N_0),     term("N_v", &H::N_v),     term("N_r", &H::N_r),
-        term("N_vvv", &H::N_vvv), term("N_vvr", &H::N_vvr), term("N_vrr", &H::N_vrr), term("N_rrr", &H::N_rrr),
+        term("X_0", &H::X_0),     term("X_u", &H::X_u),     term("X_vv", &H::X_vv),   term("X_vr", &H::X_vr),
+        term("X_rr", &H::X_rr),   term("Y_0", &H::Y_0),     term("Y_v", &H::Y_v),     term("Y_r", &H::Y_r),
+        term("Y_vvv", &H::Y_vvv), term("Y_vvr", &H::Y_vvr), term("Y_vrr", &H::Y_vrr), term("Y_rrr", &H::Y_rrr),
+        term("N_0", &H::N_0),     term("N_v", &H::N_v),     term("N_r", &H::N_r),     term("N_vvv", &H::N_vvv),
+        term("N_vvr", &H::N_vvr), term("N_vrr", &H::N_vrr), term("N_rrr", &H::N_rrr),
     };
   }
 };
@@ -103,18 +110,18 @@ struct PrimeHull {
 /// One propeller on the centre line, or two. Its thrust is measured, or follows from the open-water curve.
 template <class S = double>
 struct PrimePropeller {
-  S D;                ///< diameter [m]
-  S x_P;              ///< forward of midship [m]; used by the wake change only
-  S y_P_port;         ///< port propeller, positive to starboard [m]; 0 for a single propeller
-  S y_P_starboard;    ///< starboard propeller, positive to starboard [m]; 0 for a single propeller
-  S t_P;              ///< thrust deduction fraction
-  S w_f;              ///< wake fraction, straight ahead
-  S T_0;              ///< thrust of all propellers at service speed [N], 0 if not known
-  S k_0, k_1, k_2;    ///< K_T = k_0 + k_1 J + k_2 J², 0 if not known
-  S C_1;              ///< wake change, rate
-  S C_2_positive;     ///< wake change, limit for beta_P > 0
-  S C_2_negative;     ///< wake change, limit for beta_P < 0
-  Selection wake;     ///< constant, or changing as in the MMG model
+  S D;              ///< diameter [m]
+  S x_P;            ///< forward of midship [m]; used by the wake change only
+  S y_P_port;       ///< port propeller, positive to starboard [m]; 0 for a single propeller
+  S y_P_starboard;  ///< starboard propeller, positive to starboard [m]; 0 for a single propeller
+  S t_P;            ///< thrust deduction fraction
+  S w_f;            ///< wake fraction, straight ahead
+  S T_0;            ///< thrust of all propellers at service speed [N], 0 if not known
+  S k_0, k_1, k_2;  ///< K_T = k_0 + k_1 J + k_2 J², 0 if not known
+  S C_1;            ///< wake change, rate
+  S C_2_positive;   ///< wake change, limit for beta_P > 0
+  S C_2_negative;   ///< wake change, limit for beta_P < 0
+  Selection wake;   ///< constant, or changing as in the MMG model
 
   bool twin() const { return first_lane(y_P_port) != first_lane(y_P_starboard); }
   bool wake_changes() const { return wake.index == 1; }
@@ -124,8 +131,15 @@ struct PrimePropeller {
     using P = Parameter<PrimePropeller, S>;
     using Q = PrimePropeller;
     constexpr auto coefficient = Role::coefficient;
-    constexpr auto optional = [](std::string_view key, S Q::*member, const char* unit, Range range, Role role, double fallback = 0.0) {
-      return P{.key = key, .member = member, .unit = unit, .range = range, .role = role, .required = false, .fallback = fallback};
+    constexpr auto optional = [](std::string_view key, S Q::*member, const char* unit, Range range, Role role,
+                                 double fallback = 0.0) {
+      return P{.key = key,
+               .member = member,
+               .unit = unit,
+               .range = range,
+               .role = role,
+               .required = false,
+               .fallback = fallback};
     };
     return std::array{
         P{"diameter_m", &Q::D, "m", positive},
@@ -144,7 +158,9 @@ struct PrimePropeller {
     };
   }
 
-  static constexpr auto choices() { return std::array{Choice<PrimePropeller>{"wake", &PrimePropeller::wake, {"constant", "mmg"}}}; }
+  static constexpr auto choices() {
+    return std::array{Choice<PrimePropeller>{"wake", &PrimePropeller::wake, {"constant", "mmg"}}};
+  }
 };
 
 }  // namespace swayaw

@@ -29,11 +29,13 @@ struct PuForces {
 
 /// All forces, on a given branch.
 template <class S>
-PuForces<S> forces(const PuShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls, const Branch<S, 1>& branch) {
+PuForces<S> forces(const PuShip<S>& ship, const PlanarMotion<S>& motion, const Controls<S>& controls,
+                   const Branch<S, 1>& branch) {
   const auto m = prime_motion(ship, motion);
   return {
       .hull = hull_force(ship.hull, ship.particulars.L, m),
-      .propeller = propeller_force(ship.propeller, propeller_thrust(ship, controls, propeller_inflow(ship, motion, branch[0]))),
+      .propeller =
+          propeller_force(ship.propeller, propeller_thrust(ship, controls, propeller_inflow(ship, motion, branch[0]))),
       .rudder = rudder_force(ship.rudder, ship.particulars.L, m, controls.delta),
   };
 }

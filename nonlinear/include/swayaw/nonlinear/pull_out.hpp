@@ -21,8 +21,10 @@ struct PullOutSide {
   double residual;                   ///< yaw rate at the end [rad/s]: 0 for a course-stable ship
   bool settled;                      ///< the end was steady
   std::optional<double> fall_time;   ///< from the order until 1/e of the change of yaw rate is left [s]
-  std::optional<double> decay_time;  ///< T of exp(−t/T), from the last 1e-3 to the last 1e-4 of the change left [s]; nothing where the end was not steady
-  std::optional<double> T1;          ///< slower time constant of sway and yaw about the steady motion near straight ahead, towards this side [s]
+  std::optional<double> decay_time;  ///< T of exp(−t/T), from the last 1e-3 to the last 1e-4 of the change left [s];
+                                     ///< nothing where the end was not steady
+  std::optional<double>
+      T1;  ///< slower time constant of sway and yaw about the steady motion near straight ahead, towards this side [s]
   Recording run;
 };
 
@@ -34,8 +36,9 @@ struct PullOut {
 
 /// Turns with the rudder held, then puts it amidships, to both sides. Both motions last until they are steady.
 ///
-/// A course-stable ship comes back to a straight course, and decay_time to T1. What remains of an unstable ship's yaw rates
-/// differs between the sides by the height of her loop at rudder amidships. T1 is negative then, and nothing for complex poles.
+/// A course-stable ship comes back to a straight course, and decay_time to T1. What remains of an unstable ship's yaw
+/// rates differs between the sides by the height of her loop at rudder amidships. T1 is negative then, and nothing for
+/// complex poles.
 ///
 /// `duration` of the options is not used.
 /// @throws std::domain_error  as zigzag does

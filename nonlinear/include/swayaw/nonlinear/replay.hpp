@@ -26,14 +26,16 @@ struct ReplayOptions {
 /// start of the run from straight lines through the samples before the rudder moves, within 0.5 L/U.
 ///
 /// u, v and r come from their own channels; if those are missing, from log or ground speed, from the track, and from
-/// the heading. Position and sway are 0 where nothing tells them. What the instruments of the ship did to them is undone.
+/// the heading. Position and sway are 0 where nothing tells them. What the instruments of the ship did to them is
+/// undone.
 ///
 /// @throws Refusal  if no channel tells the speed of the ship
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time);
 
 /// Rudder and propulsion of a recording as functions of time, joined by straight lines.
-/// An ordered rudder angle passes through the steering gear of the ship first; then any passes through what the effects of the ship put
-/// between the indicator and the rudder. Thrust is taken where the recording or the ship does not tell the shaft speed.
+/// An ordered rudder angle passes through the steering gear of the ship first; then any passes through what the effects
+/// of the ship put between the indicator and the rudder. Thrust is taken where the recording or the ship does not tell
+/// the shaft speed.
 class RecordedControls {
  public:
   /// @throws Refusal  if the run has no rudder angle
@@ -63,8 +65,8 @@ class RecordedControls {
   std::vector<double> knots_;
 };
 
-/// Simulated run from a state at times.front() on, sampled at those times, as the instruments of the ship would record it. Heel and
-/// memory begin as in a steady motion.
+/// Simulated run from a state at times.front() on, sampled at those times, as the instruments of the ship would record
+/// it. Heel and memory begin as in a steady motion.
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
                       std::span<const double> times, const ReplayOptions& options = {});
 

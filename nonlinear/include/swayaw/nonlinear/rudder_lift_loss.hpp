@@ -24,7 +24,8 @@ struct Stall {
 ///
 ///     1 − depth (l(|alpha|) − l(0))/(1 − l(0)),   l(alpha) = 1/(1 + exp(−(alpha − alpha_s)/w))
 ///
-/// It goes over to the lower lift of a separated flow. Low-aspect rudders of [Whicker1958] lose 20 to 35 % within 8 deg of the largest lift and more beyond.
+/// It goes over to the lower lift of a separated flow. Low-aspect rudders of [Whicker1958] lose 20 to 35 % within 8 deg
+/// of the largest lift and more beyond.
 template <class S>
 S stall_factor(const Stall<S>& stall, const S& alpha) {
   const S w = stall.width, at_0 = logistic(S(-stall.alpha_s / w));
@@ -32,8 +33,8 @@ S stall_factor(const Stall<S>& stall, const S& alpha) {
   return select(stall.alpha_s > S(0.0), S(1.0 - lost), S(1.0));
 }
 
-/// Share of the lift that is left with a gap that opens beyond delta_lim, 1 + s (|delta| − delta_lim)², never below 0; s ≤ 0.
-/// Source: [Alexandersson2024] eq (30)
+/// Share of the lift that is left with a gap that opens beyond delta_lim, 1 + s (|delta| − delta_lim)², never below 0;
+/// s ≤ 0. Source: [Alexandersson2024] eq (30)
 template <class S>
 S open_gap_factor(const S& delta_lim, const S& s, const S& delta) {
   const S beyond = positive_part(S(size_of(delta) - delta_lim));

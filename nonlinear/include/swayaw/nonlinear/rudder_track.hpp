@@ -19,7 +19,8 @@ struct AngleLine {
 /// Angle of the lines at a time: of the last that has begun, or the first.
 double angle_at(std::span<const AngleLine> lines, double time);
 
-/// A motion of the steering gear from a time on as straight lines. Exponentials are drawn with chords that are off by less than 1e-6 rad.
+/// A motion of the steering gear from a time on as straight lines. Exponentials are drawn with chords that are off by
+/// less than 1e-6 rad.
 std::vector<AngleLine> lines_of(const RudderMotion<>& motion, double from);
 
 /// A recorded angle as lines, held at both ends. @param angle  one for each time
@@ -50,8 +51,8 @@ class RudderTrack {
  private:
   void follow(const RudderActuator& actuator, std::span<const AngleLine> recorded, double played, double lagged);
 
-  std::vector<AngleLine> played_;         ///< behind the play
-  std::vector<RudderMotion<>> motions_;    ///< behind the lag, with the offset
+  std::vector<AngleLine> played_;        ///< behind the play
+  std::vector<RudderMotion<>> motions_;  ///< behind the lag, with the offset
   double offset_ = 0.0;
 };
 

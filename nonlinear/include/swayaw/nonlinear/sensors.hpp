@@ -12,7 +12,8 @@ namespace swayaw {
 ///
 ///     psi, r: plus the bias        u, speed through the water: times the scale
 ///     x, y: of the antenna, p + R(psi) l        velocity over ground: of the antenna, plus r × l
-///     a late channel: the value of delay_s ago, by straight lines between the samples, drawn on beyond the first and the last
+///     a late channel: the value of delay_s ago, by straight lines between the samples, drawn on beyond the first and
+///     the last
 Recording as_recorded(Recording truth, std::span<const Effect> effects);
 
 /// A recorded run without what the instruments did to it: the inverse.

@@ -4,7 +4,8 @@
 
 namespace swayaw {
 
-/// How much of the usual growth in shallow water a ship shows; 1 is the middle of what tests of other ships show, where most lie between 0.6 and 1.6.
+/// How much of the usual growth in shallow water a ship shows; 1 is the middle of what tests of other ships show, where
+/// most lie between 0.6 and 1.6.
 template <class S = double>
 struct ShallowWaterGrowth {
   S sway{1.0};        ///< Y_v, N_v
@@ -27,15 +28,17 @@ struct ShallowWaterFactors {
 
 /// Factors at a depth over draught h/d of a ship with block coefficient C_B. With x = d/h and G = x^2.5/(1 − x)^0.8,
 ///
-///     Y_v, N_v: 1 + 0.75 sway G    Y_r, N_r: 1 + 0.35 yaw G    cubic terms: 1 + 0.6 cubic G    R_0: 1 + 0.12 resistance G
-///     m_y: 1 + 0.45 mass G    m_x, J_z: 1 + 0.35 mass G
-///     1 − t_P: (1 − 0.2 x + 0.7295 x²)^−wake    1 − w_P: cos(1.4 C_B x)^wake    gamma_R: (1 + 0.0161 x + 4.4222 x² − 4.9825 x³)^wake
+///     Y_v, N_v: 1 + 0.75 sway G    Y_r, N_r: 1 + 0.35 yaw G    cubic terms: 1 + 0.6 cubic G    R_0: 1 + 0.12
+///     resistance G m_y: 1 + 0.45 mass G    m_x, J_z: 1 + 0.35 mass G 1 − t_P: (1 − 0.2 x + 0.7295 x²)^−wake    1 −
+///     w_P: cos(1.4 C_B x)^wake    gamma_R: (1 + 0.0161 x + 4.4222 x² − 4.9825 x³)^wake
 ///
-/// Published formulas and tests differ by a factor of two and more in their growth at h/d = 1.2 (Y_v of full ships 2 to 5 times that of deep water) but agree on
-/// its order: sway most, then cubic terms and added mass, yaw, resistance least. The sizes here are a choice in their middle. G goes to 0 in deep water.
-/// Source: order and last line [Furukawa2016], [Tang2020], added masses [Li1990], as public programs have them
+/// Published formulas and tests differ by a factor of two and more in their growth at h/d = 1.2 (Y_v of full ships 2 to
+/// 5 times that of deep water) but agree on its order: sway most, then cubic terms and added mass, yaw, resistance
+/// least. The sizes here are a choice in their middle. G goes to 0 in deep water. Source: order and last line
+/// [Furukawa2016], [Tang2020], added masses [Li1990], as public programs have them
 template <class S>
-ShallowWaterFactors<S> shallow_water_factors(const S& C_B, const S& depth_over_draught, const ShallowWaterGrowth<S>& growth) {
+ShallowWaterFactors<S> shallow_water_factors(const S& C_B, const S& depth_over_draught,
+                                             const ShallowWaterGrowth<S>& growth) {
   const S x = 1.0 / depth_over_draught;
   const S G = exp(2.5 * log(x) - 0.8 * log(S(1.0 - x)));
   const auto to_the_wake = [&](const S& base) { return S(exp(growth.wake * log(base))); };

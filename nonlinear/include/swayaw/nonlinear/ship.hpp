@@ -13,8 +13,8 @@ namespace swayaw {
 
 /// A ship: one of the models, its name, the trust in its numbers, what surrounds her, and what the model leaves out.
 ///
-/// acting_ship.hpp tells what the effects make of her. Wind and current of the surroundings blow and run beside those of the effects;
-/// ships from files have them as effects.
+/// acting_ship.hpp tells what the effects make of her. Wind and current of the surroundings blow and run beside those
+/// of the effects; ships from files have them as effects.
 struct Ship {
   std::string name;
   ShipModel model;
@@ -35,7 +35,8 @@ inline double service_speed(const Ship& ship) {
 
 /// What the steering gear can do.
 inline const SteeringGear<double>& steering_gear(const Ship& ship) {
-  return std::visit([](const auto& model) -> const auto& { return model.steering_gear; }, ship.model);
+  return std::visit(
+      [](const auto& model) -> const auto& { return model.steering_gear; }, ship.model);
 }
 
 }  // namespace swayaw

@@ -19,8 +19,8 @@ Ship read_ship(const std::filesystem::path& file);
 /// The same from text; `name` stands for the file in messages.
 Ship parse_ship(std::string_view text, const std::filesystem::path& name);
 
-/// The text of a ship file that parse_ship reads back to the same ship. Hull derivatives stand under their own names, and the
-/// drag that belongs to a type of ship as numbers.
+/// The text of a ship file that parse_ship reads back to the same ship. Hull derivatives stand under their own names,
+/// and the drag that belongs to a type of ship as numbers.
 ///
 /// @param remark  lines above it, without their "# "; may be empty
 /// @throws std::domain_error  if a number is not finite or not in its range

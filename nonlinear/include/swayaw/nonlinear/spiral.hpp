@@ -46,11 +46,12 @@ struct Spiral {
   Recording run;
 };
 
-/// Dieudonné's spiral: the rudder goes from the largest angle on one side to that on the other and back in steps, and is held at
-/// each until the ship turns steadily. A course-unstable ship goes two ways at small angles.
+/// Dieudonné's spiral: the rudder goes from the largest angle on one side to that on the other and back in steps, and
+/// is held at each until the ship turns steadily. A course-unstable ship goes two ways at small angles.
 ///
 /// `duration` of the options is not used; samples are near 0.2 L/U apart unless a step is given.
-/// @throws std::domain_error  if the largest angle is not positive or beyond the ship's, or the step is not positive or larger
+/// @throws std::domain_error  if the largest angle is not positive or beyond the ship's, or the step is not positive or
+/// larger
 /// @throws Refusal            as steady_turn_curve and zigzag do, or for a ship in wind
 /// Source: [MSC/Circ.1053] appendix 4
 Spiral spiral(const Ship& ship, const SpiralOrder& order = {}, const ManoeuvreOptions& options = {});
@@ -62,13 +63,14 @@ std::vector<double> spiral_angles(double largest, double step);
 
 /// A yaw rate and the rudder that holds it.
 struct HeldYawRate {
-  double r;                        ///< [rad/s]
-  std::optional<SteadyTurn> turn;  ///< nothing where no rudder angle up to the largest holds it; not stable where it takes a helmsman
+  double r;  ///< [rad/s]
+  std::optional<SteadyTurn>
+      turn;  ///< nothing where no rudder angle up to the largest holds it; not stable where it takes a helmsman
 };
 
 struct ReverseSpiralOrder {
   double largest = radians(25.0);  ///< rudder angle [rad]
-  int steps = 10;                  ///< yaw rates on each side of 0, up to the smaller one of the two turns at the largest angle
+  int steps = 10;  ///< yaw rates on each side of 0, up to the smaller one of the two turns at the largest angle
 };
 
 struct ReverseSpiral {
@@ -77,16 +79,17 @@ struct ReverseSpiral {
   Controls<double> propulsion;      ///< held
 };
 
-/// Bech's reverse spiral: for each yaw rate the mean rudder angle of a helmsman who keeps it. The angle is that of the exact steady
-/// turn, so nothing is simulated and the unstable part of the curve is passed without a jump.
+/// Bech's reverse spiral: for each yaw rate the mean rudder angle of a helmsman who keeps it. The angle is that of the
+/// exact steady turn, so nothing is simulated and the unstable part of the curve is passed without a jump.
 ///
 /// Of the options only speed and propulsion are used.
 /// @throws as spiral does
 /// Source: [Bech1968]
-ReverseSpiral reverse_spiral(const Ship& ship, const ReverseSpiralOrder& order = {}, const ManoeuvreOptions& options = {});
+ReverseSpiral reverse_spiral(const Ship& ship, const ReverseSpiralOrder& order = {},
+                             const ManoeuvreOptions& options = {});
 
 /// The same at given yaw rates. Where several angles hold a yaw rate, the smallest.
-std::vector<HeldYawRate> held_yaw_rates(const Ship& ship, const Controls<double>& propulsion, std::span<const double> yaw_rates,
-                                        double largest);
+std::vector<HeldYawRate> held_yaw_rates(const Ship& ship, const Controls<double>& propulsion,
+                                        std::span<const double> yaw_rates, double largest);
 
 }  // namespace swayaw

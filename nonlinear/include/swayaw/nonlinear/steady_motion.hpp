@@ -16,8 +16,8 @@ namespace swayaw {
 /// @throws Refusal            if no shaft speed balances the resistance
 double self_propulsion_rev(const MmgShip<double>& ship, double speed);
 
-/// Rudder amidships and what carries the ship straight ahead at that speed: a shaft speed, or for a model that knows only
-/// thrust, a thrust.
+/// Rudder amidships and what carries the ship straight ahead at that speed: a shaft speed, or for a model that knows
+/// only thrust, a thrust.
 /// @throws as self_propulsion_rev does
 Controls<double> self_propulsion(const MmgShip<double>& ship, double speed);
 Controls<double> self_propulsion(const AbkowitzShip<double>& ship, double speed);
@@ -29,17 +29,20 @@ bool takes_shaft_speed(const AbkowitzShip<double>& ship);
 bool takes_shaft_speed(const Ship& ship);
 
 /// Checks that the ship can be driven so.
-/// @throws Refusal  if a shaft speed or a thrust is given to a model whose propulsion is part of its polynomial, or a shaft speed
+/// @throws Refusal  if a shaft speed or a thrust is given to a model whose propulsion is part of its polynomial, or a
+/// shaft speed
 ///                  to one without an open-water curve
 void require_drive(const ShipModel& model, const std::optional<double>& rev, const std::optional<double>& thrust);
 
 /// Rudder amidships and the thrust [N] or shaft speed [1/s] that is given, else self-propulsion at that speed.
 /// @throws as require_drive and self_propulsion do
 /// @throws std::domain_error  if the shaft speed is not positive
-Controls<double> propulsion(const ShipModel& model, double speed, const std::optional<double>& rev, const std::optional<double>& thrust);
+Controls<double> propulsion(const ShipModel& model, double speed, const std::optional<double>& rev,
+                            const std::optional<double>& thrust);
 
 /// The same for a ship with her effects.
-Controls<double> propulsion(const Ship& ship, double speed, const std::optional<double>& rev, const std::optional<double>& thrust);
+Controls<double> propulsion(const Ship& ship, double speed, const std::optional<double>& rev,
+                            const std::optional<double>& thrust);
 
 /// A steady motion: nothing changes but the place and the heading.
 struct SteadyMotion {
@@ -48,8 +51,8 @@ struct SteadyMotion {
 };
 
 /// The steady motion that Newton's method finds from `guess` at constant controls,
-/// du/dt = dv/dt = dr/dt = 0, with exact derivatives. Effects of the ship act, but for wind, waves and instruments; the rudder
-/// angle is that of the rudder.
+/// du/dt = dv/dt = dr/dt = 0, with exact derivatives. Effects of the ship act, but for wind, waves and instruments; the
+/// rudder angle is that of the rudder.
 ///
 /// @return nothing when it does not converge to a motion ahead
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,

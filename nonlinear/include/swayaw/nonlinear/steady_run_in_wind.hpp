@@ -14,9 +14,10 @@ namespace swayaw {
 enum class Kept { heading, course };
 
 struct WindRunOrder {
-  double direction = 0.0;                          ///< heading or course, clockwise from north [rad]
+  double direction = 0.0;  ///< heading or course, clockwise from north [rad]
   Kept kept = Kept::course;
-  std::optional<Controls<double>> propulsion{};    ///< held; that of self-propulsion at service speed without wind unless given
+  std::optional<Controls<double>>
+      propulsion{};  ///< held; that of self-propulsion at service speed without wind unless given
 };
 
 /// A straight run, r = 0, on which nothing changes but the place.
@@ -29,18 +30,21 @@ struct WindRun {
   PlanarForce<double> wind_force;  ///< [N], [N m]
   bool holds;                      ///< the helm is within the largest rudder angle; else she cannot hold the course
 
-  double leeway() const { return -drift_angle(motion); }  ///< of the track through the water, positive to starboard of the heading [rad]
+  double leeway() const {
+    return -drift_angle(motion);
+  }  ///< of the track through the water, positive to starboard of the heading [rad]
 };
 
-/// The straight run of a ship in that wind and in the current of her surroundings, whose own wind is not looked at: sway, surge and helm, and the heading where the course is
-/// kept, from
+/// The straight run of a ship in that wind and in the current of her surroundings, whose own wind is not looked at:
+/// sway, surge and helm, and the heading where the course is kept, from
 ///
 ///     (du/dt, dv/dt, dr/dt)(u, v, 0, delta; F_ship + F_wind) = 0,   r = 0
 ///
-/// by Newton's method with exact derivatives. The wind is raised from none in steps, so the run is the one that grows out of the
-/// run in still air. A ship with superstructure in `windage` feels the air of her own way too.
+/// by Newton's method with exact derivatives. The wind is raised from none in steps, so the run is the one that grows
+/// out of the run in still air. A ship with superstructure in `windage` feels the air of her own way too.
 ///
-/// @return nothing where no such run ahead was found: no helm whatever balances that wind, or she no longer makes way or keeps the course
+/// @return nothing where no such run ahead was found: no helm whatever balances that wind, or she no longer makes way
+/// or keeps the course
 ///         over ground
 /// @throws std::domain_error  if the wind speed is negative
 /// @throws Refusal            as self_propulsion
@@ -49,7 +53,7 @@ std::optional<WindRun> steady_run_in_wind(const Ship& ship, const Windage<double
 
 /// A row of a table over wind directions.
 struct WindRunRow {
-  double relative;             ///< where the true wind comes from, clockwise from the heading or course kept [rad]
+  double relative;  ///< where the true wind comes from, clockwise from the heading or course kept [rad]
   std::optional<WindRun> run;
 };
 

@@ -29,7 +29,8 @@ struct Surroundings {
 template <class S>
 PlanarMotion<S> over_ground(const Current<S>& current, const ShipState<S>& state) {
   const S relative = current.to - state.psi;
-  return {state.motion.u + current.speed * cos(relative), state.motion.v + current.speed * sin(relative), state.motion.r};
+  return {state.motion.u + current.speed * cos(relative), state.motion.v + current.speed * sin(relative),
+          state.motion.r};
 }
 
 /// Load of the wind; nothing where there is none.
@@ -58,8 +59,8 @@ ShipState<S> state_of(const StateVector<S>& s) {
 ///     dx/dt = u cos(psi) − v sin(psi) + V_c cos(psi_c),   dpsi/dt = r
 ///     dy/dt = u sin(psi) + v cos(psi) + V_c sin(psi_c),   (du, dv, dr)/dt by the model
 template <template <class> class Model, class S, std::size_t N>
-StateVector<S> rates_of(const Model<S>& ship, const Surroundings<S>& around, const ShipState<S>& state, const Controls<S>& controls,
-                        const Branch<S, N>& branch) {
+StateVector<S> rates_of(const Model<S>& ship, const Surroundings<S>& around, const ShipState<S>& state,
+                        const Controls<S>& controls, const Branch<S, N>& branch) {
   const auto& m = state.motion;
   auto force = forces(ship, m, controls, branch).total();
   if (around.windy) force = force + wind_load(around, state);

@@ -28,7 +28,8 @@ struct IndexError {
   double absolute;  ///< Σ |1 − I/I_measured|
 };
 
-/// Over all six indices of all turns. Source: [Kulbiej2021] section 4.1, whose formula has lost the square that its text names
+/// Over all six indices of all turns. Source: [Kulbiej2021] section 4.1, whose formula has lost the square that its
+/// text names
 /// @throws std::domain_error  if the turns are not as many, or a measured index is 0
 IndexError index_error(std::span<const TurningIndices> turns, std::span<const TurningIndices> measured);
 

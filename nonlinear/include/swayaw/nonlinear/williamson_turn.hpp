@@ -25,22 +25,24 @@ struct TrackPlace {
 struct WilliamsonTurn {
   std::optional<TrackPlace> shifted;    ///< rudder ordered to the other side
   std::optional<TrackPlace> amidships;  ///< rudder ordered amidships
-  std::optional<TrackPlace> reciprocal; ///< heading opposite to the approach; nothing where the swing does not carry her there
-  std::optional<double> way;            ///< made from the first order until then [m]; nothing without samples
-  double heading;                       ///< change of heading at the end, positive to the side turned to first [rad]
-  double yaw_rate;                      ///< at the end, positive to starboard [rad/s]
-  double approach_speed;                ///< [m/s]
-  Controls<double> propulsion;          ///< held during the manoeuvre
+  std::optional<TrackPlace>
+      reciprocal;               ///< heading opposite to the approach; nothing where the swing does not carry her there
+  std::optional<double> way;    ///< made from the first order until then [m]; nothing without samples
+  double heading;               ///< change of heading at the end, positive to the side turned to first [rad]
+  double yaw_rate;              ///< at the end, positive to starboard [rad/s]
+  double approach_speed;        ///< [m/s]
+  Controls<double> propulsion;  ///< held during the manoeuvre
   Recording run;
 };
 
-/// Rudder hard over to one side until the heading has changed by 60 deg, hard over to the other until it is 20 deg short of the
-/// reciprocal, then amidships. Ends at the reciprocal heading, or where the swing dies out before it, unless a duration is given;
-/// nobody steers after that. All headings are of the ship, places over ground.
+/// Rudder hard over to one side until the heading has changed by 60 deg, hard over to the other until it is 20 deg
+/// short of the reciprocal, then amidships. Ends at the reciprocal heading, or where the swing dies out before it,
+/// unless a duration is given; nobody steers after that. All headings are of the ship, places over ground.
 ///
 /// @throws std::domain_error  as zigzag does, or if `before` is not smaller than half a turn
 /// @throws Refusal            as zigzag does
 /// Source: [IAMSAR] volume III, section on recovery of a person overboard
-WilliamsonTurn williamson_turn(const Ship& ship, const WilliamsonOrder& order = {}, const ManoeuvreOptions& options = {});
+WilliamsonTurn williamson_turn(const Ship& ship, const WilliamsonOrder& order = {},
+                               const ManoeuvreOptions& options = {});
 
 }  // namespace swayaw

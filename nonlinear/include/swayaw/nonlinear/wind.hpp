@@ -70,7 +70,8 @@ PlanarForce<S> wind_force(const Windage<S>& w, const ApparentWind<S>& air) {
 
 /// Load of a true wind on a ship that moves over ground and heads psi.
 template <class S>
-PlanarForce<S> wind_force(const Windage<S>& windage, const Wind<S>& wind, const PlanarMotion<S>& over_ground, const S& psi) {
+PlanarForce<S> wind_force(const Windage<S>& windage, const Wind<S>& wind, const PlanarMotion<S>& over_ground,
+                          const S& psi) {
   return wind_force(windage, apparent_wind(wind, over_ground, psi));
 }
 

@@ -25,7 +25,8 @@ template <class S = double>
 using WindSeries = WindCoefficients<FourierSeries<S>>;
 using WindSpline = WindCoefficients<PeriodicSpline>;
 
-/// What the wind takes hold of; with areas 0 she feels no wind. Drag coefficients that are not given are those of a loaded tanker.
+/// What the wind takes hold of; with areas 0 she feels no wind. Drag coefficients that are not given are those of a
+/// loaded tanker.
 template <class S = double>
 struct Windage {
   S rho = S(1.225);        ///< density of the air [kg/m^3], [ISO2533] at sea level and 15 °C
@@ -43,14 +44,30 @@ struct Windage {
   static constexpr auto parameters() {
     using P = Parameter<Windage, S>;
     constexpr auto drag = [](std::string_view key, S Windage::*member, Range range, double fallback) {
-      return P{.key = key, .member = member, .unit = "-", .range = range, .role = Role::coefficient, .required = false, .fallback = fallback};
+      return P{.key = key,
+               .member = member,
+               .unit = "-",
+               .range = range,
+               .role = Role::coefficient,
+               .required = false,
+               .fallback = fallback};
     };
     return std::array{
-        P{.key = "air_density_kg_m3", .member = &Windage::rho, .unit = "kg/m3", .range = positive, .required = false, .fallback = 1.225},
+        P{.key = "air_density_kg_m3",
+          .member = &Windage::rho,
+          .unit = "kg/m3",
+          .range = positive,
+          .required = false,
+          .fallback = 1.225},
         P{"frontal_area_m2", &Windage::A_F, "m2", positive},
         P{"lateral_area_m2", &Windage::A_L, "m2", positive},
         P{"length_over_all_m", &Windage::L_OA, "m", positive},
-        P{.key = "lateral_centroid_m", .member = &Windage::x_A, .unit = "m", .range = any_number, .role = Role::coefficient, .required = false},
+        P{.key = "lateral_centroid_m",
+          .member = &Windage::x_A,
+          .unit = "m",
+          .range = any_number,
+          .role = Role::coefficient,
+          .required = false},
         drag("transverse_drag", &Windage::C_Dt, positive, 0.70),
         drag("bow_drag", &Windage::C_Dl_bow, non_negative, 0.90),
         drag("stern_drag", &Windage::C_Dl_stern, non_negative, 0.55),

@@ -76,7 +76,8 @@ WindTable both_sides(const WindTable& one_side);
 /// Periodic cubic splines through a table of the whole circle. Rows may come in any order and in any turn; 0 and
 /// 360 deg may both be there.
 ///
-/// @throws std::domain_error  if two rows of one angle differ, as they do when `both_sides` got a C_Y or C_N that is not 0
+/// @throws std::domain_error  if two rows of one angle differ, as they do when `both_sides` got a C_Y or C_N that is
+/// not 0
 ///                            ahead or astern, or if fewer than three angles remain
 WindSpline wind_spline(WindTable table);
 
