@@ -47,8 +47,9 @@ std::vector<std::string> numbers_to_find(const Ship& ship, const IdentifyArgumen
 std::vector<Channel> channels_named(const std::vector<std::string>& names) {
   std::vector<Channel> channels;
   for (const auto& name : names) {
-    const auto found = std::ranges::find(measured_channels, name, [](Channel c) { return column_name(c); });
-    if (found == measured_channels.end())
+    const auto measured = measured_channels();
+    const auto found = std::ranges::find(measured, name, [](Channel c) { return column_name(c); });
+    if (found == measured.end())
       throw Refusal(fmt::format(
           "--channels: {} is not among the channels that are used, which are x_m, y_m, psi_rad, u_m_s …", name));
     channels.push_back(*found);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "linearized_ship.hpp"
+#include "filter/linearized_ship.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "course.hpp"
-#include "measurement.hpp"
 #include "stepper.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/nonlinear/instruments.hpp"
 
 /// The sailor of a model. Not installed; included by one file for each model.
 namespace swayaw {
@@ -32,7 +32,7 @@ class ModelSailor : public Sailor {
     Helmsman<Model, double> helmsman(ship, ship, around_);
     course.end =
         along(helmsman, stretch, start, [&](Eigen::Index i, const Reading& reading, const StateVector<double>& s) {
-          course.residual[i] = residual(reading, shown(reading.channel, state_of(s), around_.current));
+          course.residual[i] = residual(reading, observe(reading.channel, kinematics(state_of(s), around_.current)));
         });
   }
 
@@ -72,7 +72,7 @@ class ModelSailor : public Sailor {
     Helmsman<Model, S> helmsman(ship, seeded<N>(ship, numbers, states), around_);
     const auto end =
         along(helmsman, stretch, s, [&](Eigen::Index i, const Reading& reading, const StateVector<S>& now) {
-          const S value = shown(reading.channel, state_of(now), current);
+          const S value = observe(reading.channel, kinematics(state_of(now), current));
           course.residual[i] = residual(reading, value.a);
           course.residual_slope.row(i).segment(column, lanes) = value.v.head(lanes).transpose();
         });

@@ -23,7 +23,7 @@ bool wanted(const TrajectoryFitOptions& options, Channel channel) {
 std::vector<Reading> readings_of(const Recording& run, const TrajectoryFitOptions& options) {
   std::vector<Reading> readings;
   for (std::size_t k = 0; k < run.samples(); ++k)
-    for (const Channel channel : measured_channels)
+    for (const Channel channel : measured_channels())
       if (wanted(options, channel) && !run[channel].empty() && !std::isnan(run[channel][k]))
         readings.push_back({k, channel, run[channel][k]});
   return readings;
@@ -59,7 +59,7 @@ std::vector<Channel> channels_of(const std::vector<CourseRun>& runs) {
   const auto measures = [](const CourseRun& run, Channel c) {
     return std::ranges::count(run.readings, c, &Reading::channel) > 0;
   };
-  std::ranges::copy_if(measured_channels, std::back_inserter(used), [&](Channel c) {
+  std::ranges::copy_if(measured_channels(), std::back_inserter(used), [&](Channel c) {
     return std::ranges::any_of(runs, [&](const auto& run) { return measures(run, c); });
   });
   return used;
@@ -88,7 +88,7 @@ void check(const TrajectoryFitOptions& options) {
   require_positive(options.segment, "segment [ship lengths]");
   require_positive(options.step, "step [ship lengths]");
   if (options.robust) require_positive(*options.robust, "robust [standard deviations]");
-  for (const Channel channel : measured_channels)
+  for (const Channel channel : measured_channels())
     if (const auto& noise = options.noise[index_of(channel)])
       require_positive(*noise, fmt::format("noise of {}", column_name(channel)));
 }

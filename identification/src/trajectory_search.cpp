@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "measurement.hpp"
 #include "swayaw/core/angle.hpp"
 
 namespace swayaw {
@@ -41,6 +40,9 @@ ChannelSums channel_sums(const std::vector<Leg>& legs, const std::vector<Course>
   return sums;
 }
 
+/// Least noise that a channel is credited with, over its unit: residuals of an exact fit are rounding alone.
+constexpr double least_noise = 1e-7;
+
 /// Standard deviations that make the residuals most likely; `unknowns` take degrees of freedom from all channels alike.
 std::array<double, channel_count> noise_of(const TrajectoryProblem& problem, const ChannelSums& sums, double unknowns) {
   double readings = 0.0;
@@ -50,7 +52,7 @@ std::array<double, channel_count> noise_of(const TrajectoryProblem& problem, con
   for (const Channel channel : problem.channels) {
     const auto& sum = sums[index_of(channel)];
     noise[index_of(channel)] =
-        std::max(std::sqrt(sum.square / (sum.count * freedom)), floor_of(channel, problem.L, problem.U));
+        std::max(std::sqrt(sum.square / (sum.count * freedom)), least_noise * unit_of(channel, problem.L, problem.U));
   }
   return noise;
 }

@@ -72,14 +72,10 @@ std::vector<Manoeuvre> menu(const Ship& ship) {
 
 /// The trial with another run, seen by the same instruments.
 Trial trial_with(const Trial& trial, const Recording& run) {
-  std::vector<Channel> channels;
-  for (const auto& c : trial.runs.front().channels) channels.push_back(c.channel);
+  const auto& known = trial.runs.front();
   Trial other = trial;
-  other.runs = prepared_runs(trial.ship, {&run, 1}, channels);
-  for (auto& c : other.runs.front().channels) {
-    const auto known = std::ranges::find(trial.runs.front().channels, c.channel, &SeenChannel::channel);
-    if (known != trial.runs.front().channels.end()) c.noise = known->noise;
-  }
+  other.runs = prepared_runs(trial.ship, {&run, 1}, known.channels);
+  other.runs.front().deviation = known.deviation;
   return other;
 }
 
@@ -90,7 +86,8 @@ double separation(const Trial& trial, const Manoeuvre& manoeuvre, const Ship& be
   run.name = manoeuvre.words;
   const auto seen = trial_with(trial, run);
   const double minutes = (run.time.back() - run.time.front()) / 60.0;
-  return (log_likelihood(seen, best, noise) - log_likelihood(seen, rival, noise)) / minutes;
+  return (log_likelihood(problem_of(seen, best), {}, noise) - log_likelihood(problem_of(seen, rival), {}, noise)) /
+         minutes;
 } catch (const std::exception&) {  // she cannot sail it
   return -HUGE_VAL;
 }
@@ -165,7 +162,7 @@ std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s
     const bool in_deviations = form.with_terms || (form.coordinates.size() == 1 && std::isfinite(number->null));
     if (!by_parts && !in_deviations) continue;  // a depth, an angle of stall or a lag: no size that grows from 0
     try {
-      const auto D = information(trial, s.screen, form);
+      const auto D = information(trial, s.baseline, form);
       if (by_parts)
         add(form, *number, D.topLeftCorner<2, 2>().selfadjointView<Eigen::Lower>().eigenvalues().minCoeff());
       else

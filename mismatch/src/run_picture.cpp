@@ -7,34 +7,13 @@
 
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "trial.hpp"
+#include "swayaw/identification/map_fit.hpp"
+#include "swayaw/identification/state_estimate.hpp"
 
 namespace swayaw {
 namespace {
 
 constexpr std::size_t most_points = 500;
-
-// ---------------------------------------------------------------- smoother
-
-struct Smoothed {
-  std::vector<FilterState> mean;
-  std::vector<FilterCovariance> covariance;
-};
-
-/// From the last sample back to the first,
-///
-///     C = P_k Φᵀ P⁻_{k+1}⁻¹,   x̂_k = x_k + C (x̂_{k+1} − x⁻_{k+1}),   P̂_k = P_k + C (P̂_{k+1} − P⁻_{k+1}) Cᵀ
-Smoothed smoothed(const FilterPass& pass, const FilterTrace& trace) {
-  Smoothed s{pass.filtered, trace.filtered_covariance};
-  for (std::size_t k = s.mean.size() - 1; k-- > 0;) {
-    const auto& ahead = trace.predicted_covariance[k + 1];
-    const FilterCovariance cross = trace.transition[k + 1] * trace.filtered_covariance[k];  // Φ P = (P Φᵀ)ᵀ
-    const FilterCovariance C = ahead.ldlt().solve(cross).transpose();
-    s.mean[k] += C * (s.mean[k + 1] - trace.predicted[k + 1]);
-    s.covariance[k] += C * (s.covariance[k + 1] - ahead) * C.transpose();
-  }
-  return s;
-}
 
 // ---------------------------------------------------------------- force
 
@@ -58,10 +37,13 @@ PlanarAcceleration<double> as_acceleration(const Eigen::Vector3d& a) { return {a
 
 PlanarForce<double> as_force(const Eigen::Vector3d& f) { return {f[0], f[1], f[2]}; }
 
-MissingForce missing_force_of(const FilterState& x, const FilterCovariance& P, const Eigen::Matrix3d& M) {
-  const Eigen::Vector3d a = x.tail<3>();
-  const Eigen::Matrix3d spread = P.bottomRightCorner<3, 3>();
-  return {.motion = {x[3], x[4], x[5]},
+MissingForce missing_force_of(const EstimatedState& state, const Eigen::Matrix3d& M) {
+  const Eigen::Vector3d a(state.unmodelled.u, state.unmodelled.v, state.unmodelled.r);
+  Eigen::Matrix3d spread;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      spread(i, k) = state.covariance(6 + static_cast<std::size_t>(i), 6 + static_cast<std::size_t>(k));
+  return {.motion = state.state.motion,
           .acceleration = as_acceleration(a),
           .acceleration_deviation = as_acceleration(deviations(spread)),
           .force = as_force(M * a),
@@ -118,24 +100,21 @@ auto unless_refused(F&& f) -> std::optional<decltype(f())> {
 }  // namespace
 
 std::vector<MissingForce> missing_force(const Ship& ship, const Recording& run, const Noise& noise) {
-  const std::span<const Recording> runs(&run, 1);
-  const auto trial = trial_of(ship, runs, seen_channels(runs));
+  const auto channels = recorded_motion({&run, 1});
+  const auto prepared = prepared_runs(ship, {&run, 1}, channels).front();
+  EstimationOptions options{.imperfection = Imperfection{process_noise(ship, noise)}, .memory = noise.memory};
+  for (const auto channel : prepared.channels)
+    options.noise[index_of(channel)] = prepared.deviation[index_of(channel)] * noise.factor[index_of(channel)];
+  const auto M = visit_acting(ship, [](const auto& acting) { return mass_matrix(acting.model); });
   std::vector<MissingForce> result;
-  const auto of_model = [&](const auto& model) {
-    FilterTrace trace;
-    const auto pass = Predictor(ship, model, trial.runs.front()).filter(imperfection(ship, noise), noise, &trace);
-    const auto s = smoothed(pass, trace);
-    const auto M = mass_matrix(acting_ship(ship, model).model);
-    for (std::size_t k = 0; k < run.samples(); ++k) result.push_back(missing_force_of(s.mean[k], s.covariance[k], M));
-  };
-  std::visit(of_model, ship.model);
+  for (const auto& state : estimate_states(ship, run, options).states) result.push_back(missing_force_of(state, M));
   return result;
 }
 
 PlanarForce<double> ordinary_force(const Ship& ship) {
   Noise noise;
   noise.scale = 1.0;
-  const auto size = imperfection(ship, noise);
+  const auto size = process_noise(ship, noise);
   const Eigen::Matrix3d spread = Eigen::Vector3d(size.u * size.u, size.v * size.v, size.r * size.r).asDiagonal();
   return visit_acting(ship, [&](const auto& acting) {
     const auto M = mass_matrix(acting.model);

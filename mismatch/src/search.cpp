@@ -47,10 +47,10 @@ struct Job {
   Promise promise{};
 };
 
-void work_on(std::vector<Job>& jobs, const Trial& trial, const Hypothesis& accepted, const Screen& screen) {
+void work_on(std::vector<Job>& jobs, const Trial& trial, const Hypothesis& accepted, const LinearizedFit& linear) {
   in_parallel(jobs.size(), 0, [&](std::size_t i) {
     try {
-      jobs[i].promise = promise(trial, accepted, screen, *jobs[i].form, jobs[i].start, jobs[i].iterations);
+      jobs[i].promise = promise(trial, accepted, linear, *jobs[i].form, jobs[i].start, jobs[i].iterations);
     } catch (const Refusal&) {  // the ship cannot sail with such an effect
     }
   });
@@ -71,7 +71,7 @@ std::vector<Job> worth_more(const std::vector<Job>& first) {
   return chosen;
 }
 
-std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, const Screen& screen,
+std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, const LinearizedFit& linear,
                                std::span<const EffectForm> forms) {
   std::vector<Job> jobs, many;
   for (const auto& form : forms) {
@@ -79,9 +79,9 @@ std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, c
     for (const auto& start : form.starts)
       (form.starts.size() > 2 ? many : jobs).push_back({&form, start, form.starts.size() > 2 ? 1 : 5});
   }
-  work_on(many, trial, accepted, screen);
+  work_on(many, trial, accepted, linear);
   std::ranges::move(worth_more(many), std::back_inserter(jobs));
-  work_on(jobs, trial, accepted, screen);
+  work_on(jobs, trial, accepted, linear);
   std::map<const EffectForm*, Promise> best;
   for (auto& job : jobs)
     if (job.promise.gain > best[job.form].gain) best[job.form] = std::move(job.promise);
@@ -188,9 +188,9 @@ const MapFit& likelier(const MapFit& a, const MapFit& b) { return b.log_evidence
 /// A fit that comes out far below the hypothesis without the effect stopped too early; from a small effect it begins
 /// once more. What comes and goes is fitted where most force is missing too, with no more than the ordinary
 /// imperfection: beside that which it makes necessary its edges cannot be seen.
-MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit& now, const Screen& screen,
+MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit& now, const LinearizedFit& linear,
                   const std::vector<double>& promised) {
-  const auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise, &screen.slopes);
+  const auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise, &linear.slopes);
   auto other = promised;
   if (const auto& window = hypothesis.back()->window; !window.empty() && now.noise.largest_scale() > ordinary_scale) {
     std::ranges::copy(window, other.end() - 2);
@@ -234,15 +234,15 @@ std::vector<Screened> most_promising(const std::vector<Screened>& candidates, st
 }
 
 /// Converged fits of the most promising candidates, best first.
-std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, const MapFit& now, const Screen& screen,
-                             const std::vector<Screened>& screening, std::size_t most) {
+std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, const MapFit& now,
+                             const LinearizedFit& linear, const std::vector<Screened>& screening, std::size_t most) {
   const auto candidates = most_promising(screening, most);
   std::vector<std::optional<Tried>> fits(candidates.size());
   in_parallel(candidates.size(), 0, [&](std::size_t i) {
     const auto& form = *candidates[i].form;
     const auto hypothesis = with(accepted, form);
     try {
-      const auto found = fit_beside(trial, hypothesis, now, screen, candidates[i].promise.coordinates);
+      const auto found = fit_beside(trial, hypothesis, now, linear, candidates[i].promise.coordinates);
       const double gain = found.log_evidence - now.log_evidence;
       if (!std::isfinite(gain)) return;
       const auto effect = last_effect(hypothesis, found.point);
@@ -288,7 +288,7 @@ Tried reduced(const Trial& trial, const Hypothesis& accepted, Tried tried, std::
 
 /// At the noise that suits these runs: other manoeuvres leave other things unexplained.
 double log_likelihood_of(const Trial& trial, const Hypothesis& hypothesis, const MapFit& found) {
-  return best_noise(trial, ship_at(trial, hypothesis, found.point), found.noise, true).log_likelihood;
+  return best_noise(problem_of(trial, hypothesis), found.point, found.noise, true).log_likelihood;
 }
 
 /// Held-out runs, if any, and their log likelihood as things stand.
@@ -415,13 +415,14 @@ std::optional<Tried> chosen(const Trial& trial, const Elsewhere& elsewhere, Sear
 /// The same effects beside a baseline that is less well known, if runs used and held out gain more by that than by one
 /// more effect.
 std::optional<MapFit> doubt_instead(const Trial& trial, const Elsewhere& elsewhere, const Search& s,
-                                    const Screen& screen, const Tried& best) try {
+                                    const LinearizedFit& linear, const Tried& best) try {
   const auto hypothesis = s.hypothesis();
   const auto less_sure = doubted(trial, less_known);
-  if (linear_evidence(less_sure, hypothesis, screen) - linear_evidence(trial, hypothesis, screen) <
+  if (linear_evidence(problem_of(less_sure, hypothesis), linear) -
+          linear_evidence(problem_of(trial, hypothesis), linear) <
       worth_a_doubt * best.gain)
     return std::nullopt;
-  auto found = fit(less_sure, hypothesis, s.now.point, s.now.noise, &screen.slopes);
+  auto found = fit(less_sure, hypothesis, s.now.point, s.now.noise, &linear.slopes);
   double gain = found.log_evidence - s.now.log_evidence;
   if (!elsewhere.is_empty()) gain += held_out_gain(trial, elsewhere, hypothesis, s.now, hypothesis, found);
   if (!(gain > whole_gain(best))) return std::nullopt;
@@ -438,8 +439,8 @@ void map_unknown(const Trial& trial, const Trial& unused, Search& s, double need
   const auto before = s.hypothesis();
   const auto whole = unknown_map(trial.ship);
   const std::vector<double> nothing(whole.coordinates.size(), 0.0);
-  const auto screen = screen_of(trial, before, s.now);
-  const auto guess = promise(trial, before, screen, whole, nothing);
+  const auto linear = linearized(trial, before, s.now);
+  const auto guess = promise(trial, before, linear, whole, nothing);
   const auto terms =
       pruned(whole, Eigen::Map<const Eigen::VectorXd>(guess.coordinates.data(), std::ssize(guess.coordinates)),
              guess.covariance)
@@ -447,7 +448,7 @@ void map_unknown(const Trial& trial, const Trial& unused, Search& s, double need
   s.reduced.push_back(whole.with_terms(terms));
   Screened start{&s.reduced.back(), {}};
   for (const auto i : terms) start.promise.coordinates.push_back(guess.coordinates[i]);
-  const auto tried = confirmed(trial, before, s.now, screen, {start}, 1);
+  const auto tried = confirmed(trial, before, s.now, linear, {start}, 1);
   if (tried.empty() || !(tried.front().gain > needed)) return;
   auto map = reduced(trial, before, tried.front(), s.reduced);
   ask(elsewhere_of(unused, before, s.now), trial, s, map, needed);
@@ -499,7 +500,8 @@ Spell spell_of(const Trial& trial, const Search& s, std::size_t accepted, double
   };
   std::vector<Sample> samples;
   try {
-    const auto a = log_likelihoods(trial, with, s.now.noise), b = log_likelihoods(trial, without, s.now.noise);
+    const auto a = log_likelihoods(problem_of(trial, with), {}, s.now.noise),
+               b = log_likelihoods(problem_of(trial, without), {}, s.now.noise);
     for (std::size_t i = 0; i < a.size(); ++i)
       for (std::size_t k = 0; k < a[i].size(); ++k) samples.push_back({trial.runs[i].run->time[k], a[i][k] - b[i][k]});
   } catch (const Refusal&) {
@@ -544,7 +546,7 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
   Search s;
   s.null = fit(trial, {}, trial.mean, start);
   if (s.null.point.size() == 0)  // far off: what nothing explains is large from the first
-    s.null = fit(trial, {}, trial.mean, best_noise(trial, ship_at(trial, {}, trial.mean), start, true).noise);
+    s.null = fit(trial, {}, trial.mean, best_noise(problem_of(trial, Hypothesis{}), trial.mean, start, true).noise);
   if (s.null.point.size() == 0)
     throw Refusal("the model cannot follow these runs at all; look at them with compare first");
   s.now = s.null;
@@ -557,12 +559,12 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
          (findings == 0 || s.now.noise.largest_scale() > adequate_scale)) {
     working = goes_on(s.accepted.empty() ? "trying every effect" : "trying a further effect");
     const auto before = s.hypothesis();
-    const auto screen = screen_of(trial, before, s.now);
-    if (s.accepted.empty()) s.screen = screen;
-    auto promising = screened(trial, before, screen, s.forms);
+    const auto linear = linearized(trial, before, s.now);
+    if (s.accepted.empty()) s.baseline = linear;
+    auto promising = screened(trial, before, linear, s.forms);
     if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale)
       std::erase_if(promising, [](const Screened& c) { return c.promise.gain < 0.0; });
-    auto tried = confirmed(trial, before, s.now, screen, promising, options.confirmed);
+    auto tried = confirmed(trial, before, s.now, linear, promising, options.confirmed);
     const double needed = s.accepted.empty() ? options.detection : options.further;
     const auto elsewhere = elsewhere_of(unused, before, s.now);
     const auto best = chosen(trial, elsewhere, s, tried, needed, traces < most_traces);
@@ -570,7 +572,7 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
     if (s.accepted.empty()) s.first = tried;
     if (!best) break;
     if (s.doubt * less_known < most_doubt)
-      if (auto instead = doubt_instead(trial, elsewhere, s, screen, *best)) {
+      if (auto instead = doubt_instead(trial, elsewhere, s, linear, *best)) {
         trial = doubted(std::move(trial), less_known);
         s.doubt *= less_known;
         s.now = *std::move(instead);

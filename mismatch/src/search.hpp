@@ -38,7 +38,7 @@ struct Search {
   MapFit null, now;
   double doubt = 1.0;        ///< factor on what the baseline's numbers are known to, where the runs speak against it
   double named_scale = 0.0;  ///< of the imperfection beside all effects that have names
-  Screen screen;             ///< of the baseline alone
+  LinearizedFit baseline;    ///< alone
   Located located;           ///< where the baseline alone lacks force
   std::vector<EffectForm> forms;   ///< that were tried
   std::vector<Accepted> accepted;  ///< in the order of acceptance, traces with them

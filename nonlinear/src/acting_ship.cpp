@@ -143,16 +143,12 @@ RudderActuator rudder_actuator(const Ship& ship) {
   return a;
 }
 
-std::vector<Effect> sensor_effects(const Ship& ship) {
-  auto effects = active(ship);
-  std::erase_if(effects, [](const Effect& e) { return place_of(e) != EffectPlace::sensor; });
-  return effects;
-}
+Instruments<double> instruments_of(const Ship& ship) { return instruments_of(std::span<const Effect>(ship.effects)); }
 
 template <class Model>
 ActingShip<Model> acting_ship(const Ship& ship, const Model& model) {
   ActingShip<Model> acting{
-      .model = model, .surroundings = ship.surroundings, .changes = {}, .added = {}, .rudder = {}, .sensors = {}};
+      .model = model, .surroundings = ship.surroundings, .changes = {}, .added = {}, .rudder = {}, .instruments = {}};
   if (ship.effects.empty()) return acting;
   change_model(acting.model, ship);
   acting.surroundings = surroundings_at(ship, before_all);
@@ -161,7 +157,7 @@ ActingShip<Model> acting_ship(const Ship& ship, const Model& model) {
   acting.added = added_forces(acting.model, std::span<const Effect>(effects));
   acting.added.mapped = unknown_acts(ship, before_all);
   acting.rudder = rudder_actuator(ship);
-  acting.sensors = sensor_effects(ship);
+  acting.instruments = instruments_of(ship);
   return acting;
 }
 

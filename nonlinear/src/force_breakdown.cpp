@@ -8,7 +8,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"
-#include "swayaw/nonlinear/sensors.hpp"
+#include "swayaw/nonlinear/instruments.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw {
@@ -91,7 +91,7 @@ namespace {
 
 /// The run as it was, with the angle of the rudder itself.
 Recording true_run(const Recording& run, const Ship& ship) {
-  auto truth = as_it_was(run, sensor_effects(ship));
+  auto truth = as_it_was(run, instruments_of(ship));
   if (!run.has(Channel::delta) || !rudder_actuator(ship).any()) return truth;
   const RecordedControls controls(ship, run);
   auto& rudder = truth.channels[index_of(Channel::delta)];

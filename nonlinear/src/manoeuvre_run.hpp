@@ -9,7 +9,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/rounding.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "swayaw/nonlinear/sensors.hpp"
+#include "swayaw/nonlinear/instruments.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 #include "voyage.hpp"
 
@@ -78,19 +78,15 @@ Recording recording_of(const std::vector<Moment>& moments, const ActingShip<Mode
     auto column = run.fill(channel);
     for (std::size_t i = 0; i < moments.size(); ++i) column[i] = value(moments[i]);
   };
-  fill(Channel::x, [](const Moment& m) { return m.state.x; });
-  fill(Channel::y, [](const Moment& m) { return m.state.y; });
-  fill(Channel::psi, [](const Moment& m) { return m.state.psi; });
-  fill(Channel::u, [](const Moment& m) { return m.state.motion.u; });
-  fill(Channel::v, [](const Moment& m) { return m.state.motion.v; });
-  fill(Channel::r, [](const Moment& m) { return m.state.motion.r; });
+  for (const Channel channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r})
+    fill(channel, [&](const Moment& m) { return observe(channel, kinematics(m.state, acting.surroundings.current)); });
   fill(Channel::delta, [](const Moment& m) { return m.shown; });
   const bool by_thrust = !moments.empty() && moments.front().controls.by_thrust;
   if (!by_thrust && takes_shaft_speed(ship)) fill(Channel::rev, [](const Moment& m) { return m.controls.rev; });
   fill(Channel::thrust,
        [&](const Moment& m) { return thrust(ship, m.state.motion, driven(acting.added, m.state.motion, m.controls)); });
   if (acting.added.roll) fill(Channel::phi, [](const Moment& m) { return m.hidden.phi; });
-  return acting.sensors.empty() ? run : as_recorded(std::move(run), acting.sensors);
+  return as_recorded(std::move(run), acting.instruments);
 }
 
 }  // namespace swayaw

@@ -88,8 +88,9 @@ ShipState<double> state_told(const Ship& ship, const Recording& run, double time
 }  // namespace
 
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time) {
-  const auto sensors = sensor_effects(ship);
-  return sensors.empty() ? state_told(ship, run, time) : state_told(ship, as_it_was(run, sensors), time);
+  const auto instruments = instruments_of(ship);
+  return instruments == Instruments<>{} ? state_told(ship, run, time)
+                                        : state_told(ship, as_it_was(run, instruments), time);
 }
 
 // ---------------------------------------------------------------- recorded controls
@@ -98,11 +99,9 @@ namespace {
 
 /// Recorded rudder angle without the delay of its record.
 Interpolant in_time(const Ship& ship, const Recording& run) {
-  std::vector<Effect> late;
-  for (const auto& effect : sensor_effects(ship))
-    if (const auto* delay = std::get_if<ChannelDelay<>>(&effect); delay && delay->channel == Channel::delta)
-      late.push_back(effect);
-  return late.empty() ? Interpolant(run, Channel::delta) : Interpolant(as_it_was(run, late), Channel::delta);
+  Instruments<> late;
+  late[Channel::delta].delay = instruments_of(ship)[Channel::delta].delay;
+  return late == Instruments<>{} ? Interpolant(run, Channel::delta) : Interpolant(as_it_was(run, late), Channel::delta);
 }
 
 /// Rudder angle as the indicator shows it; an order is followed at the rate of the steering gear.

@@ -55,7 +55,7 @@ class Disturber {
     sail(result, options);
     result.run = result.truth;
     result.run.name = "noisy";
-    for (const Channel c : measured_channels) result.run.channels[index_of(c)].clear();
+    for (const Channel c : measured_channels()) result.run.channels[index_of(c)].clear();
     for (const auto& [channel, deviation] : sensors) {
       auto column = result.run.fill(channel);
       for (std::size_t i = 0; i < column.size(); ++i)

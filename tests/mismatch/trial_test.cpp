@@ -48,9 +48,9 @@ struct Fitted {
 
   Fitted(const Ship& ship, std::vector<Recording> recorded)
       : runs(std::move(recorded)),
-        trial(trial_of(ship, runs, seen_channels(runs))),
+        trial(trial_of(ship, runs, recorded_motion(runs))),
         null(fit(trial, {}, trial.mean, Noise{})),
-        forms(effect_forms(ship, seen_channels(runs), 90.0)) {}
+        forms(effect_forms(ship, recorded_motion(runs), 90.0)) {}
 
   const EffectForm& form(std::string_view id) const { return *std::ranges::find(forms, id, &EffectForm::id); }
 };
@@ -67,7 +67,7 @@ TEST_CASE("a screening promises what the converged fit gains", "[mismatch][secon
     CAPTURE(id_of(hidden));
     const Fitted f(ship, runs_of(with_effect(ship, hidden), 3));
     const auto& form = f.form(id_of(hidden));
-    const auto promised = promise(f.trial, {}, screen_of(f.trial, {}, f.null), form, form.starts.front());
+    const auto promised = promise(f.trial, {}, linearized(f.trial, {}, f.null), form, form.starts.front());
     const Hypothesis hypothesis{&form};
     const auto converged = fit(f.trial, hypothesis, with_start(f.null.point, promised.coordinates), f.null.noise);
     const double gain = converged.log_evidence - f.null.log_evidence;
@@ -93,10 +93,10 @@ TEST_CASE("an imperfection whose axes and memory are apart is never the less lik
   const Fitted f(ship,
                  runs_of(with_effect(ship, AddedResistance<double>{.relative_increase = 1.0}), 7));  // surge alone
   const auto given = ship_at(f.trial, {}, f.trial.mean);
-  const auto one = best_noise(f.trial, given, Noise{}, true);
+  const auto one = best_noise(problem_of(f.trial, given), {}, Noise{}, true);
   Noise start;
   start.apart = true;
-  const auto apart = best_noise(f.trial, given, start, true);
+  const auto apart = best_noise(problem_of(f.trial, given), {}, start, true);
   CHECK(one.noise.axes == Noise{}.axes);
   CHECK(apart.log_likelihood >= one.log_likelihood);
   CHECK(apart.noise.axes[0] > apart.noise.axes[1]);
@@ -109,7 +109,7 @@ TEST_CASE("a rudder that has a gap of her own keeps it in the baseline", "[misma
   CHECK_FALSE(ordinary_lift_loss(own));
   const auto runs =
       std::vector{zigzag(own, {.rudder = radians(20), .heading = radians(20)}, {.duration = 60.0, .step = 0.3}).run};
-  const auto trial = trial_of(own, runs, seen_channels(runs));
+  const auto trial = trial_of(own, runs, recorded_motion(runs));
   const auto pick = [](const Ship& ship) { return std::get<PiShip<double>>(ship.model).rudder; };
   CHECK(pick(ship_at(trial, {}, trial.mean)).s == pick(own).s);
   // her own gap is no effect, no gap at all is one

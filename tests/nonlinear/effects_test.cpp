@@ -8,11 +8,11 @@
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/force_breakdown.hpp"
+#include "swayaw/nonlinear/instruments.hpp"
 #include "swayaw/nonlinear/linearization.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/published_ships.hpp"
 #include "swayaw/nonlinear/replay.hpp"
-#include "swayaw/nonlinear/sensors.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 #include "swayaw/nonlinear/spiral.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
@@ -556,12 +556,13 @@ TEST_CASE("the parts of a linearized ship with effects add up to differences of 
 
 TEST_CASE("a run as recorded and put right again is the run", "[nonlinear][round-trip]") {
   const auto truth = zigzag_of(test::with_areas(sailing_ship<MmgShip<double>>()));
-  const std::vector<Effect> sensors{HeadingBias<>{0.03}, GyroBias<>{0.002}, LogScale<>{1.1},
-                                    AntennaLeverArm<>{2.0, -0.3}};
+  const auto instruments_with = [](const std::vector<Effect>& e) { return instruments_of(std::span<const Effect>(e)); };
+  const auto sensors =
+      instruments_with({HeadingBias<>{0.03}, GyroBias<>{0.002}, LogScale<>{1.1}, AntennaLeverArm<>{2.0, -0.3}});
   const auto back = as_it_was(as_recorded(truth, sensors), sensors);
   for (const Channel channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::r})
     CHECK(largest_difference(truth, back, channel) < 1e-12);
-  const std::vector<Effect> late{ChannelDelay<>{Channel::r, 0.2}, ChannelDelay<>{Channel::x, -0.3}};
+  const auto late = instruments_with({ChannelDelay<>{Channel::r, 0.2}, ChannelDelay<>{Channel::x, -0.3}});
   const auto shifted = as_it_was(as_recorded(truth, late), late);
   CHECK(largest_difference(truth, shifted, Channel::r) < 1e-3);
   CHECK(largest_difference(truth, shifted, Channel::x) < 1e-3);
@@ -569,7 +570,7 @@ TEST_CASE("a run as recorded and put right again is the run", "[nonlinear][round
 
 TEST_CASE("biases, scales and levers have the signs of the documentation", "[nonlinear]") {
   const auto truth = zigzag_of(test::with_areas(sailing_ship<MmgShip<double>>()));
-  const auto seen = [&](const Effect& effect) { return as_recorded(truth, std::vector{effect}); };
+  const auto seen = [&](const Effect& effect) { return as_recorded(truth, instruments_of(std::span(&effect, 1))); };
   CHECK(seen(HeadingBias<>{0.1})[Channel::psi][5] == truth[Channel::psi][5] + 0.1);
   CHECK(seen(GyroBias<>{0.1})[Channel::r][5] == truth[Channel::r][5] + 0.1);
   CHECK(seen(LogScale<>{1.1})[Channel::u][5] == truth[Channel::u][5] * 1.1);

@@ -34,6 +34,30 @@ inline constexpr std::size_t channel_count = 19;
 
 constexpr std::size_t index_of(Channel channel) { return static_cast<std::size_t>(channel); }
 
+/// What kind of quantity a channel holds.
+enum class Dimension {
+  length,
+  bearing,  ///< an angle on the earth: compared the short way round
+  angle,    ///< of a part of the ship
+  speed,
+  yaw_rate,
+  other,
+};
+
+Dimension dimension_of(Channel channel);
+
+/// Whether errors of the channel are taken the short way round.
+bool is_direction(Channel channel);
+
+/// Whether the channel shows the motion of the ship, and not what drives her or the weather.
+bool shows_motion(Channel channel);
+
+/// The channels that show the motion of the ship.
+std::span<const Channel> motion_channels();
+
+/// A change of the channel that matters to a ship of length L at speed U: L, U, U/L, or 1 rad.
+double unit_of(Channel channel, double L, double U);
+
 /// A column of a recording file: its name, what it holds, and the SI value of one unit.
 struct Column {
   std::string_view name;

@@ -8,7 +8,7 @@
 
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/recording.hpp"
-#include "swayaw/mismatch/noise.hpp"
+#include "swayaw/identification/noise.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
 /// A recorded run as people look at it: which force is missing and when, and what each ship makes of the run.

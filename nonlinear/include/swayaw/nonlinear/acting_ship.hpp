@@ -7,6 +7,7 @@
 
 #include "swayaw/nonlinear/added_forces.hpp"
 #include "swayaw/nonlinear/changed_numbers.hpp"
+#include "swayaw/nonlinear/instruments.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
 /// A ship as her effects make her.
@@ -51,7 +52,7 @@ struct ActingShip {
   std::vector<Change> changes;        ///< in order of time
   AddedForces<double> added;          ///< before the first change
   RudderActuator rudder;
-  std::vector<Effect> sensors;
+  Instruments<double> instruments;
 
   /// As she is at a time.
   ActingShip at(double time) const {
@@ -71,8 +72,8 @@ std::vector<Change> changes_of(const Ship& ship);
 /// What lies between the recorded rudder angle and the rudder.
 RudderActuator rudder_actuator(const Ship& ship);
 
-/// Effects of her instruments.
-std::vector<Effect> sensor_effects(const Ship& ship);
+/// Her instruments.
+Instruments<double> instruments_of(const Ship& ship);
 
 /// Forces that the effects add to a model of a ship with these dimensions, in any scalar. Effects of other kinds are
 /// passed over.

@@ -5,7 +5,6 @@
 #include "noise_ascent.hpp"
 #include "run_filter.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
-#include "swayaw/nonlinear/sensors.hpp"
 
 namespace swayaw {
 namespace {
@@ -20,7 +19,7 @@ std::vector<Channel> channels_of(std::span<const Recording> runs, const Estimati
   const auto recorded = [&](Channel c) {
     return std::ranges::any_of(runs, [c](const Recording& run) { return run.has(c); });
   };
-  std::ranges::copy_if(measured_channels, std::back_inserter(used),
+  std::ranges::copy_if(measured_channels(), std::back_inserter(used),
                        [&](Channel c) { return recorded(c) && wanted(c); });
   return used;
 }
@@ -35,17 +34,8 @@ void require_position_or_speed(const Recording& run, std::span<const Channel> us
   if (run.samples() < 3) throw Refusal(fmt::format("{}: too few samples to estimate states", run.name));
 }
 
-/// Least noise that a channel is credited with: rounding of files.
-double least_noise(Channel channel, double L, double U) {
-  switch (channel) {
-    case Channel::x:
-    case Channel::y: return 1e-5 * L;
-    case Channel::psi:
-    case Channel::course_over_ground: return 1e-5;
-    case Channel::r: return 1e-5 * U / L;
-    default: return 1e-5 * U;
-  }
-}
+/// Least noise that a channel is credited with, over its unit: the rounding of files with six digits.
+constexpr double least_noise = 1e-5;
 
 /// Noise to begin with where none is known: the scatter of second differences, √(1/6) of their size for white noise.
 double rough_noise(std::span<const Recording> runs, Channel channel) {
@@ -72,7 +62,7 @@ class NoisePlaces {
               const EstimationOptions& options) {
     const double L = length(ship), U = service_speed(ship);
     for (const Channel c : channels) {
-      const double least = least_noise(c, L, U);
+      const double least = least_noise * unit_of(c, L, U);
       if (const auto& known = options.noise[index_of(c)])
         noise_[place_of(c)] = std::pow(require_positive(*known, fmt::format("noise of {}", column_name(c))), 2);
       else set_free(place_of(c), least, std::max(rough_noise(runs, c), 2.0 * least));
@@ -81,7 +71,7 @@ class NoisePlaces {
     const double unit = options.coloured ? U * U / L : U * std::sqrt(U / L);
     for (int i = 0; i < 3; ++i)
       if (!options.imperfection)
-        set_free(place_of_imperfection(i), 1e-6 * unit / (i < 2 ? 1.0 : L), 0.01 * unit / (i < 2 ? 1.0 : L));
+        set_free(place_of_process_noise(i), 1e-6 * unit / (i < 2 ? 1.0 : L), 0.01 * unit / (i < 2 ? 1.0 : L));
     if (options.imperfection) noise_.tail<3>() = of(*options.imperfection).array().square();
   }
 
@@ -137,14 +127,20 @@ template <int N, class Model>
 class Estimator {
  public:
   Estimator(const Ship& ship, const Model& model, std::span<const Recording> runs, const EstimationOptions& options)
-      : options_(options), channels_(channels_of(runs, options)), places_(ship, runs, channels_, options) {
+      : options_(options),
+        acting_(acting_ship(ship, model)),
+        channels_(channels_of(runs, options)),
+        places_(ship, runs, channels_, options),
+        passes_(runs.size()) {
     const double tau =
         require_positive(options.memory, "memory of the imperfection") * length(ship) / service_speed(ship);
     for (const auto& run : runs) {
       require_position_or_speed(run, channels_);
-      filters_.emplace_back(ship, model, run, channels_, tau);
+      filters_.emplace_back(ship, acting_, run, channels_, recorded_state(ship, run, run.time.front()), tau);
     }
   }
+
+  Estimator(const Estimator&) = delete;  // the filters refer to the acting ship
 
   NoiseEstimate noise() {
     auto result = search();
@@ -156,14 +152,16 @@ class Estimator {
   StateEstimate states(const Recording& run) {
     StateEstimate result{.states = {}, .innovations = {}, .noise = search()};
     result.states.reserve(run.samples());
-    auto& filter = filters_.front();
-    result.noise.log_likelihood = filter.forward(noise_, [&](std::size_t k, const Belief<N>& belief) {
-      result.states.push_back(filtered(run.time, k, belief));
+    auto& pass = passes_.front();
+    filters_.front().forward(noise_, pass, [&](std::size_t k, const Gaussian<N>& estimate) {
+      result.states.push_back(filtered(run.time, k, estimate));
     });
+    result.noise.log_likelihood = pass.log_likelihood();
     if (options_.smooth)
-      filter.backward(noise_, [&](std::size_t k, const Future<N>& future) { smooth(result.states[k], future); });
+      filters_.front().backward(
+          noise_, pass, [&](std::size_t k, const Smoother<N>& smoother) { smooth(result.states[k], smoother); });
     for (const Channel c : channels_) {
-      const auto& sums = filter.sums(c);
+      const auto& sums = pass.sums[index_of(c)];
       result.innovations.push_back({.channel = c,
                                     .noise = deviation(place_of(c)),
                                     .rms = std::sqrt(sums.square / static_cast<double>(sums.count)),
@@ -185,7 +183,7 @@ class Estimator {
                     options_.most_iterations);
     }
     noise_ = places_.noise(found.place);
-    const auto size = [&](int i) { return deviation(place_of_imperfection(i)); };
+    const auto size = [&](int i) { return deviation(place_of_process_noise(i)); };
     NoiseEstimate result{.noise = {},
                          .imperfection = {{size(0), size(1), size(2)}},
                          .log_likelihood = found.value,
@@ -199,7 +197,10 @@ class Estimator {
 
   double forward() {
     double sum = 0.0;
-    for (auto& filter : filters_) sum += filter.forward(noise_, [](auto&&...) {});
+    for (std::size_t i = 0; i < filters_.size(); ++i) {
+      filters_[i].forward(noise_, passes_[i], [](auto&&...) {});
+      sum += passes_[i].log_likelihood();
+    }
     return sum;
   }
 
@@ -207,42 +208,43 @@ class Estimator {
     noise_ = places_.noise(p);
     FilterNoise by_log = FilterNoise::Zero();
     const double value = forward();
-    for (const auto& filter : filters_) by_log += filter.backward(noise_, [](auto&&...) {});
+    for (std::size_t i = 0; i < filters_.size(); ++i)
+      by_log += filters_[i].backward(noise_, passes_[i], [](auto&&...) {});
     return {value, places_.slope(by_log, noise_)};
   }
 
   /// How many noises of each kind the runs show.
   FilterNoise counts() const {
     FilterNoise count = FilterNoise::Zero();
-    for (const auto& filter : filters_) {
-      for (const Channel c : channels_) count[place_of(c)] += static_cast<double>(filter.sums(c).count);
-      count.tail<3>().array() += static_cast<double>(filter.steps());
+    for (const auto& pass : passes_) {
+      for (const Channel c : channels_) count[place_of(c)] += static_cast<double>(pass.sums[index_of(c)].count);
+      count.tail<3>().array() += static_cast<double>(pass.steps.size());
     }
     return count;
   }
 
   /// The mean of a white acceleration until the next sample, h later, has the variance σ²/h.
-  EstimatedState filtered(std::span<const double> time, std::size_t k, const Belief<N>& belief) const {
-    const auto& x = belief.mean;
+  EstimatedState filtered(std::span<const double> time, std::size_t k, const Gaussian<N>& estimate) const {
+    const auto& x = estimate.mean;
     EstimatedState result{.time = time[k], .state = ship_state<N>(x), .unmodelled = {0.0, 0.0, 0.0}, .covariance = {}};
     for (int i = 0; i < N; ++i)
-      for (int j = 0; j <= i; ++j) at(result.covariance, i, j) = belief.P(i, j);
+      for (int j = 0; j <= i; ++j) at(result.covariance, i, j) = estimate.P(i, j);
     const double h = k + 1 < time.size() ? time[k + 1] - time[k] : time[k] - time[k - 1];
     if constexpr (N == 9) result.unmodelled = {x[6], x[7], x[8]};
     else
-      for (int i = 0; i < 3; ++i) at(result.covariance, 6 + i, 6 + i) = noise_[place_of_imperfection(i)] / h;
+      for (int i = 0; i < 3; ++i) at(result.covariance, 6 + i, 6 + i) = noise_[place_of_process_noise(i)] / h;
     return result;
   }
 
   /// x + P r and P − P M P. A white acceleration is seen through the velocity: its mean σ² r, its covariance −P M σ²
   /// with the state and σ²/h − σ² M σ² of its own.
-  void smooth(EstimatedState& estimate, const Future<N>& future) const {
+  void smooth(EstimatedState& estimate, const Smoother<N>& smoother) const {
     auto& P_s = estimate.covariance;
     FilterMatrix<N> P;
     for (int i = 0; i < N; ++i)
       for (int j = 0; j <= i; ++j) P(i, j) = P(j, i) = at(P_s, i, j);
-    const FilterVector<N> gain = P * future.r;
-    const FilterMatrix<N> MP = future.M.lazyProduct(P);
+    const FilterVector<N> gain = P * smoother.r;
+    const FilterMatrix<N> MP = smoother.M.lazyProduct(P);
     for (int i = 0; i < N; ++i)
       for (int j = 0; j <= i; ++j) at(P_s, i, j) -= P.col(i).dot(MP.col(j));
     auto& [time, s, a, covariance] = estimate;
@@ -252,11 +254,11 @@ class Estimator {
          {s.motion.u + gain[3], s.motion.v + gain[4], s.motion.r + gain[5]}};
     if constexpr (N == 9) a = {a.u + gain[6], a.v + gain[7], a.r + gain[8]};
     else {
-      const Eigen::Vector3d W = noise_.template tail<3>(), mean = W.cwiseProduct(future.r.template tail<3>());
+      const Eigen::Vector3d W = noise_.template tail<3>(), mean = W.cwiseProduct(smoother.r.template tail<3>());
       a = {mean[0], mean[1], mean[2]};
       for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 6; ++j) at(P_s, 6 + i, j) = -W[i] * MP(3 + i, j);
-        for (int j = 0; j <= i; ++j) at(P_s, 6 + i, 6 + j) -= W[i] * future.M(3 + i, 3 + j) * W[j];
+        for (int j = 0; j <= i; ++j) at(P_s, 6 + i, 6 + j) -= W[i] * smoother.M(3 + i, 3 + j) * W[j];
       }
     }
   }
@@ -266,25 +268,20 @@ class Estimator {
   }
 
   const EstimationOptions& options_;
+  ActingShip<Model> acting_;
   std::vector<Channel> channels_;
   NoisePlaces places_;
   std::vector<RunFilter<Model, N>> filters_;
+  std::vector<FilteredRun<N>> passes_;
   FilterNoise noise_ = FilterNoise::Zero();
 };
 
 /// ask(estimator) of the filter that the options want.
 template <class Ask>
-auto with_estimator(const Ship& given, std::span<const Recording> recorded, const EstimationOptions& options,
-                    Ask&& ask) {
-  const auto sensors = sensor_effects(given);
-  const auto ship = with_effects_applied(without_sensor_effects(given));
-  std::vector<Recording> truth;
-  if (!sensors.empty())
-    for (const auto& run : recorded) truth.push_back(as_it_was(run, sensors));
-  const auto runs = sensors.empty() ? recorded : std::span<const Recording>(truth);
+auto with_estimator(const Ship& ship, std::span<const Recording> runs, const EstimationOptions& options, Ask&& ask) {
   const auto of_model = [&]<class Model>(const Model& model) {
-    if (options.coloured) return ask(Estimator<9, Model>(ship, model, runs, options), runs);
-    return ask(Estimator<6, Model>(ship, model, runs, options), runs);
+    if (options.coloured) return ask(Estimator<9, Model>(ship, model, runs, options));
+    return ask(Estimator<6, Model>(ship, model, runs, options));
   };
   return std::visit(of_model, ship.model);
 }
@@ -292,12 +289,11 @@ auto with_estimator(const Ship& given, std::span<const Recording> recorded, cons
 }  // namespace
 
 StateEstimate estimate_states(const Ship& ship, const Recording& run, const EstimationOptions& options) {
-  return with_estimator(ship, {&run, 1}, options,
-                        [](auto&& estimator, auto runs) { return estimator.states(runs.front()); });
+  return with_estimator(ship, {&run, 1}, options, [&](auto&& estimator) { return estimator.states(run); });
 }
 
 NoiseEstimate estimate_noise(const Ship& ship, std::span<const Recording> runs, const EstimationOptions& options) {
-  return with_estimator(ship, runs, options, [](auto&& estimator, auto) { return estimator.noise(); });
+  return with_estimator(ship, runs, options, [](auto&& estimator) { return estimator.noise(); });
 }
 
 Recording StateEstimate::recording(const Recording& run) const {

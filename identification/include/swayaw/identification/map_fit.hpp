@@ -1,0 +1,155 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "swayaw/core/recording.hpp"
+#include "swayaw/identification/noise.hpp"
+#include "swayaw/nonlinear/ship.hpp"
+
+/// Unknowns of any kind estimated together from recorded runs: coefficients of a ship, effects, surroundings,
+/// instruments. Maximum of the posterior of all of them under a Kalman filter that carries what no model gets right,
+/// and its evidence. docs/estimation.md describes the method.
+namespace swayaw {
+
+/// A recorded run made ready once for many fits.
+struct PreparedRun {
+  const Recording* run;
+  std::vector<Channel> channels;                  ///< that are compared
+  std::array<double, channel_count> deviation{};  ///< of their white noise, where third differences tell all of it
+  ShipState<double> start;                        ///< recorded; little is known of it
+  Eigen::Index measurements;                      ///< samples of these channels that are there
+
+  Eigen::Index rows() const { return measurements; }
+};
+
+/// @param runs  must outlive what is prepared of them
+std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
+                                       std::span<const Channel> channels);
+
+/// Channels of motion that some run has.
+std::vector<Channel> recorded_motion(std::span<const Recording> runs);
+
+/// One unknown: its value is `mean` where nothing is known, and stays between its bounds.
+struct Unknown {
+  std::string name;
+  double mean = 0.0;
+  double low = -HUGE_VAL;
+  double high = HUGE_VAL;
+  double step = 0.2;  ///< of differences, over which residuals are about linear
+};
+
+/// Values of all unknowns, in their order.
+using Point = Eigen::VectorXd;
+
+/// What is unknown, what is known of it before, and the runs that are to tell.
+///
+/// An unknown has the scope of the runs whose ship it changes: `ship_in` is asked for each run.
+struct EstimationProblem {
+  std::vector<Unknown> unknowns;
+  Eigen::MatrixXd precision;  ///< of the normal prior about the means
+  std::span<const PreparedRun> runs;
+  std::function<Ship(const Point& point, std::size_t run)> ship_in;  ///< the ship that sailed a run
+  const Ship& scale;                                                 ///< whose length and speed give units of noise
+
+  Eigen::Index size() const { return static_cast<Eigen::Index>(unknowns.size()); }
+  Eigen::Index rows() const;
+  Eigen::VectorXd mean() const;
+  Point within_bounds(Point point) const;
+
+  /// (p − mean)ᵀ Λ (p − mean)
+  double prior(const Point& point) const;
+};
+
+/// The most probable point of a problem.
+struct MapFit {
+  Point point;
+  double log_evidence = -HUGE_VAL;  ///< Laplace: ln p(runs | point) + ln prior + ½ ln det of the posterior covariance
+  Noise noise;
+  Eigen::MatrixXd covariance;  ///< of the point
+};
+
+/// Converged fit, the gains of the filter and the noise renewed as often as they change.
+/// @param known  slopes of the residuals by the first unknowns, near the start: good enough for the first round
+/// @param fixed  how many unknowns come first whose slopes hardly change, worked out once a round
+MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Eigen::Index fixed,
+           const Eigen::MatrixXd* known = nullptr, int rounds = 6);
+
+/// ln p(runs | point); −∞ where the ship cannot sail like that.
+double log_likelihood(const EstimationProblem& problem, const Point& point, const Noise& noise);
+
+/// The same by run and sample.
+/// @throws Refusal  where the ship cannot sail like that
+std::vector<std::vector<double>> log_likelihoods(const EstimationProblem& problem, const Point& point,
+                                                 const Noise& noise);
+
+/// The likelihood of a point, at the noise that suits it best.
+struct Likelihood {
+  double log_likelihood;
+  Noise noise;
+};
+
+/// @param every_channel  whether channels whose noise was as expected so far may prove noisier
+Likelihood best_noise(const EstimationProblem& problem, const Point& point, const Noise& start, bool every_channel);
+
+// ---------------------------------------------------------------- further unknowns, linear in the first ones
+
+struct FilteredRuns;  ///< gains of the filter in each run
+
+/// A fitted problem, linear about its most probable point: what its own unknowns can explain of anything.
+struct LinearizedFit {
+  Point point;
+  std::shared_ptr<const FilteredRuns> passes;
+  Eigen::VectorXd residuals;
+  Eigen::MatrixXd slopes;   ///< J, of the residuals by the unknowns
+  Eigen::MatrixXd inverse;  ///< (JᵀJ + Λ)⁻¹ with the precision Λ of the prior
+  Eigen::VectorXd pull;     ///< Λ (point − mean), by which the prior draws the unknowns back
+
+  /// M e, what is left of columns of changes of the residuals after the unknowns took what they can:
+  /// e − J (JᵀJ + Λ)⁻¹ Jᵀe.
+  Eigen::MatrixXd projected(const Eigen::MatrixXd& e) const {
+    return e - slopes * (inverse * (slopes.transpose() * e));
+  }
+
+  /// The same of the residuals themselves, of which the unknowns take the less the further they are from their mean:
+  /// e − J (JᵀJ + Λ)⁻¹ (Jᵀe + pull).
+  Eigen::VectorXd answered(const Eigen::VectorXd& e) const {
+    return e - slopes * (inverse * (slopes.transpose() * e + pull));
+  }
+
+  /// Least sum of squares of residuals and prior that the unknowns can reach from residuals e, but for a constant:
+  /// eᵀe − gᵀ (JᵀJ + Λ)⁻¹ g, g = Jᵀe + pull.
+  double cost(const Eigen::VectorXd& e) const {
+    const Eigen::VectorXd g = slopes.transpose() * e + pull;
+    return e.squaredNorm() - g.dot(inverse * g);
+  }
+};
+
+LinearizedFit linearized(const EstimationProblem& problem, const MapFit& fit);
+
+/// Log evidence of a problem's prior beside a linearization of the same runs; differences are what counts:
+/// −½ (eᵀe + dᵀΛd − gᵀ(JᵀJ + Λ)⁻¹g) + ½ ln det Λ − ½ ln det(JᵀJ + Λ) with d = point − mean, g = Jᵀe + Λd.
+double linear_evidence(const EstimationProblem& problem, const LinearizedFit& fit);
+
+/// What further unknowns promise, gains and slopes of the first ones as they are.
+struct Promise {
+  double gain = -HUGE_VAL;  ///< in log evidence
+  std::vector<double> further;
+  Eigen::MatrixXd covariance;  ///< of the further unknowns
+};
+
+/// @param problem  with the unknowns of the linearized fit first
+/// @param start    of the further ones
+Promise promise(const EstimationProblem& problem, const LinearizedFit& before, std::span<const double> start,
+                int iterations = 5);
+
+/// Changes of the residuals by the further unknowns from these values on, by differences of that step.
+Eigen::MatrixXd further_slopes(const EstimationProblem& problem, const LinearizedFit& before,
+                               std::span<const double> from, double step);
+
+}  // namespace swayaw

@@ -1,0 +1,83 @@
+#include "filtered_runs.hpp"
+
+#include <algorithm>
+
+#include "swayaw/core/parallel.hpp"
+
+namespace swayaw {
+namespace {
+
+/// Variances of the channels of a run and of the process noise.
+FilterNoise variances(const Ship& scale, const PreparedRun& run, const Noise& noise) {
+  FilterNoise variance = FilterNoise::Zero();
+  for (const Channel channel : run.channels)
+    variance[place_of(channel)] = std::pow(run.deviation[index_of(channel)] * noise.factor[index_of(channel)], 2);
+  const auto a = process_noise(scale, noise);
+  variance.tail<3>() << a.u * a.u, a.v * a.v, a.r * a.r;
+  return variance;
+}
+
+/// Calls f(run, filter) for each run with the ship that sailed it, on all cores. @param memory  over L/U
+template <class F>
+void for_each_run(const EstimationProblem& problem, const Point& point, double memory, F&& f) {
+  const double tau = memory * length(problem.scale) / service_speed(problem.scale);
+  in_parallel(problem.runs.size(), 0, [&](std::size_t i) {
+    const auto& run = problem.runs[i];
+    const auto ship = problem.ship_in(point, i);
+    visit_acting(ship, [&](const auto& acting) {
+      RunFilter<std::remove_cvref_t<decltype(acting.model)>, 9> filter(ship, acting, *run.run, run.channels, run.start,
+                                                                       tau);
+      f(i, filter);
+    });
+  });
+}
+
+}  // namespace
+
+double FilteredRuns::log_likelihood() const {
+  double sum = 0.0;
+  for (const auto& run : runs) sum += run.log_likelihood();
+  return sum;
+}
+
+std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, const Point& point, const Noise& noise) {
+  auto result = std::make_shared<FilteredRuns>();
+  result->runs.resize(problem.runs.size());
+  for_each_run(problem, point, noise.memory, [&](std::size_t i, auto& filter) {
+    filter.forward(variances(problem.scale, problem.runs[i], noise), result->runs[i], [](auto&&...) {});
+  });
+  return result;
+}
+
+Eigen::VectorXd residuals(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes) {
+  std::vector<Eigen::Index> first{0};
+  for (const auto& run : problem.runs) first.push_back(first.back() + run.rows());
+  Eigen::VectorXd e(first.back());
+  for_each_run(problem, point, 1.0, [&](std::size_t i, auto& filter) {
+    filter.residuals(passes.runs[i], e.segment(first[i], problem.runs[i].rows()));
+  });
+  return e;
+}
+
+Eigen::VectorXd residuals_if_any(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes) {
+  constexpr double huge = 1e6;  // standard deviations: no step is taken there
+  try {
+    return residuals(problem, point, passes);
+  } catch (const Refusal&) {
+    return Eigen::VectorXd::Constant(problem.rows(), huge);
+  }
+}
+
+void difference(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
+                const Eigen::VectorXd& here, Eigen::Index first, Eigen::MatrixXd& slopes) {
+  in_parallel(static_cast<std::size_t>(point.size() - first), 0, [&](std::size_t k) {
+    const auto i = first + static_cast<Eigen::Index>(k);
+    const auto& unknown = problem.unknowns[static_cast<std::size_t>(i)];
+    const double step = point[i] + unknown.step > unknown.high ? -unknown.step : unknown.step;
+    Point moved = point;
+    moved[i] += step;
+    slopes.col(i) = (residuals_if_any(problem, moved, passes) - here) / step;
+  });
+}
+
+}  // namespace swayaw

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+
+#include "../filter/run_filter.hpp"
+#include "swayaw/identification/map_fit.hpp"
+
+/// All runs of a problem under the filter, whatever the model. Not installed.
+namespace swayaw {
+
+struct FilteredRuns {
+  std::vector<FilteredRun<9>> runs;
+
+  double log_likelihood() const;
+};
+
+/// @throws Refusal  where a ship cannot sail her run
+std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, const Point& point, const Noise& noise);
+
+/// Residuals of all runs at a point with the gains of passes.
+/// @throws Refusal  where a ship cannot sail her run
+Eigen::VectorXd residuals(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes);
+
+/// The same, huge where a ship cannot sail or her motion runs away.
+Eigen::VectorXd residuals_if_any(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes);
+
+/// d(residuals)/d(point) by differences, columns from `first` on. @param here  residuals at the point
+void difference(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
+                const Eigen::VectorXd& here, Eigen::Index first, Eigen::MatrixXd& slopes);
+
+}  // namespace swayaw

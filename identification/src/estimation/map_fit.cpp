@@ -1,0 +1,171 @@
+#include "swayaw/identification/map_fit.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "filtered_runs.hpp"
+#include "levenberg_marquardt.hpp"
+
+namespace swayaw {
+
+// ---------------------------------------------------------------- problem
+
+Eigen::Index EstimationProblem::rows() const {
+  Eigen::Index sum = 0;
+  for (const auto& run : runs) sum += run.rows();
+  return sum;
+}
+
+Eigen::VectorXd EstimationProblem::mean() const {
+  Eigen::VectorXd mean(size());
+  for (Eigen::Index i = 0; i < size(); ++i) mean[i] = unknowns[static_cast<std::size_t>(i)].mean;
+  return mean;
+}
+
+Point EstimationProblem::within_bounds(Point point) const {
+  for (Eigen::Index i = 0; i < point.size(); ++i) {
+    const auto& unknown = unknowns[static_cast<std::size_t>(i)];
+    point[i] = std::clamp(point[i], unknown.low, unknown.high);
+  }
+  return point;
+}
+
+double EstimationProblem::prior(const Point& point) const {
+  const Eigen::VectorXd d = point - mean();
+  return d.dot(precision * d);
+}
+
+// ---------------------------------------------------------------- fit
+
+namespace {
+
+double log_determinant(const Eigen::MatrixXd& positive) { return positive.ldlt().vectorD().array().abs().log().sum(); }
+
+/// (JᵀJ + Λ) d = −Jᵀe − Λ (p − mean)
+NormalEquations normal_equations(const EstimationProblem& problem, const Eigen::MatrixXd& J, const Descent& here) {
+  return {J.transpose() * J + problem.precision,
+          -J.transpose() * here.residuals - problem.precision * (here.point - problem.mean())};
+}
+
+}  // namespace
+
+MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Eigen::Index fixed,
+           const Eigen::MatrixXd* known, int rounds) {
+  // a round ends where a step gains less than 1/40 of a standard deviation
+  constexpr DescentOptions options{.iterations = 10, .attempts = 6, .worth = 0.05, .harder = 8.0, .easier = 5.0};
+  constexpr double worth_a_round = 0.5;  // of log posterior density
+  Point point = problem.within_bounds(start);
+  Eigen::MatrixXd slopes(problem.rows(), point.size());
+  MapFit best;
+  double density = -HUGE_VAL;  // of the posterior, logarithm
+  for (int round = 0; round < rounds; ++round) {
+    const auto passes = filtered(problem, point, noise);
+    const auto cost = [&](const Point& p, const Eigen::VectorXd& e) { return e.squaredNorm() + problem.prior(p); };
+    Descent here{point, residuals(problem, point, *passes), 0.0};
+    here.cost = cost(here.point, here.residuals);
+    const bool first_known = known && round == 0;
+    if (first_known) slopes.leftCols(known->cols()) = *known;
+    const auto renew = [&](const Descent& at, int iteration) {
+      const Eigen::Index first = iteration > 0 ? fixed : first_known ? known->cols() : 0;
+      difference(problem, at.point, *passes, at.residuals, first, slopes);
+      return normal_equations(problem, slopes, at);
+    };
+    descend(
+        here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *passes); }, cost,
+        [&](const Point& p) { return problem.within_bounds(p); });
+    point = here.point;
+    const auto [log_likelihood, found] = best_noise(problem, point, noise, problem.size() == fixed);
+    const Eigen::MatrixXd A = slopes.transpose() * slopes + problem.precision;
+    const double now = log_likelihood - 0.5 * problem.prior(point), gain = now - density;
+    // the last round is the one whose slopes belong to the noise that was found, so it stands unless it is clearly
+    // worse
+    if (gain > -worth_a_round)
+      best = {point, now + 0.5 * (log_determinant(problem.precision) - log_determinant(A)), found, A.inverse()};
+    if (!(gain > worth_a_round) && found == noise) break;
+    if (!std::isfinite(now)) break;  // the filter cannot follow
+    density = std::max(density, now), noise = found;
+  }
+  return best;
+}
+
+// ---------------------------------------------------------------- further unknowns
+
+LinearizedFit linearized(const EstimationProblem& problem, const MapFit& fit) {
+  LinearizedFit result{.point = fit.point, .passes = filtered(problem, fit.point, fit.noise)};
+  result.residuals = residuals(problem, fit.point, *result.passes);
+  result.slopes.resize(problem.rows(), fit.point.size());
+  difference(problem, fit.point, *result.passes, result.residuals, 0, result.slopes);
+  result.inverse = (result.slopes.transpose() * result.slopes + problem.precision).inverse();
+  result.pull = problem.precision * (fit.point - problem.mean());
+  return result;
+}
+
+double linear_evidence(const EstimationProblem& problem, const LinearizedFit& fit) {
+  const Eigen::MatrixXd A = fit.slopes.transpose() * fit.slopes + problem.precision;
+  const Eigen::VectorXd g = fit.slopes.transpose() * fit.residuals + problem.precision * (fit.point - problem.mean());
+  const double cost = fit.residuals.squaredNorm() + problem.prior(fit.point) - g.dot(A.ldlt().solve(g));
+  return 0.5 * (log_determinant(problem.precision) - log_determinant(A) - cost);
+}
+
+namespace {
+
+Point joined(const Point& first, std::span<const double> further) {
+  Point point(first.size() + std::ssize(further));
+  point << first, Eigen::Map<const Eigen::VectorXd>(further.data(), std::ssize(further));
+  return point;
+}
+
+}  // namespace
+
+Promise promise(const EstimationProblem& problem, const LinearizedFit& before, std::span<const double> start,
+                int iterations) {
+  const DescentOptions options{.iterations = iterations, .attempts = 4, .worth = 0.5, .harder = 10.0, .easier = 10.0};
+  const auto base = before.point.size(), size = problem.size() - base;
+  const Eigen::MatrixXd Lambda = problem.precision.bottomRightCorner(size, size);
+  const Eigen::VectorXd mean = problem.mean().tail(size);
+  const auto cost = [&](const Point& p, const Eigen::VectorXd& e) {
+    const Eigen::VectorXd d = p.tail(size) - mean;
+    return before.cost(e) + d.dot(Lambda * d);
+  };
+  Descent here{problem.within_bounds(joined(before.point, start)), {}, 0.0};
+  here.residuals = residuals(problem, here.point, *before.passes);
+  here.cost = cost(here.point, here.residuals);
+  Eigen::MatrixXd slopes(problem.rows(), problem.size()), A = Eigen::MatrixXd::Identity(size, size);
+  const auto renew = [&](const Descent& at, int) {
+    difference(problem, at.point, *before.passes, at.residuals, base, slopes);
+    const Eigen::MatrixXd J = slopes.rightCols(size);
+    A = J.transpose() * before.projected(J) + Lambda;
+    return NormalEquations{A, -J.transpose() * before.answered(at.residuals) - Lambda * (at.point.tail(size) - mean)};
+  };
+  const auto kept = [&](const Point& p) { return problem.within_bounds(p); };
+  // steps are of the further unknowns alone
+  const auto renew_all = [&](const Descent& at, int iteration) {
+    const auto normal = renew(at, iteration);
+    NormalEquations all{Eigen::MatrixXd::Identity(problem.size(), problem.size()),
+                        Eigen::VectorXd::Zero(problem.size())};
+    all.A.bottomRightCorner(size, size) = normal.A;
+    all.b.tail(size) = normal.b;
+    return all;
+  };
+  const double at_first = before.cost(before.residuals);
+  descend(
+      here, options, renew_all, [&](const Point& p) { return residuals_if_any(problem, p, *before.passes); }, cost,
+      kept);
+  const double occam = 0.5 * (log_determinant(Lambda) - log_determinant(A));
+  const Eigen::VectorXd found = here.point.tail(size);
+  return {0.5 * (at_first - here.cost) + occam, {found.begin(), found.end()}, A.inverse()};
+}
+
+Eigen::MatrixXd further_slopes(const EstimationProblem& problem, const LinearizedFit& before,
+                               std::span<const double> from, double step) {
+  Eigen::MatrixXd J(problem.rows(), std::ssize(from));
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::vector<double> moved(from.begin(), from.end());
+    moved[i] += step;
+    J.col(static_cast<Eigen::Index>(i)) =
+        (residuals(problem, joined(before.point, moved), *before.passes) - before.residuals) / step;
+  }
+  return J;
+}
+
+}  // namespace swayaw

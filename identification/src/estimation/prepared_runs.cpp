@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <cmath>
+
+#include "swayaw/identification/map_fit.hpp"
+#include "swayaw/nonlinear/replay.hpp"
+
+namespace swayaw {
+namespace {
+
+/// Standard deviation of white noise from third differences, by their median: robust against what moves slowly and
+/// against outliers.
+double noise_of(std::span<const double> values, double least) {
+  constexpr std::size_t enough = 10;    // differences, fewer of which tell no median
+  constexpr double quartile = 0.6745;   // of the normal distribution
+  const double gain = std::sqrt(20.0);  // of white noise by third differences, √(1 + 9 + 9 + 1)
+  std::vector<double> sizes;
+  for (std::size_t i = 3; i < values.size(); ++i) {
+    const double third = values[i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3];
+    if (std::isfinite(third)) sizes.push_back(std::abs(third));
+  }
+  if (sizes.size() < enough) return least;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::ranges::nth_element(sizes, middle);
+  return std::max(least, *middle / (quartile * gain));
+}
+
+/// The least that is believed of an instrument, whatever the smoothness of its record: of positions over L, of other
+/// channels over their unit.
+double least_noise(Channel channel, double L, double U) {
+  return (dimension_of(channel) == Dimension::length ? 1e-4 : 2e-4) * unit_of(channel, L, U);
+}
+
+PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Channel> channels) {
+  const double L = length(ship), U = service_speed(ship);
+  PreparedRun result{
+      .run = &run, .channels = {}, .start = recorded_state(ship, run, run.time.front()), .measurements = 0};
+  for (const auto channel : channels) {
+    if (!run.has(channel)) continue;
+    result.channels.push_back(channel);
+    result.deviation[index_of(channel)] = noise_of(run[channel], least_noise(channel, L, U));
+    result.measurements += std::ranges::count_if(run[channel], [](double x) { return !std::isnan(x); });
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
+                                       std::span<const Channel> channels) {
+  std::vector<PreparedRun> result;
+  for (const auto& run : runs) result.push_back(prepared(ship, run, channels));
+  return result;
+}
+
+std::vector<Channel> recorded_motion(std::span<const Recording> runs) {
+  std::vector<Channel> channels;
+  for (const auto channel : motion_channels())
+    if (std::ranges::any_of(runs, [&](const Recording& run) { return run.has(channel); })) channels.push_back(channel);
+  return channels;
+}
+
+}  // namespace swayaw

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "channel_observer.hpp"
+#include "ship_predictor.hpp"
+
+/// What a measurement does to an estimate of the state, and what the future of a sample tells of it. Not installed.
+namespace swayaw {
+
+// ---------------------------------------------------------------- forward
+
+/// Mean and covariance of the state.
+template <int N>
+struct Gaussian {
+  FilterVector<N> mean;
+  FilterMatrix<N> P;
+};
+
+/// What a measurement told: error e and variance S of its prediction, and the gain K.
+template <int N>
+struct Innovation {
+  Channel channel;
+  int state;  ///< that the channel shows alone, or −1
+  double error;
+  double variance;
+  FilterVector<N> K;
+};
+
+/// Measurement update by a channel that shows one state alone.
+///
+///     S = h P hᵀ + R,   K = P hᵀ/S,   x⁺ = x + K e,   P⁺ = P − K S Kᵀ
+///
+/// of one scalar, P⁺ is symmetric by construction, and positive since R is not below rounding of h P hᵀ.
+template <int N>
+Innovation<N> updated(Gaussian<N>& estimate, Channel channel, int state, double measured, double R) {
+  const double error = compared(channel, measured, estimate.mean[state]), S = estimate.P(state, state) + R;
+  const Innovation<N> innovation{
+      .channel = channel, .state = state, .error = error, .variance = S, .K = estimate.P.col(state) / S};
+  estimate.mean += innovation.K * error;
+  estimate.P.noalias() -= (S * innovation.K) * innovation.K.transpose();
+  return innovation;
+}
+
+/// The same for any channel, linearized again where the first update leads.
+/// @param expected  double expected(const FilterVector<N>& x, ChannelSlope& slope)
+template <int N, class Expected>
+Innovation<N> updated(Gaussian<N>& estimate, Channel channel, Expected&& expected, double measured, double R,
+                      ChannelSlope& slope) {
+  Innovation<N> innovation{.channel = channel, .state = -1};
+  FilterVector<N> x = estimate.mean;
+  for (int pass = 0; pass < 2; ++pass) {
+    const double h = expected(x, slope);
+    const FilterVector<N> Ph = estimate.P.template leftCols<6>() * slope;
+    innovation.variance = slope.dot(Ph.template head<6>()) + R;
+    innovation.K = Ph / innovation.variance;
+    innovation.error = compared(channel, measured, h) - slope.dot((estimate.mean - x).template head<6>());
+    x = estimate.mean + innovation.K * innovation.error;
+  }
+  estimate.mean = x;
+  estimate.P.noalias() -= (innovation.variance * innovation.K) * innovation.K.transpose();
+  return innovation;
+}
+
+// ---------------------------------------------------------------- backward
+
+/// What the future tells of a sample: the smoothed state is x + P r, its covariance P − P M P.
+///
+/// The form of Rauch, Tung and Striebel's smoother that inverts no covariance, so that a ship without any process noise
+/// is nothing special. Sources: [Rauch1965], [DeJong1989]
+template <int N>
+struct Smoother {
+  FilterVector<N> r = FilterVector<N>::Zero();
+  FilterMatrix<N> M = FilterMatrix<N>::Zero();
+
+  /// ∂(log likelihood)/∂q of a variance q that state i gains here.
+  double slope(int i) const { return 0.5 * (r[i] * r[i] - M(i, i)); }
+
+  /// Before a step.
+  void step_back(const Transition<N>& t) {
+    r = carried_back<N>(r, t);
+    M = carried_back<N>(M, t);
+  }
+
+  /// Before a measurement. With the smoothed error e_s of the measurement over its variance R, and its variance D,
+  ///
+  ///     e_s = e/S − Kᵀr,   D = 1/S + KᵀMK,   r⁻ = r + hᵀe_s,   M⁻ = (1 − Kh)ᵀ M (1 − Kh) + hᵀh/S
+  ///
+  /// @param h  slope of a channel that shows no state alone
+  /// @return ½ (e_s² − D), the slope of the log likelihood by R. Source: [Koopman1992]
+  double step_back(const Innovation<N>& now, const ChannelSlope& h) {
+    const FilterVector<N> MK = M * now.K;
+    const double e_s = now.error / now.variance - now.K.dot(r), D = 1.0 / now.variance + now.K.dot(MK);
+    if (const int i = now.state; i >= 0) {
+      r[i] += e_s;
+      M.row(i) -= MK.transpose();
+      M.col(i) -= MK;
+      M(i, i) += D;
+    } else {
+      r.template head<6>() += h * e_s;
+      M.template topRows<6>() -= h * MK.transpose();
+      M.template leftCols<6>() -= MK * h.transpose();
+      M.template topLeftCorner<6, 6>() += D * h * h.transpose();
+    }
+    return 0.5 * (e_s * e_s - D);
+  }
+};
+
+}  // namespace swayaw

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "swayaw/core/channel_table.hpp"
+#include "swayaw/core/recording.hpp"
+#include "swayaw/nonlinear/effects.hpp"
+#include "swayaw/nonlinear/surroundings.hpp"
+
+/// What the instruments make of a motion: the same law in simulation, filter and fit. docs/effects.md tells signs.
+namespace swayaw {
+
+/// What an instrument makes of a quantity q: it shows scale q(t − delay) + bias at the time t.
+template <class S = double>
+struct ChannelError {
+  S scale{1.0};
+  S bias{};
+  S delay{};  ///< [s], negative where the record is early
+
+  S reading(const S& q) const { return scale * q + bias; }
+  S truth(const S& shown) const { return (shown - bias) / scale; }
+
+  bool operator==(const ChannelError&) const = default;
+};
+
+/// The instruments of a ship; perfect ones at first.
+template <class S = double>
+struct Instruments {
+  std::array<ChannelError<S>, channel_count> channels{};
+  S antenna_x{};  ///< where position and velocity over ground are measured, forward of midship [m]
+  S antenna_y{};  ///< to starboard [m]
+
+  ChannelError<S>& operator[](Channel channel) { return channels[index_of(channel)]; }
+  const ChannelError<S>& operator[](Channel channel) const { return channels[index_of(channel)]; }
+
+  bool operator==(const Instruments&) const = default;
+};
+
+// ---------------------------------------------------------------- errors of instruments
+
+template <class S>
+void put_on(Instruments<S>& instruments, const HeadingBias<S>& e) {
+  instruments[Channel::psi].bias = e.bias;
+}
+
+template <class S>
+void put_on(Instruments<S>& instruments, const GyroBias<S>& e) {
+  instruments[Channel::r].bias = e.bias;
+}
+
+template <class S>
+void put_on(Instruments<S>& instruments, const LogScale<S>& e) {
+  instruments[Channel::u].scale = instruments[Channel::speed_through_water].scale = e.scale;
+}
+
+template <class S>
+void put_on(Instruments<S>& instruments, const AntennaLeverArm<S>& e) {
+  instruments.antenna_x = e.x;
+  instruments.antenna_y = e.y;
+}
+
+/// The two coordinates of a position are of one receiver.
+template <class S>
+void put_on(Instruments<S>& instruments, const ChannelDelay<S>& e) {
+  instruments[e.channel].delay = e.delay;
+  if (e.channel == Channel::x) instruments[Channel::y].delay = e.delay;
+}
+
+/// The instruments as the effects make them; effects of other kinds are passed over.
+template <class S>
+Instruments<S> instruments_of(std::span<const EffectIn<S>> effects) {
+  Instruments<S> instruments;
+  const auto put = [&](const auto& e) {
+    if constexpr (requires { put_on(instruments, e); }) put_on(instruments, e);
+  };
+  for (const auto& effect : effects) std::visit(put, effect);
+  return instruments;
+}
+
+/// The same with another scalar.
+template <class To, class From>
+Instruments<To> cast(const Instruments<From>& from) {
+  Instruments<To> to;
+  for (std::size_t i = 0; i < channel_count; ++i) {
+    const auto& e = from.channels[i];
+    to.channels[i] = {To(e.scale), To(e.bias), To(e.delay)};
+  }
+  to.antenna_x = To(from.antenna_x);
+  to.antenna_y = To(from.antenna_y);
+  return to;
+}
+
+// ---------------------------------------------------------------- observation
+
+/// What there is to look at on a ship in a stream.
+template <class S>
+Kinematics<S> kinematics(const ShipState<S>& state, const Current<S>& current, const S& phi = S(0.0)) {
+  return {state, over_ground(current, state), phi};
+}
+
+/// Position and velocity over ground of the point l = (x, y) of the ship: p + R(psi) l, V + r × l.
+template <class S>
+Kinematics<S> at_point(Kinematics<S> k, const S& x, const S& y) {
+  const auto [s, c] = sin_cos(k.state.psi);
+  k.state.x = k.state.x + x * c - y * s;
+  k.state.y = k.state.y + x * s + y * c;
+  k.ground.u = k.ground.u - k.state.motion.r * y;
+  k.ground.v = k.ground.v + k.state.motion.r * x;
+  return k;
+}
+
+/// What the instrument of a channel shows.
+///
+/// @param at  Kinematics<S> at(S delay): what there was to look at so many seconds ago, 0 for now
+template <class S, class At>
+S observe(Channel channel, const Instruments<S>& instruments, At&& at) {
+  const auto& error = instruments[channel];
+  return error.reading(observe(channel, at_point(at(error.delay), instruments.antenna_x, instruments.antenna_y)));
+}
+
+/// A true run as the instruments record it. A late channel has the value of `delay` ago, by straight lines between the
+/// samples, drawn on beyond the first and the last.
+Recording as_recorded(Recording truth, const Instruments<double>& instruments);
+
+/// A recorded run without what the instruments did to it: the inverse.
+Recording as_it_was(Recording recorded, const Instruments<double>& instruments);
+
+}  // namespace swayaw

@@ -1,0 +1,64 @@
+#include <algorithm>
+#include <catch.hpp>
+#include <cmath>
+
+#include "../nonlinear/random_effects.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/identification/state_estimate.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+
+/// The filter with every effect, beside simulations of the same ship, which step otherwise.
+namespace swayaw {
+namespace {
+
+template <class Model>
+Ship sailing_ship() {
+  if constexpr (std::is_same_v<Model, MmgShip<double>>) return test::with_areas(test::mmg(test::kvlcc2_l7()));
+  else if constexpr (std::is_same_v<Model, PiShip<double>>) return test::with_areas(test::pi_ship("wpcc_pi"));
+  else if constexpr (std::is_same_v<Model, PuShip<double>>) return test::with_areas(test::wpcc_pu());
+  else return test::with_areas(test::mariner());
+}
+
+Recording zigzag_of(const Ship& ship) {
+  const double time_unit = length(ship) / service_speed(ship);
+  return zigzag(ship, {.rudder = radians(20), .heading = radians(20)},
+                {.duration = 12.0 * time_unit, .step = 0.05 * time_unit})
+      .run;
+}
+
+/// Noise of good instruments, and hardly any process noise.
+EstimationOptions strict(const Ship& ship) {
+  const double L = length(ship), U = service_speed(ship);
+  EstimationOptions options{.imperfection = Imperfection{{1e-4 * U * U / L, 1e-4 * U * U / L, 1e-4 * U * U / (L * L)}}};
+  for (const auto channel : measured_channels()) options.noise[index_of(channel)] = 1e-3 * unit_of(channel, L, U);
+  return options;
+}
+
+/// Largest root-mean-square innovation of any channel, over its expected size.
+double largest_innovation(const StateEstimate& estimate) {
+  double largest = 0.0;
+  for (const auto& innovation : estimate.innovations) largest = std::max(largest, innovation.rms);
+  return largest;
+}
+
+// A simulated run has no noise at all, so the innovations of a filter that knows the ship are next to nothing; one that
+// does not know the effect is surprised by it.
+TEMPLATE_TEST_CASE("the filter knows every effect that simulations know", "[identification][second-route]",
+                   MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>) {
+  const auto bare = sailing_ship<TestType>();
+  test::RandomEffects effects(11);
+  for (const auto id : effect_ids()) {
+    const auto effect = effects.of_kind(id, bare);
+    if (!effect) continue;
+    INFO(id);
+    const auto ship = with_effect(bare, *effect);
+    const auto run = zigzag_of(ship);
+    const auto options = strict(bare);
+    const auto known = estimate_states(ship, run, options), unknown = estimate_states(bare, run, options);
+    CHECK(largest_innovation(known) < 0.25);
+    CHECK(known.noise.log_likelihood > unknown.noise.log_likelihood + 1.0);
+  }
+}
+
+}  // namespace
+}  // namespace swayaw

@@ -1,0 +1,181 @@
+#include "swayaw/nonlinear/instruments.hpp"
+
+#include <algorithm>
+#include <catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "swayaw/core/dual.hpp"
+
+namespace swayaw {
+namespace {
+
+/// Seeded motions of a ship in a stream, every number of them different from 0.
+class RandomSights {
+ public:
+  explicit RandomSights(unsigned seed) : engine_(seed) {}
+
+  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+
+  ShipState<double> state() {
+    return {
+        uniform(-500, 500), uniform(-500, 500), uniform(-3, 3), {uniform(2, 8), uniform(-1, 1), uniform(-0.02, 0.02)}};
+  }
+
+  Current<double> current() { return {uniform(0.1, 1.0), uniform(-3, 3)}; }
+
+  Instruments<double> instruments() {
+    Instruments<double> result;
+    for (auto& error : result.channels) error = {uniform(0.9, 1.1), uniform(-0.1, 0.1), uniform(-2, 2)};
+    result.antenna_x = uniform(-50, 50);
+    result.antenna_y = uniform(-10, 10);
+    return result;
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+TEST_CASE("an instrument shows scale times the truth of a while ago plus a bias", "[nonlinear][second-route]") {
+  RandomSights random(1);
+  for (int i = 0; i < 50; ++i) {
+    const auto s = random.state();
+    const auto current = random.current();
+    auto instruments = random.instruments();
+    const double x = instruments.antenna_x, y = instruments.antenna_y, phi = random.uniform(-0.3, 0.3);
+    // velocity to the north and the east of a point of the turning ship
+    const double c = std::cos(s.psi), sine = std::sin(s.psi);
+    const double forward = s.motion.u - s.motion.r * y, sideways = s.motion.v + s.motion.r * x;
+    const double north = forward * c - sideways * sine + current.speed * std::cos(current.to);
+    const double east = forward * sine + sideways * c + current.speed * std::sin(current.to);
+    const std::pair<Channel, double> expected[] = {{Channel::x, s.x + x * c - y * sine},
+                                                   {Channel::y, s.y + x * sine + y * c},
+                                                   {Channel::psi, s.psi},
+                                                   {Channel::u, s.motion.u},
+                                                   {Channel::speed_through_water, s.motion.u},
+                                                   {Channel::v, s.motion.v},
+                                                   {Channel::r, s.motion.r},
+                                                   {Channel::u_ground, north * c + east * sine},
+                                                   {Channel::v_ground, east * c - north * sine},
+                                                   {Channel::speed_over_ground, std::hypot(north, east)},
+                                                   {Channel::course_over_ground, std::atan2(east, north)},
+                                                   {Channel::phi, phi}};
+    CHECK(std::size(expected) == motion_channels().size());
+    for (const auto& [channel, truth] : expected) {
+      INFO(short_name(channel));
+      const auto& error = instruments[channel];
+      double asked = 0.0;
+      const double shown = observe(channel, instruments, [&](double delay) {
+        asked = delay;
+        return kinematics(s, current, phi);
+      });
+      CHECK(asked == error.delay);
+      const double off = shown - (error.scale * truth + error.bias);
+      CHECK((is_direction(channel) ? wrapped(off / error.scale) : off) == Approx(0.0).margin(1e-9));
+    }
+  }
+}
+
+TEST_CASE("what instruments show changes with the state as their derivatives say", "[nonlinear][second-route]") {
+  using D = Dual<6>;
+  RandomSights random(2);
+  const auto state_with = [](const ShipState<double>& s, int i, double h) {
+    auto moved = vector_of(s);
+    moved[static_cast<std::size_t>(i)] += h;
+    return state_of(moved);
+  };
+  for (int k = 0; k < 20; ++k) {
+    const auto s = random.state();
+    const auto current = random.current();
+    const auto instruments = random.instruments();
+    const auto in_duals = cast<D>(instruments);
+    const ShipState<D> dual{D(s.x, 0), D(s.y, 1), D(s.psi, 2), {D(s.motion.u, 3), D(s.motion.v, 4), D(s.motion.r, 5)}};
+    const Current<D> dual_current{D(current.speed), D(current.to)};
+    for (const auto channel : motion_channels()) {
+      const auto shown = [&](const ShipState<double>& at) {
+        return observe(channel, instruments, [&](double) { return kinematics(at, current, 0.1); });
+      };
+      const D exact = observe(channel, in_duals, [&](const D&) { return kinematics(dual, dual_current, D(0.1)); });
+      CHECK(exact.a == Approx(shown(s)));
+      for (int i = 0; i < 6; ++i) {
+        constexpr double h = 1e-6;
+        const double slope = (shown(state_with(s, i, h)) - shown(state_with(s, i, -h))) / (2.0 * h);
+        CHECK(exact.v[i] == Approx(slope).margin(1e-6 * (1.0 + std::abs(slope))));
+      }
+    }
+  }
+}
+
+/// A run of samples 0.5 s apart, every channel of motion recorded by perfect instruments.
+Recording true_run(RandomSights& random) {
+  Recording run;
+  for (int i = 0; i < 40; ++i) run.time.push_back(0.5 * i);
+  const auto s = random.state();
+  const auto current = random.current();
+  for (const auto channel : motion_channels()) run.fill(channel);
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    const double t = run.time[i];
+    const ShipState<double> now{
+        s.x + 5.0 * t, s.y + 0.1 * t * t, s.psi + s.motion.r * t, {s.motion.u - 0.01 * t, s.motion.v, s.motion.r}};
+    for (const auto channel : motion_channels())
+      run.channels[index_of(channel)][i] = observe(channel, kinematics(now, current, 0.05 * std::sin(t)));
+  }
+  return run;
+}
+
+TEST_CASE("a whole run is recorded as its samples are observed", "[nonlinear][second-route]") {
+  RandomSights random(3);
+  for (int k = 0; k < 10; ++k) {
+    const auto truth = true_run(random);
+    auto instruments = random.instruments();
+    for (auto& error : instruments.channels) error.delay = 0.0;
+    const auto recorded = as_recorded(truth, instruments);
+    for (std::size_t i = 0; i < truth.samples(); ++i) {
+      const auto value = [&](Channel c) { return truth[c][i]; };
+      const Kinematics<double> now{{value(Channel::x),
+                                    value(Channel::y),
+                                    value(Channel::psi),
+                                    {value(Channel::u), value(Channel::v), value(Channel::r)}},
+                                   {value(Channel::u_ground), value(Channel::v_ground), 0.0},
+                                   value(Channel::phi)};
+      for (const auto channel : motion_channels()) {
+        INFO(short_name(channel));
+        const double off = recorded[channel][i] - observe(channel, instruments, [&](double) { return now; });
+        CHECK((is_direction(channel) ? wrapped(off / instruments[channel].scale) : off) == Approx(0.0).margin(1e-9));
+      }
+    }
+  }
+}
+
+TEST_CASE("a late channel shows what was true a while ago", "[nonlinear][limit]") {
+  RandomSights random(4);
+  const auto truth = true_run(random);
+  for (const auto channel : motion_channels()) {
+    Instruments<double> late;
+    late[channel].delay = 1.0;  // two samples
+    const auto recorded = as_recorded(truth, late);
+    for (std::size_t i = 2; i < truth.samples(); ++i)
+      CHECK(recorded[channel][i] == Approx(truth[channel][i - 2]).margin(1e-9));
+    const auto back = as_it_was(recorded, late);
+    for (std::size_t i = 2; i + 2 < truth.samples(); ++i)
+      CHECK(back[channel][i] == Approx(truth[channel][i]).margin(1e-9));
+  }
+}
+
+TEST_CASE("a run put right again is the run", "[nonlinear][round-trip]") {
+  RandomSights random(5);
+  for (int k = 0; k < 10; ++k) {
+    const auto truth = true_run(random);
+    auto instruments = random.instruments();
+    for (auto& error : instruments.channels) error.delay = 0.0;
+    const auto back = as_it_was(as_recorded(truth, instruments), instruments);
+    for (const auto channel : motion_channels())
+      for (std::size_t i = 0; i < truth.samples(); ++i) {
+        const double off = back[channel][i] - truth[channel][i];
+        CHECK((is_direction(channel) ? wrapped(off) : off) == Approx(0.0).margin(1e-9));
+      }
+  }
+}
+
+}  // namespace
+}  // namespace swayaw
