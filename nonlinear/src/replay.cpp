@@ -6,6 +6,7 @@
 #include "local_fit.hpp"
 #include "manoeuvre_run.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
+#include "track_velocity.hpp"
 
 namespace swayaw {
 namespace {
@@ -49,20 +50,61 @@ std::optional<ValueAndRate> fit(const Recording& run, Channel channel, const Nei
   return local_fit(run, channel, time, from, to, degree);
 }
 
-/// Body velocity over ground from the track: u = ẋ cos ψ + ẏ sin ψ, v = ẏ cos ψ − ẋ sin ψ.
-std::optional<PlanarMotion<double>> velocity_from_track(const Recording& run, const Neighbourhood& near, double psi,
-                                                        double r) {
-  const auto x = fit(run, Channel::x, near), y = fit(run, Channel::y, near);
-  if (!x || !y) return std::nullopt;
-  const double c = std::cos(psi), s = std::sin(psi);
-  return PlanarMotion<double>{x->rate * c + y->rate * s, y->rate * c - x->rate * s, r};
-}
-
 std::optional<double> first_value(const Recording& run, const Neighbourhood& near,
                                   std::initializer_list<Channel> channels) {
   for (const Channel channel : channels)
     if (const auto found = fit(run, channel, near)) return found->value;
   return std::nullopt;
+}
+
+/// Ground velocity of the water in the axes of a ship that heads psi.
+SurgeSway stream_along(const Current<double>& current, double psi) {
+  const auto drift = over_ground(current, ShipState<double>{0.0, 0.0, psi, {0.0, 0.0, 0.0}});
+  return {drift.u, drift.v};
+}
+
+/// Body velocity over ground from speed and course: u = SOG cos(COG − ψ), v = SOG sin(COG − ψ).
+std::optional<SurgeSway> velocity_from_course(const Recording& run, const Neighbourhood& near, double psi) {
+  const auto speed = run[Channel::speed_over_ground], course = run[Channel::course_over_ground];
+  if (speed.empty() || course.empty()) return std::nullopt;
+  Recording around;  // components do not jump where the course passes north
+  around.time = run.time;
+  auto u = around.fill(Channel::u), v = around.fill(Channel::v);
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    u[i] = speed[i] * std::cos(course[i] - psi);
+    v[i] = speed[i] * std::sin(course[i] - psi);
+  }
+  const auto ahead = fit(around, Channel::u, near), abeam = fit(around, Channel::v, near);
+  if (!ahead || !abeam) return std::nullopt;
+  return SurgeSway{ahead->value, abeam->value};
+}
+
+/// Surge through the water from the speed over ground, SOG² = (u + u_c)² + (v + v_c)².
+double surge_from_speed(double speed_over_ground, double v, const SurgeSway& stream) {
+  const double abeam = v + stream.v;
+  return std::sqrt(std::max(0.0, speed_over_ground * speed_over_ground - abeam * abeam)) - stream.u;
+}
+
+/// Velocity through the water: measured there, else over ground less the current, by the channels in the order of
+/// recorded_state. Nothing tells a sway that is not there.
+std::optional<SurgeSway> velocity_told(const Recording& run, const Current<double>& current, double psi,
+                                       const Neighbourhood& near, const Neighbourhood& wide) {
+  const auto stream = stream_along(current, psi);
+  auto u = first_value(run, near, {Channel::u, Channel::speed_through_water});
+  auto v = first_value(run, near, {Channel::v});
+  if (const auto ground = first_value(run, near, {Channel::u_ground}); !u && ground) u = *ground - stream.u;
+  if (const auto ground = first_value(run, near, {Channel::v_ground}); !v && ground) v = *ground - stream.v;
+  if (u && v) return SurgeSway{*u, *v};
+  auto told = velocity_from_track(run, current, near.time, wide.from, wide.to, wide.degree);
+  if (!told) {
+    const auto course = velocity_from_course(run, near, psi);
+    if (course) told = SurgeSway{course->u - stream.u, course->v - stream.v};
+  }
+  if (told) return SurgeSway{u.value_or(told->u), v.value_or(told->v)};
+  const auto speed = first_value(run, near, {Channel::speed_over_ground});
+  if (!u && speed) u = surge_from_speed(*speed, v.value_or(0.0), stream);
+  if (!u) return std::nullopt;
+  return SurgeSway{*u, v.value_or(0.0)};
 }
 
 ShipState<double> state_told(const Ship& ship, const Recording& run, double time) {
@@ -73,16 +115,11 @@ ShipState<double> state_told(const Ship& ship, const Recording& run, double time
   const double heading = psi ? psi->value : Interpolant(run, Channel::psi)(time);
   const auto turning = fit(run, Channel::psi, wide);
   const double r = first_value(run, near, {Channel::r}).value_or(turning ? turning->rate : 0.0);
-  const auto track = velocity_from_track(run, wide, heading, r);
-  auto u = first_value(run, near, {Channel::u, Channel::speed_through_water, Channel::u_ground});
-  auto v = first_value(run, near, {Channel::v, Channel::v_ground});
-  if (!u && track) u = track->u;
-  if (!u) u = first_value(run, near, {Channel::speed_over_ground});
-  if (!v && track) v = track->v;
-  if (!u) throw Refusal(fmt::format("{}: no channel tells the speed of the ship at {:.6g} s", run.name, time));
+  const auto velocity = velocity_told(run, surroundings_at(ship, time).current, heading, near, wide);
+  if (!velocity) throw Refusal(fmt::format("{}: no channel tells the speed of the ship at {:.6g} s", run.name, time));
   const double x = first_value(run, near, {Channel::x}).value_or(0.0);
   const double y = first_value(run, near, {Channel::y}).value_or(0.0);
-  return {x, y, heading, {*u, v.value_or(0.0), r}};
+  return {x, y, heading, {velocity->u, velocity->v, r}};
 }
 
 }  // namespace

@@ -22,12 +22,20 @@ struct ReplayOptions {
   double tolerance = 1e-8;
 };
 
-/// Recorded state at a time, from least-squares parabolas through the samples within 0.25 L/U of it, or at the
-/// start of the run from straight lines through the samples before the rudder moves, within 0.5 L/U.
+/// Recorded state at a time, of the ship through the water, from least-squares parabolas through the samples within
+/// 0.25 L/U of it, or at the start of the run from straight lines through the samples before the rudder moves, within
+/// 0.5 L/U.
 ///
-/// u, v and r come from their own channels; if those are missing, from log or ground speed, from the track, and from
-/// the heading. Position and sway are 0 where nothing tells them. What the instruments of the ship did to them is
-/// undone.
+/// The first of these that was recorded tells; from what is over ground the current of the ship is taken off, at the
+/// recorded heading:
+///
+///     u      u, log, u over ground, track, speed and course over ground, speed over ground
+///     v      v, v over ground, track, speed and course over ground; else 0
+///     r      r, heading
+///     x, y   position; else 0
+///
+/// The track is followed along the recorded heading, so a ship that turns already is told too. What the instruments of
+/// the ship did to the recording is undone first.
 ///
 /// @throws Refusal  if no channel tells the speed of the ship
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time);
