@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "swayaw/core/dual.hpp"
+#include "swayaw/nonlinear/equations_of_motion.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Rates of a ship and their derivatives by the state. Not installed.

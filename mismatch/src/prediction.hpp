@@ -14,6 +14,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/mismatch/noise.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/equations_of_motion.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 /// One-step predictions of a recorded run by a ship with effects. Not installed.

@@ -196,25 +196,25 @@ Controls<double> slope(const Controls<double>& from, const Controls<double>& to,
           to.by_thrust};
 }
 
-/// Sails from knot to knot of the recorded controls.
-template <class Sailing>
-std::vector<Moment> sail_along(Sailing& voyage, const RecordedControls& controls, std::span<const double> times) {
+/// Integrates from knot to knot of the recorded controls.
+template <class Stepper>
+std::vector<Sample> integrate_along(Stepper& stepper, const RecordedControls& controls, std::span<const double> times) {
   const double begin = times.front(), end = times.back();
-  voyage.sample_at(times);
+  stepper.sample_at(times);
   if (controls.track()) {
-    voyage.show_along(controls.shown());
-    voyage.steer_along(*controls.track());
+    stepper.show_along(controls.shown());
+    stepper.steer_along(*controls.track());
   }
   auto knot = std::ranges::upper_bound(controls.knots(), begin);
-  while (voyage.time() < end) {
+  while (stepper.time() < end) {
     const double next = knot == controls.knots().end() ? end : std::min(end, *knot++);
-    if (next <= voyage.time()) continue;
-    const auto rate = slope(voyage.controls(), controls.at(next), next - voyage.time());
-    if (!controls.track()) voyage.steer(rate.delta);
-    voyage.drive(rate);
-    voyage.sail(next);
+    if (next <= stepper.time()) continue;
+    const auto rate = slope(stepper.controls(), controls.at(next), next - stepper.time());
+    if (!controls.track()) stepper.steer(rate.delta);
+    stepper.drive(rate);
+    stepper.advance(next);
   }
-  return voyage.samples();
+  return stepper.samples();
 }
 
 }  // namespace
@@ -222,9 +222,9 @@ std::vector<Moment> sail_along(Sailing& voyage, const RecordedControls& controls
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
                       std::span<const double> times, const ReplayOptions& options) {
   return visit_acting(ship, [&](const auto& acting) {
-    const Moment from{times.front(), start, with_rudder(controls.at(times.front()), controls.shown()(times.front()))};
-    return with_voyage(acting, from, options.tolerance,
-                       [&](auto& voyage) { return recording_of(sail_along(voyage, controls, times), acting); });
+    const Sample from{times.front(), start, with_rudder(controls.at(times.front()), controls.shown()(times.front()))};
+    return with_stepper(acting, from, options.tolerance,
+                        [&](auto& stepper) { return recording_of(integrate_along(stepper, controls, times), acting); });
   });
 }
 
