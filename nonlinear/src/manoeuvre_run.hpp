@@ -12,6 +12,7 @@
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/sensors.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
+#include "swayaw/nonlinear/validity.hpp"
 
 /// What the manoeuvres share. Not installed.
 namespace swayaw {
@@ -45,6 +46,7 @@ Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest) {
   const double end = require_positive(options.duration.value_or(longest * time_unit), "duration [s]");
   const double step = require_positive(options.step.value_or(round_down(0.02 * time_unit)), "step [s]");
   const auto controls = propulsion(ship, speed, options.rev, options.thrust);
+  require_valid({speed, 0.0, 0.0}, controls, ship.particulars.L);
   return {speed, controls, end, options.sampled ? sample_times(step, end) : std::vector<double>{}};
 }
 

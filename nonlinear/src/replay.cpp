@@ -6,6 +6,7 @@
 #include "local_fit.hpp"
 #include "manoeuvre_run.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/validity.hpp"
 #include "track_velocity.hpp"
 
 namespace swayaw {
@@ -176,6 +177,13 @@ RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const
     track_.emplace(actuator, lines_through(rudder_.times(), rudder_.values()));
 }
 
+std::optional<double> RecordedControls::shaft_astern(double from, double to) const {
+  if (!rev_) return std::nullopt;
+  for (std::size_t i = 0; i < rev_->times().size(); ++i)
+    if (const double time = rev_->times()[i]; from <= time && time <= to && rev_->values()[i] < 0.0) return time;
+  return std::nullopt;
+}
+
 Controls<double> RecordedControls::at(double time) const {
   const double delta = rudder(time);
   if (rev_) return {.delta = delta, .rev = (*rev_)(time)};
@@ -221,6 +229,10 @@ std::vector<Sample> integrate_along(Stepper& stepper, const RecordedControls& co
 
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
                       std::span<const double> times, const ReplayOptions& options) {
+  require_valid(ship, start.motion, controls.at(times.front()));
+  if (const auto astern = controls.shaft_astern(times.front(), times.back()))
+    throw Refusal(
+        fmt::format("{}: the recorded shaft turns astern at {:.6g} s", words_for(Validity::shaft_astern), *astern));
   return visit_acting(ship, [&](const auto& acting) {
     const Sample from{times.front(), start, with_rudder(controls.at(times.front()), controls.shown()(times.front()))};
     return with_stepper(acting, from, options.tolerance,

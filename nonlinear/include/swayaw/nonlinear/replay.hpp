@@ -61,6 +61,9 @@ class RecordedControls {
   /// The rudder piece by piece, where it is not as the indicator shows.
   const std::optional<RudderTrack>& track() const { return track_; }
 
+  /// When the recorded shaft turns astern first between two times, if it does.
+  std::optional<double> shaft_astern(double from, double to) const;
+
   /// Times at which the slope of a control changes, in order.
   std::span<const double> knots() const { return knots_; }
 
@@ -75,6 +78,8 @@ class RecordedControls {
 
 /// Simulated run from a state at times.front() on, sampled at those times, as the instruments of the ship would record
 /// it. Heel and memory begin as in a steady motion.
+///
+/// @throws Refusal  if no force model holds for the start, or for the shaft on the way (validity.hpp)
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
                       std::span<const double> times, const ReplayOptions& options = {});
 
