@@ -28,12 +28,13 @@ namespace swayaw {
 
 /// Range that is taken as it is; docs/simulation.md has the table.
 struct HeldRange {
-  static constexpr double least_way = 0.1;   ///< u over U_0; J is within 10 % of bollard pull below it
+  // The ships of ships/, in turns with 35 deg of rudder, keep u ≥ 0.22 U_0, |v| ≤ 0.8 u and |r| L ≤ 2.1 u.
+  static constexpr double least_way = 0.1;   ///< u over U_0; the thrust is then 95 to 98 % of that at bollard pull
   static constexpr double most_way = 2.0;    ///< u over U_0
-  static constexpr double most_drift = 2.0;  ///< |v| over u, 63 deg: beyond the drift of any turn
-  static constexpr double most_turn = 3.0;   ///< |r| L over u, a turn in two thirds of a ship length
-  static constexpr double C_X = 0.02;        ///< R_0' of the published MMG ships: 0.014 to 0.022
-  static constexpr double C_D = 1.0;         ///< of a merchant hull across the flow, 0.7 to 1.2
+  static constexpr double most_drift = 2.0;  ///< |v| over u
+  static constexpr double most_turn = 3.0;   ///< |r| L over u
+  static constexpr double C_X = 0.02;        ///< R_0' of the MMG ships of ships/: 0.014 to 0.022
+  static constexpr double C_D = 1.0;         ///< of a merchant hull across the flow, about 0.7 to 1.2
   static constexpr double draught = 0.05;    ///< over L, where the model does not know it
   static constexpr double creep = 1e-6;      ///< of U_0: what stands for rest in P(m_0)
 };

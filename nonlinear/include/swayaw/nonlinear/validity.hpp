@@ -21,8 +21,8 @@ enum class Validity {
   shaft_astern,       ///< a shaft speed below 0, where no thrust is given
 };
 
-/// |r| L/U beyond which a cubic in it means nothing: the tightest turn that a published model makes before she loses
-/// her way has 3.
+/// |r| L/U beyond which cubic terms of it mean nothing: the ships of ships/ reach at most 1.8 in turns with 35 deg of
+/// rudder.
 inline constexpr double largest_yaw_rate = 10.0;
 
 /// "the shaft turns astern, and the thrust is known for a shaft that turns ahead", alike; empty for valid.
