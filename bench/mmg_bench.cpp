@@ -7,6 +7,7 @@
 #include "swayaw/nonlinear/batch.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/replay.hpp"
+#include "swayaw/nonlinear/simulator.hpp"
 
 namespace swayaw::bench {
 namespace {
@@ -117,6 +118,19 @@ void kvlcc2_replay_2000_samples(benchmark::State& state) {
   tell_ratio(state);
 }
 BENCHMARK(kvlcc2_replay_2000_samples)->Unit(benchmark::kMicrosecond);
+
+/// A step of 0.02 s; the rudder is reversed every 20 s.
+void simulator_step_50_hz(benchmark::State& state) {
+  Simulator simulator(kvlcc2_ship());
+  int steps = 0;
+  for (auto _ : state) {
+    if (steps++ % 1000 == 0) simulator.order_rudder(radians(steps % 2000 == 1 ? 10.0 : -10.0));
+    simulator.step(0.02);
+    benchmark::DoNotOptimize(simulator.state());
+  }
+  tell_ratio(state);
+}
+BENCHMARK(simulator_step_50_hz);
 
 }  // namespace
 }  // namespace swayaw::bench

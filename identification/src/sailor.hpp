@@ -29,9 +29,9 @@ class ModelSailor : public Sailor {
  private:
   void sail_values(const Model<double>& ship, const Stretch& stretch, const StateVector<double>& start,
                    Course& course) const {
-    Helmsman<Model, double> helmsman(ship, ship, around_);
+    BranchStepper<Model, double> stepper(ship, ship, around_);
     course.end =
-        along(helmsman, stretch, start, [&](Eigen::Index i, const Reading& reading, const StateVector<double>& s) {
+        along(stepper, stretch, start, [&](Eigen::Index i, const Reading& reading, const StateVector<double>& s) {
           course.residual[i] = residual(reading, observe(reading.channel, kinematics(state_of(s), around_.current)));
         });
   }
@@ -69,13 +69,12 @@ class ModelSailor : public Sailor {
       s[static_cast<std::size_t>(i)] =
           first && i >= 2 ? S(start[static_cast<std::size_t>(i)], i - 2) : S(start[static_cast<std::size_t>(i)]);
     const auto current = cast<S>(around_).current;
-    Helmsman<Model, S> helmsman(ship, seeded<N>(ship, numbers, states), around_);
-    const auto end =
-        along(helmsman, stretch, s, [&](Eigen::Index i, const Reading& reading, const StateVector<S>& now) {
-          const S value = observe(reading.channel, kinematics(state_of(now), current));
-          course.residual[i] = residual(reading, value.a);
-          course.residual_slope.row(i).segment(column, lanes) = value.v.head(lanes).transpose();
-        });
+    BranchStepper<Model, S> stepper(ship, seeded<N>(ship, numbers, states), around_);
+    const auto end = along(stepper, stretch, s, [&](Eigen::Index i, const Reading& reading, const StateVector<S>& now) {
+      const S value = observe(reading.channel, kinematics(state_of(now), current));
+      course.residual[i] = residual(reading, value.a);
+      course.residual_slope.row(i).segment(column, lanes) = value.v.head(lanes).transpose();
+    });
     for (std::size_t i = 0; i < 6; ++i)
       course.end_slope.row(static_cast<Eigen::Index>(i)).segment(column, lanes) = end[i].v.head(lanes).transpose();
     course.end = values_of(end);
@@ -87,19 +86,19 @@ class ModelSailor : public Sailor {
 
   /// Calls seen(i, reading, state) for the readings of the stretch. @return the state at its end
   template <class S, class Seen>
-  StateVector<S> along(Helmsman<Model, S>& helmsman, const Stretch& stretch, StateVector<S> s, Seen&& seen) const {
+  StateVector<S> along(BranchStepper<Model, S>& stepper, const Stretch& stretch, StateVector<S> s, Seen&& seen) const {
     const auto& run = *stretch.run;
     auto reading = stretch.readings.begin();
     const auto see = [&](std::size_t sample) {
       for (; reading != stretch.readings.end() && reading->sample == sample; ++reading)
         seen(reading - stretch.readings.begin(), *reading, s);
     };
-    helmsman.begin(values_of(s), run.controls[stretch.from]);
+    stepper.begin(values_of(s), run.controls[stretch.from]);
     see(stretch.from);
     for (std::size_t k = stretch.from; k < stretch.to; ++k) {
       const double duration = run.time[k + 1] - run.time[k], h = duration / run.steps[k];
       const auto line = ControlLine::through(run.controls[k], run.controls[k + 1], duration);
-      for (int i = 0; i < run.steps[k]; ++i) helmsman.sail(s, line, i * h, h);
+      for (int i = 0; i < run.steps[k]; ++i) stepper.advance(s, line, i * h, h);
       see(k + 1);
     }
     return s;

@@ -8,7 +8,8 @@
 #include "swayaw/core/dual.hpp"
 #include "swayaw/nonlinear/branch.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
-#include "swayaw/nonlinear/surroundings.hpp"
+#include "swayaw/nonlinear/equations_of_motion.hpp"
+#include "swayaw/nonlinear/runge_kutta.hpp"
 
 /// Classical Runge–Kutta steps in double or dual numbers, on one branch of the force model at a time. Not installed.
 namespace swayaw {
@@ -59,22 +60,17 @@ class Stepper {
 
   Stepper(const Model<S>& ship, const Surroundings<S>& around) : ship_(ship), around_(around) {}
 
-  /// x⁺ = x + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄). Times may be numbers or duals.
+  /// The classical Runge–Kutta step. Times may be numbers or duals.
   template <class T>
   StateVector<S> step(const StateVector<S>& s, const ControlLine& line, const T& t, const T& h,
                       const ShipBranch& branch) const {
-    const auto rates = [&](const StateVector<S>& at, const Controls<S>& c) {
-      return rates_of(ship_, around_, state_of(at), c, branch);
+    const auto with = [&](const Controls<S>& c) {
+      return [&ship = ship_, &around = around_, &branch, c](const StateVector<S>& at) {
+        return rates_of(ship, around, state_of(at), c, branch);
+      };
     };
-    const auto middle = cast<S>(line.at(T(t + 0.5 * h)));
-    const auto k1 = rates(s, cast<S>(line.at(t)));
-    const auto k2 = rates(ahead(s, T(0.5 * h), k1), middle);
-    const auto k3 = rates(ahead(s, T(0.5 * h), k2), middle);
-    const auto k4 = rates(ahead(s, h, k3), cast<S>(line.at(T(t + h))));
-    StateVector<S> next;
-    const T sixth = h / 6.0;
-    for (std::size_t i = 0; i < 6; ++i) next[i] = s[i] + sixth * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
-    return next;
+    return runge_kutta_step(s, h, with(cast<S>(line.at(t))), with(cast<S>(line.at(T(t + 0.5 * h)))),
+                            with(cast<S>(line.at(T(t + h)))));
   }
 
   /// Branch functions at a state.
@@ -88,13 +84,6 @@ class Stepper {
   }
 
  private:
-  template <class T>
-  static StateVector<S> ahead(const StateVector<S>& s, const T& h, const StateVector<S>& rate) {
-    StateVector<S> there;
-    for (std::size_t i = 0; i < 6; ++i) there[i] = s[i] + h * rate[i];
-    return there;
-  }
-
   Model<S> ship_;
   Surroundings<S> around_;
 };
@@ -105,7 +94,7 @@ struct BranchEvent {
   double after;  ///< seconds from the beginning of the step
 };
 
-/// Sails a state along a control line, from branch to branch.
+/// Integrates a state along a control line, from branch to branch.
 ///
 /// A step ends where a branch function g passes zero; with duals the length h of that step is one too,
 ///
@@ -113,20 +102,20 @@ struct BranchEvent {
 ///
 /// so that derivatives are those of the simulation also where the force jumps.
 template <template <class> class Model, class S>
-class Helmsman {
+class BranchStepper {
  public:
   using Plain = Stepper<Model, double>;
   using ShipBranch = typename Plain::ShipBranch;
 
-  Helmsman(const Model<double>& model, const Model<S>& ship, const Surroundings<double>& around)
+  BranchStepper(const Model<double>& model, const Model<S>& ship, const Surroundings<double>& around)
       : plain_(model, around), along_(cast<Dual<1>>(model), cast<Dual<1>>(around)), stepper_(ship, cast<S>(around)) {}
 
   void begin(const StateVector<double>& s, const Controls<double>& c) { branch_ = branch_of(s, c); }
 
-  void sail(StateVector<S>& s, const ControlLine& line, double t, double h) {
+  void advance(StateVector<S>& s, const ControlLine& line, double t, double h) {
     const auto next = stepper_.step(s, line, t, h, branch_);
     if (branch_of(values_of(next), line.at(t + h)) == branch_) s = next;
-    else sail_across(s, line, t, h);
+    else advance_across(s, line, t, h);
   }
 
  private:
@@ -139,7 +128,7 @@ class Helmsman {
     return branch;
   }
 
-  void sail_across(StateVector<S>& s, const ControlLine& line, double from, double duration) {
+  void advance_across(StateVector<S>& s, const ControlLine& line, double from, double duration) {
     S t(from), h(duration);
     for (int i = 0; i < most_events; ++i) {
       const auto event = first_event(values_of(s), line, value_of(t), value_of(h));

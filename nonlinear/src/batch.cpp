@@ -64,7 +64,7 @@ ManoeuvreOptions with_end(ManoeuvreOptions options, const MmgShip<double>& ship)
 }
 
 /// One ship after the other.
-void sail_by_numbers(const Orders& orders, std::span<const std::size_t> rows, ZigzagBatch& batch) {
+void run_by_numbers(const Orders& orders, std::span<const std::size_t> rows, ZigzagBatch& batch) {
   for (const std::size_t row : rows) {
     const Ship ship{.name = {}, .model = orders.ships[row], .confidence = {}, .surroundings = {}};
     try {
@@ -100,8 +100,8 @@ ZigzagEnd end_of(Left left) {
 }
 
 /// Ships that have the same selections.
-void sail_packs(mmg_batch::ZigzagKernel kernel, const Orders& orders, std::span<const std::size_t> rows,
-                ZigzagBatch& batch) {
+void run_packs(mmg_batch::ZigzagKernel kernel, const Orders& orders, std::span<const std::size_t> rows,
+               ZigzagBatch& batch) {
   Columns columns;
   for (const std::size_t row : rows) columns.add(orders.ships[row], plan(orders.ships[row], orders.single(), 200.0));
   const auto& first = orders.ships[rows.front()];
@@ -141,8 +141,8 @@ int selections(const MmgShip<double>& ship) {
   return 2 * ship.added_mass.surge_coupling.index + ship.engine.kind.index;
 }
 
-/// The ships that can sail, those with the same selections one after the other.
-std::vector<std::size_t> sailing_order(const Orders& orders, ZigzagBatch& batch) {
+/// The ships that can be simulated, those with the same selections one after the other.
+std::vector<std::size_t> run_order(const Orders& orders, ZigzagBatch& batch) {
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < batch.ships; ++row) {
     if (propels_herself(orders, row)) rows.push_back(row);
@@ -190,12 +190,12 @@ ZigzagBatch zigzag_batch(std::span<const MmgShip<double>> ships, const ZigzagOrd
   const Orders orders{ships, order, options};
   require_sense(orders);
   auto batch = empty_batch(ships.size(), options.reversals);
-  const auto rows = sailing_order(orders, batch);
+  const auto rows = run_order(orders, batch);
   const auto parts = parts_of(rows, ships);
   const auto kernel = kernel_of(options.batch.set);
   in_parallel(parts.size(), options.batch.threads, [&](std::size_t part) {
-    if (kernel) sail_packs(kernel, orders, parts[part], batch);
-    else sail_by_numbers(orders, parts[part], batch);
+    if (kernel) run_packs(kernel, orders, parts[part], batch);
+    else run_by_numbers(orders, parts[part], batch);
   });
   return batch;
 }

@@ -10,6 +10,7 @@
 #include "swayaw/nonlinear/replay.hpp"
 #include "swayaw/nonlinear/instruments.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
+#include "swayaw/nonlinear/validity.hpp"
 
 namespace swayaw {
 namespace {
@@ -46,7 +47,7 @@ struct Sample {
 class Samples {
  public:
   Samples(const Recording& run, const Ship& ship)
-      : run_(run), by_rev_(run.has(Channel::rev) && takes_shaft_speed(ship)) {
+      : run_(run), length_(length(ship)), by_rev_(run.has(Channel::rev) && takes_shaft_speed(ship)) {
     for (const auto& [channel, name] :
          {std::pair{Channel::u, "u"}, {Channel::v, "v"}, {Channel::r, "yaw rate"}, {Channel::delta, "rudder angle"}})
       if (!run.has(channel)) throw Refusal(fmt::format("{}: forces need {}", run.name, name));
@@ -54,7 +55,7 @@ class Samples {
       throw Refusal(fmt::format("{}: forces need shaft speed or thrust", run.name));
   }
 
-  /// Nothing where a number is missing.
+  /// Nothing where a number is missing, or forces are not known.
   std::optional<Sample> operator[](std::size_t i) const {
     const auto at = [&](Channel channel) { return run_.has(channel) ? run_[channel][i] : 0.0; };
     const double half = 0.5 * at(Channel::thrust);
@@ -64,15 +65,14 @@ class Samples {
                      .rev = by_rev_ ? at(Channel::rev) : 0.0,
                      .thrust = {half, half},
                      .by_thrust = !by_rev_ && run_.has(Channel::thrust)}};
-    const auto& m = sample.state.motion;
-    const double known =
-        sample.state.psi + m.u + m.v + m.r + sample.controls.delta + (by_rev_ ? sample.controls.rev : half);
-    if (!std::isfinite(known) || m.u <= 0.0) return std::nullopt;
+    if (!std::isfinite(sample.state.psi)) return std::nullopt;
+    if (validity_of(sample.state.motion, sample.controls, length_) != Validity::valid) return std::nullopt;
     return sample;
   }
 
  private:
   const Recording& run_;
+  double length_;
   bool by_rev_;
 };
 
@@ -81,8 +81,7 @@ std::string cell(double value) { return fmt::format("{}", value); }
 }  // namespace
 
 ForceBreakdown force_breakdown(const Ship& ship, const ShipState<double>& state, const Controls<double>& controls) {
-  if (!(state.motion.u > 0.0))
-    throw Refusal(fmt::format("forces are known for way ahead, not for u = {:.6g} m/s", state.motion.u));
+  require_valid(ship, state.motion, controls);
   return visit_acting(ship,
                       [&](const auto& acting) { return break_down(acting, acting.surroundings, state, controls); });
 }

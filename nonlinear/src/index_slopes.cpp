@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "settle.hpp"
+#include "step_replay.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
-#include "voyage_replay.hpp"
 
 namespace swayaw {
 namespace {
@@ -69,7 +69,7 @@ Approach<Model> approach_of(const Model<double>& model, std::span<const ShipNumb
 }
 
 template <template <class> class Model>
-VoyageReplay<Model, lanes> replay_of(const Approach<Model>& a, const Ship& ship, std::span<const ManoeuvreStep> steps) {
+StepReplay<Model, lanes> replay_of(const Approach<Model>& a, const Ship& ship, std::span<const ManoeuvreStep> steps) {
   return {a.ship, surroundings_at(ship, 0.0).current, a.speed, a.propulsion, steps};
 }
 
@@ -114,23 +114,23 @@ CircleIndices<D> circle_in_duals(const Ship& ship, const Model<double>& model, c
                                  const ManoeuvreOptions& options, const TurningCircle& circle,
                                  std::span<const ShipNumber> numbers) {
   const auto start = approach_of(model, numbers, options, circle.propulsion);
-  auto voyage = replay_of(start, ship, circle.steps);
+  auto stepper = replay_of(start, ship, circle.steps);
   auto i = none_of<CircleIndices>();
   const double turn = yaw_sign(order.side);
-  const auto round = [&](double angle) { return voyage.sail([&](const auto& s) { return turn * s.psi - angle; }); };
-  voyage.order(rudder_sign(order.side) * order.rudder);
-  if (round(radians(10.0)) && circle.initial_turning) i.initial_turning = voyage.way();
+  const auto round = [&](double angle) { return stepper.advance([&](const auto& s) { return turn * s.psi - angle; }); };
+  stepper.order(rudder_sign(order.side) * order.rudder);
+  if (round(radians(10.0)) && circle.initial_turning) i.initial_turning = stepper.way();
   if (circle.time_90 && round(radians(90.0))) {
-    i.time_90 = voyage.time();
-    i.advance = voyage.state().x;
-    i.transfer = turn * voyage.state().y;
+    i.time_90 = stepper.time();
+    i.advance = stepper.state().x;
+    i.transfer = turn * stepper.state().y;
   }
   if (circle.time_180 && round(radians(180.0))) {
-    i.time_180 = voyage.time();
-    i.tactical_diameter = turn * voyage.state().y;
+    i.time_180 = stepper.time();
+    i.tactical_diameter = turn * stepper.state().y;
   }
   if (circle.steady)
-    put_steady(i, steady_in_duals(model, start.ship, *circle.steady, voyage.controls_at(D(circle.steps.back().to))),
+    put_steady(i, steady_in_duals(model, start.ship, *circle.steady, stepper.controls_at(D(circle.steps.back().to))),
                turn);
   return i;
 }
@@ -141,18 +141,18 @@ ZigzagIndices<D> zigzag_in_duals(const Ship& ship, const Model<double>& model, c
                                  std::span<const ShipNumber> numbers) {
   using I = ZigzagIndices<D>;
   constexpr std::array overshoots{&I::overshoot_1, &I::overshoot_2, &I::overshoot_3, &I::overshoot_4};
-  auto voyage = replay_of(approach_of(model, numbers, options, zigzag.propulsion), ship, zigzag.steps);
+  auto stepper = replay_of(approach_of(model, numbers, options, zigzag.propulsion), ship, zigzag.steps);
   auto i = none_of<ZigzagIndices>();
   std::vector<D> times;
   double turn = yaw_sign(order.first);
-  voyage.order(-turn * order.rudder);
+  stepper.order(-turn * order.rudder);
   for (const auto& reversal : zigzag.reversals) {
-    voyage.sail([&](const auto& s) { return turn * s.psi - order.heading; });
-    if (times.empty() && zigzag.initial_turning) i.initial_turning = voyage.way();
-    times.push_back(voyage.time());
-    voyage.order(turn * order.rudder);
-    if (!reversal.overshoot || !voyage.sail([](const auto& s) { return s.motion.r; })) break;
-    if (times.size() <= overshoots.size()) i.*overshoots[times.size() - 1] = turn * voyage.state().psi - order.heading;
+    stepper.advance([&](const auto& s) { return turn * s.psi - order.heading; });
+    if (times.empty() && zigzag.initial_turning) i.initial_turning = stepper.way();
+    times.push_back(stepper.time());
+    stepper.order(turn * order.rudder);
+    if (!reversal.overshoot || !stepper.advance([](const auto& s) { return s.motion.r; })) break;
+    if (times.size() <= overshoots.size()) i.*overshoots[times.size() - 1] = turn * stepper.state().psi - order.heading;
     turn = -turn;
   }
   if (times.size() >= 3) i.period = times.back() - times[times.size() - 3];

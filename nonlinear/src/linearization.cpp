@@ -10,6 +10,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
+#include "swayaw/nonlinear/validity.hpp"
 
 namespace swayaw {
 namespace {
@@ -110,6 +111,7 @@ void require_steady(const ActingShip<Model>& acting, const OperatingPoint& point
   const auto& model = acting.model;
   const auto& [m, c] = point;
   if (!(m.u > 0.0)) throw Refusal(fmt::format("a ship is linearized under way ahead, not at u = {:.6g} m/s", m.u));
+  require_valid(m, c, model.particulars.L);
   const double L = model.particulars.L, U = speed(m), unit = U * U / L;
   const auto a = acceleration(model, m, steady_force(model, acting.added, m, c));
   const double size = std::max({std::abs(a.u), std::abs(a.v), std::abs(a.r) * L}) / unit;

@@ -5,19 +5,20 @@
 #include <string>
 #include <vector>
 
+#include "event_stepper.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/rounding.hpp"
-#include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/instruments.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
-#include "voyage.hpp"
+#include "swayaw/nonlinear/validity.hpp"
 
 /// What the manoeuvres share. Not installed.
 namespace swayaw {
 
 /// Straight ahead at the origin.
-inline Moment approach(double speed, const Controls<double>& propulsion) {
+inline Sample approach(double speed, const Controls<double>& propulsion) {
   return {0.0, {0.0, 0.0, 0.0, {speed, 0.0, 0.0}}, propulsion};
 }
 
@@ -44,21 +45,22 @@ Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest) {
   const double time_unit = ship.particulars.L / speed;
   const double end = require_positive(options.duration.value_or(longest * time_unit), "duration [s]");
   const double step = require_positive(options.step.value_or(round_down(0.02 * time_unit)), "step [s]");
-  return {speed, propulsion(ship, speed, options.rev, options.thrust), end,
-          options.sampled ? sample_times(step, end) : std::vector<double>{}};
+  const auto controls = propulsion(ship, speed, options.rev, options.thrust);
+  require_valid({speed, 0.0, 0.0}, controls, ship.particulars.L);
+  return {speed, controls, end, options.sampled ? sample_times(step, end) : std::vector<double>{}};
 }
 
-template <class Sailing>
-Moment now(const Sailing& voyage) {
-  return {voyage.time(), voyage.state(), voyage.controls()};
+template <class Stepper>
+Sample now(const Stepper& stepper) {
+  return {stepper.time(), stepper.state(), stepper.controls()};
 }
 
-/// Way made until a time, ∫ U dt by the trapezoidal rule over the samples and the moment `last` after them [m]; nothing
+/// Way made until a time, ∫ U dt by the trapezoidal rule over the samples and the one `last` after them [m]; nothing
 /// without samples.
-inline std::optional<double> way_made(const std::vector<Moment>& samples, const Moment& last, double until) {
+inline std::optional<double> way_made(const std::vector<Sample>& samples, const Sample& last, double until) {
   if (samples.size() < 2) return std::nullopt;
   double way = 0.0;
-  const auto add = [&](const Moment& a, const Moment& b) {
+  const auto add = [&](const Sample& a, const Sample& b) {
     const double U0 = speed(a.state.motion), U1 = speed(b.state.motion), length = b.time - a.time;
     const double share = length > 0.0 ? std::clamp((until - a.time) / length, 0.0, 1.0) : 0.0;
     way += share * length * (U0 + 0.5 * share * (U1 - U0));
@@ -70,22 +72,22 @@ inline std::optional<double> way_made(const std::vector<Moment>& samples, const 
 
 /// States and thrust as her instruments record them.
 template <class Model>
-Recording recording_of(const std::vector<Moment>& moments, const ActingShip<Model>& acting) {
+Recording recording_of(const std::vector<Sample>& samples, const ActingShip<Model>& acting) {
   const auto& ship = acting.model;
   Recording run;
-  for (const auto& m : moments) run.time.push_back(m.time);
+  for (const auto& m : samples) run.time.push_back(m.time);
   const auto fill = [&](Channel channel, auto&& value) {
     auto column = run.fill(channel);
-    for (std::size_t i = 0; i < moments.size(); ++i) column[i] = value(moments[i]);
+    for (std::size_t i = 0; i < samples.size(); ++i) column[i] = value(samples[i]);
   };
   for (const Channel channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r})
-    fill(channel, [&](const Moment& m) { return observe(channel, kinematics(m.state, acting.surroundings.current)); });
-  fill(Channel::delta, [](const Moment& m) { return m.shown; });
-  const bool by_thrust = !moments.empty() && moments.front().controls.by_thrust;
-  if (!by_thrust && takes_shaft_speed(ship)) fill(Channel::rev, [](const Moment& m) { return m.controls.rev; });
+    fill(channel, [&](const Sample& m) { return observe(channel, kinematics(m.state, acting.surroundings.current)); });
+  fill(Channel::delta, [](const Sample& m) { return m.shown; });
+  const bool by_thrust = !samples.empty() && samples.front().controls.by_thrust;
+  if (!by_thrust && takes_shaft_speed(ship)) fill(Channel::rev, [](const Sample& m) { return m.controls.rev; });
   fill(Channel::thrust,
-       [&](const Moment& m) { return thrust(ship, m.state.motion, driven(acting.added, m.state.motion, m.controls)); });
-  if (acting.added.roll) fill(Channel::phi, [](const Moment& m) { return m.hidden.phi; });
+       [&](const Sample& m) { return thrust(ship, m.state.motion, driven(acting.added, m.state.motion, m.controls)); });
+  if (acting.added.roll) fill(Channel::phi, [](const Sample& m) { return m.hidden.phi; });
   return as_recorded(std::move(run), acting.instruments);
 }
 

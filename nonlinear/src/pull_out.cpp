@@ -11,17 +11,17 @@ namespace swayaw {
 namespace {
 
 /// Share of the change of yaw rate that is left.
-double left(const PullOutSide& side, const Moment& m) {
+double left(const PullOutSide& side, const Sample& m) {
   return std::abs((m.state.motion.r - side.residual) / (side.turning - side.residual));
 }
 
 /// When the share falls between two samples; its logarithm is a straight line there.
-double crossing(const PullOutSide& side, const Moment& a, const Moment& b, double share) {
+double crossing(const PullOutSide& side, const Sample& a, const Sample& b, double share) {
   return a.time + (b.time - a.time) * std::log(left(side, a) / share) / std::log(left(side, a) / left(side, b));
 }
 
 /// First or last fall below a share after the order.
-std::optional<double> fall(const std::vector<Moment>& samples, const PullOutSide& side, double share, bool first) {
+std::optional<double> fall(const std::vector<Sample>& samples, const PullOutSide& side, double share, bool first) {
   std::optional<double> time;
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const auto &a = samples[i - 1], &b = samples[i];
@@ -34,7 +34,7 @@ std::optional<double> fall(const std::vector<Moment>& samples, const PullOutSide
 
 /// Last falls, since the yaw rate of a ship that is not the same to both sides may pass its final value before it comes
 /// back.
-void measure_decay(PullOutSide& side, const std::vector<Moment>& samples) {
+void measure_decay(PullOutSide& side, const std::vector<Sample>& samples) {
   if (const auto e = fall(samples, side, std::exp(-1.0), true)) side.fall_time = *e - side.execute;
   const auto thousandth = fall(samples, side, 1e-3, false), tenth_of_it = fall(samples, side, 1e-4, false);
   if (side.settled && thousandth && tenth_of_it && *tenth_of_it > *thousandth)
@@ -52,27 +52,27 @@ std::optional<double> linear_T1(const Ship& ship, const Controls<double>& propul
 }
 
 template <class Model>
-PullOutSide sail_pull_out(const Ship& ship, const ActingShip<Model>& acting, const TurnOrder& order,
-                          const Settling& settling, const ManoeuvreOptions& options) {
+PullOutSide run_pull_out(const Ship& ship, const ActingShip<Model>& acting, const TurnOrder& order,
+                         const Settling& settling, const ManoeuvreOptions& options) {
   const auto& model = acting.model;
   ManoeuvreOptions whole = options;
   whole.duration.reset();
   whole.sampled = true;
   const auto [U, propulsion, end, times] = plan(model, whole, 2.0 * settling.longest);
   const double L = model.particulars.L;
-  return with_voyage(acting, approach(U, propulsion), options.tolerance, [&](auto& voyage) {
-    voyage.sample_at(times);
-    voyage.order(rudder_sign(order.side) * order.rudder);
+  return with_stepper(acting, approach(U, propulsion), options.tolerance, [&](auto& stepper) {
+    stepper.sample_at(times);
+    stepper.order(rudder_sign(order.side) * order.rudder);
     PullOutSide result{};
-    result.turning_settled = settle(voyage, settling, L, U);
-    result.execute = voyage.time();
-    result.turning = voyage.state().motion.r;
-    voyage.order(0.0);
-    result.settled = settle(voyage, settling, L, U);
-    result.residual = voyage.state().motion.r;
-    measure_decay(result, voyage.samples());
+    result.turning_settled = settle(stepper, settling, L, U);
+    result.execute = stepper.time();
+    result.turning = stepper.state().motion.r;
+    stepper.order(0.0);
+    result.settled = settle(stepper, settling, L, U);
+    result.residual = stepper.state().motion.r;
+    measure_decay(result, stepper.samples());
     result.T1 = linear_T1(ship, propulsion, order.side);
-    if (options.sampled) result.run = recording_of(voyage.samples(), acting);
+    if (options.sampled) result.run = recording_of(stepper.samples(), acting);
     result.run.name = ship.name;
     result.run.facts.execute = 0.0;
     result.run.facts.manoeuvre = fmt::format("pullout {:.6g} from {}", degrees(order.rudder), name_of(order.side));
@@ -88,7 +88,7 @@ PullOut pull_out(const Ship& ship, const PullOutOrder& order, const ManoeuvreOpt
   const auto both = [&](const auto& acting) {
     const auto& model = acting.model;
     const auto from = [&](Side side) {
-      return sail_pull_out(ship, acting, {order.rudder, side}, order.settling, options);
+      return run_pull_out(ship, acting, {order.rudder, side}, order.settling, options);
     };
     const double speed = options.speed.value_or(model.particulars.U_0);
     return PullOut{.sides = {from(Side::port), from(Side::starboard)},

@@ -6,6 +6,8 @@
 #include "local_fit.hpp"
 #include "manoeuvre_run.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/validity.hpp"
+#include "track_velocity.hpp"
 
 namespace swayaw {
 namespace {
@@ -49,20 +51,61 @@ std::optional<ValueAndRate> fit(const Recording& run, Channel channel, const Nei
   return local_fit(run, channel, time, from, to, degree);
 }
 
-/// Body velocity over ground from the track: u = ẋ cos ψ + ẏ sin ψ, v = ẏ cos ψ − ẋ sin ψ.
-std::optional<PlanarMotion<double>> velocity_from_track(const Recording& run, const Neighbourhood& near, double psi,
-                                                        double r) {
-  const auto x = fit(run, Channel::x, near), y = fit(run, Channel::y, near);
-  if (!x || !y) return std::nullopt;
-  const double c = std::cos(psi), s = std::sin(psi);
-  return PlanarMotion<double>{x->rate * c + y->rate * s, y->rate * c - x->rate * s, r};
-}
-
 std::optional<double> first_value(const Recording& run, const Neighbourhood& near,
                                   std::initializer_list<Channel> channels) {
   for (const Channel channel : channels)
     if (const auto found = fit(run, channel, near)) return found->value;
   return std::nullopt;
+}
+
+/// Ground velocity of the water in the axes of a ship that heads psi.
+SurgeSway stream_along(const Current<double>& current, double psi) {
+  const auto drift = over_ground(current, ShipState<double>{0.0, 0.0, psi, {0.0, 0.0, 0.0}});
+  return {drift.u, drift.v};
+}
+
+/// Body velocity over ground from speed and course: u = SOG cos(COG − ψ), v = SOG sin(COG − ψ).
+std::optional<SurgeSway> velocity_from_course(const Recording& run, const Neighbourhood& near, double psi) {
+  const auto speed = run[Channel::speed_over_ground], course = run[Channel::course_over_ground];
+  if (speed.empty() || course.empty()) return std::nullopt;
+  Recording around;  // components do not jump where the course passes north
+  around.time = run.time;
+  auto u = around.fill(Channel::u), v = around.fill(Channel::v);
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    u[i] = speed[i] * std::cos(course[i] - psi);
+    v[i] = speed[i] * std::sin(course[i] - psi);
+  }
+  const auto ahead = fit(around, Channel::u, near), abeam = fit(around, Channel::v, near);
+  if (!ahead || !abeam) return std::nullopt;
+  return SurgeSway{ahead->value, abeam->value};
+}
+
+/// Surge through the water from the speed over ground, SOG² = (u + u_c)² + (v + v_c)².
+double surge_from_speed(double speed_over_ground, double v, const SurgeSway& stream) {
+  const double abeam = v + stream.v;
+  return std::sqrt(std::max(0.0, speed_over_ground * speed_over_ground - abeam * abeam)) - stream.u;
+}
+
+/// Velocity through the water: measured there, else over ground less the current, by the channels in the order of
+/// recorded_state. Nothing tells a sway that is not there.
+std::optional<SurgeSway> velocity_told(const Recording& run, const Current<double>& current, double psi,
+                                       const Neighbourhood& near, const Neighbourhood& wide) {
+  const auto stream = stream_along(current, psi);
+  auto u = first_value(run, near, {Channel::u, Channel::speed_through_water});
+  auto v = first_value(run, near, {Channel::v});
+  if (const auto ground = first_value(run, near, {Channel::u_ground}); !u && ground) u = *ground - stream.u;
+  if (const auto ground = first_value(run, near, {Channel::v_ground}); !v && ground) v = *ground - stream.v;
+  if (u && v) return SurgeSway{*u, *v};
+  auto told = velocity_from_track(run, current, near.time, wide.from, wide.to, wide.degree);
+  if (!told) {
+    const auto course = velocity_from_course(run, near, psi);
+    if (course) told = SurgeSway{course->u - stream.u, course->v - stream.v};
+  }
+  if (told) return SurgeSway{u.value_or(told->u), v.value_or(told->v)};
+  const auto speed = first_value(run, near, {Channel::speed_over_ground});
+  if (!u && speed) u = surge_from_speed(*speed, v.value_or(0.0), stream);
+  if (!u) return std::nullopt;
+  return SurgeSway{*u, v.value_or(0.0)};
 }
 
 ShipState<double> state_told(const Ship& ship, const Recording& run, double time) {
@@ -73,16 +116,11 @@ ShipState<double> state_told(const Ship& ship, const Recording& run, double time
   const double heading = psi ? psi->value : Interpolant(run, Channel::psi)(time);
   const auto turning = fit(run, Channel::psi, wide);
   const double r = first_value(run, near, {Channel::r}).value_or(turning ? turning->rate : 0.0);
-  const auto track = velocity_from_track(run, wide, heading, r);
-  auto u = first_value(run, near, {Channel::u, Channel::speed_through_water, Channel::u_ground});
-  auto v = first_value(run, near, {Channel::v, Channel::v_ground});
-  if (!u && track) u = track->u;
-  if (!u) u = first_value(run, near, {Channel::speed_over_ground});
-  if (!v && track) v = track->v;
-  if (!u) throw Refusal(fmt::format("{}: no channel tells the speed of the ship at {:.6g} s", run.name, time));
+  const auto velocity = velocity_told(run, surroundings_at(ship, time).current, heading, near, wide);
+  if (!velocity) throw Refusal(fmt::format("{}: no channel tells the speed of the ship at {:.6g} s", run.name, time));
   const double x = first_value(run, near, {Channel::x}).value_or(0.0);
   const double y = first_value(run, near, {Channel::y}).value_or(0.0);
-  return {x, y, heading, {*u, v.value_or(0.0), r}};
+  return {x, y, heading, {velocity->u, velocity->v, r}};
 }
 
 }  // namespace
@@ -138,6 +176,13 @@ RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const
     track_.emplace(actuator, lines_through(rudder_.times(), rudder_.values()));
 }
 
+std::optional<double> RecordedControls::shaft_astern(double from, double to) const {
+  if (!rev_) return std::nullopt;
+  for (std::size_t i = 0; i < rev_->times().size(); ++i)
+    if (const double time = rev_->times()[i]; from <= time && time <= to && rev_->values()[i] < 0.0) return time;
+  return std::nullopt;
+}
+
 Controls<double> RecordedControls::at(double time) const {
   const double delta = rudder(time);
   if (rev_) return {.delta = delta, .rev = (*rev_)(time)};
@@ -158,35 +203,39 @@ Controls<double> slope(const Controls<double>& from, const Controls<double>& to,
           to.by_thrust};
 }
 
-/// Sails from knot to knot of the recorded controls.
-template <class Sailing>
-std::vector<Moment> sail_along(Sailing& voyage, const RecordedControls& controls, std::span<const double> times) {
+/// Integrates from knot to knot of the recorded controls.
+template <class Stepper>
+std::vector<Sample> integrate_along(Stepper& stepper, const RecordedControls& controls, std::span<const double> times) {
   const double begin = times.front(), end = times.back();
-  voyage.sample_at(times);
+  stepper.sample_at(times);
   if (controls.track()) {
-    voyage.show_along(controls.shown());
-    voyage.steer_along(*controls.track());
+    stepper.show_along(controls.shown());
+    stepper.steer_along(*controls.track());
   }
   auto knot = std::ranges::upper_bound(controls.knots(), begin);
-  while (voyage.time() < end) {
+  while (stepper.time() < end) {
     const double next = knot == controls.knots().end() ? end : std::min(end, *knot++);
-    if (next <= voyage.time()) continue;
-    const auto rate = slope(voyage.controls(), controls.at(next), next - voyage.time());
-    if (!controls.track()) voyage.steer(rate.delta);
-    voyage.drive(rate);
-    voyage.sail(next);
+    if (next <= stepper.time()) continue;
+    const auto rate = slope(stepper.controls(), controls.at(next), next - stepper.time());
+    if (!controls.track()) stepper.steer(rate.delta);
+    stepper.drive(rate);
+    stepper.advance(next);
   }
-  return voyage.samples();
+  return stepper.samples();
 }
 
 }  // namespace
 
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
                       std::span<const double> times, const ReplayOptions& options) {
+  require_valid(ship, start.motion, controls.at(times.front()));
+  if (const auto astern = controls.shaft_astern(times.front(), times.back()))
+    throw Refusal(
+        fmt::format("{}: the recorded shaft turns astern at {:.6g} s", words_for(Validity::shaft_astern), *astern));
   return visit_acting(ship, [&](const auto& acting) {
-    const Moment from{times.front(), start, with_rudder(controls.at(times.front()), controls.shown()(times.front()))};
-    return with_voyage(acting, from, options.tolerance,
-                       [&](auto& voyage) { return recording_of(sail_along(voyage, controls, times), acting); });
+    const Sample from{times.front(), start, with_rudder(controls.at(times.front()), controls.shown()(times.front()))};
+    return with_stepper(acting, from, options.tolerance,
+                        [&](auto& stepper) { return recording_of(integrate_along(stepper, controls, times), acting); });
   });
 }
 

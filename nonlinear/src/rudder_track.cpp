@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rudder_follower.hpp"
+
 namespace swayaw {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double slack = 1e-12;  ///< of angles that are the same but for rounding [rad]
 
 /// The line on which a time lies.
 template <class Line>
@@ -71,78 +72,19 @@ std::vector<AngleLine> lines_through(std::span<const double> time, std::span<con
 std::vector<AngleLine> behind_play(std::span<const AngleLine> lines, double width, double start) {
   if (!(width > 0.0)) return {lines.begin(), lines.end()};
   std::vector<AngleLine> result;
-  double y = start;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const auto& x = lines[i];
-    const double duration = end_of(lines, i) - x.time, side = std::copysign(1.0, x.rate);
-    // the near flank of the play takes the rudder along from here on
-    const double free = x.rate == 0.0 ? never : std::max(0.0, (y + side * 0.5 * width - x.angle) / x.rate);
-    if (free > 0.0) result.push_back({x.time, y, 0.0});
-    if (free >= duration) continue;
-    result.push_back({x.time + free, y, x.rate});
-    y = after({0.0, y, x.rate}, duration - free);
-  }
+  PlayFollower play(width, start);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    play.follow(lines[i], end_of(lines, i) - lines[i].time, [&](const AngleLine& line) { result.push_back(line); });
   return result;
 }
 
 // ---------------------------------------------------------------- lag
 
-namespace {
-
-/// The rudder behind one line, until it ends.
-class Follower {
- public:
-  Follower(double lag, double rate, double start) : T_(lag), rate_(rate), y_(start) {}
-
-  void follow(const AngleLine& x, double end, std::vector<RudderMotion<>>& motions) {
-    const double reach = T_ > 0.0 ? rate_ * T_ : 0.0;  // |e| from which on the rate is the largest
-    double time = x.time;
-    while (time < end) {
-      const double e = after(x, time - x.time) - y_;
-      const double way = std::copysign(1.0, e == 0.0 ? x.rate : e),
-                   gain = rate_ - way * x.rate;  // gain = −d|e|/dt at the largest rate
-      const bool far = std::abs(e) > reach + slack, leaves = gain < 0.0 && std::abs(e) >= reach - slack;
-      if (far || leaves) time = hurry(x, time, e, reach, way, gain, end, motions);
-      else time = trail(x, time, e, reach, end, motions);
-    }
-  }
-
- private:
-  /// At the largest rate, until |e| has come down to the reach. @return when that is
-  double hurry(const AngleLine& x, double time, double e, double reach, double way, double gain, double end,
-               std::vector<RudderMotion<>>& motions) {
-    const double needed = gain > 0.0 ? (std::abs(e) - reach) / gain : never;
-    const bool arrives = time + needed < end;
-    motions.push_back(RudderMotion<>::moving(time, y_, way * rate_));
-    if (!arrives && end == never) return end;
-    y_ = arrives ? after(x, time + needed - x.time) - way * reach : y_ + way * rate_ * (end - time);
-    return arrives ? std::max(time + needed, std::nextafter(time, never)) : end;
-  }
-
-  /// e(t) = b T + (e_0 − b T) exp(−t/T), until it reaches the largest rate. @return when that is
-  double trail(const AngleLine& x, double time, double e, double reach, double end,
-               std::vector<RudderMotion<>>& motions) {
-    const double line = after(x, time - x.time), behind = x.rate * T_;  // of a rudder that follows a long line
-    if (T_ > 0.0) motions.push_back(RudderMotion<>::trailing(time, line - behind, x.rate, e - behind, T_));
-    else motions.push_back(RudderMotion<>::moving(time, line, x.rate));
-    double until = end;
-    if (T_ > 0.0 && std::abs(behind) > reach) {
-      const double left = (std::copysign(reach, behind) - behind) / (e - behind);
-      if (left > 0.0 && left < 1.0) until = std::min(end, time - T_ * std::log(left));
-    }
-    if (until < never) y_ = motions.back().at(until);
-    return until;
-  }
-
-  double T_, rate_, y_;
-};
-
-}  // namespace
-
 std::vector<RudderMotion<>> behind_lag(std::span<const AngleLine> lines, double lag, double rate, double start) {
   std::vector<RudderMotion<>> motions;
-  Follower rudder(lag, rate, start);
-  for (std::size_t i = 0; i < lines.size(); ++i) rudder.follow(lines[i], end_of(lines, i), motions);
+  LagFollower rudder(lag, rate, start);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    rudder.follow(lines[i], end_of(lines, i), [&](const RudderMotion<>& motion) { motions.push_back(motion); });
   return motions;
 }
 

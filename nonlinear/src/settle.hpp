@@ -6,12 +6,12 @@
 #include <cmath>
 #include <string_view>
 
+#include "event_stepper.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/settling.hpp"
 #include "swayaw/nonlinear/ship.hpp"
-#include "voyage.hpp"
 
-/// Sailing until nothing changes but place and heading. Not installed.
+/// Stepper until nothing changes but place and heading. Not installed.
 namespace swayaw {
 
 /// @throws Refusal  for a ship in wind or waves, whose turns never become steady
@@ -39,15 +39,15 @@ inline double acceleration_size(const StateVector<double>& rate, double L, doubl
   return std::max({std::abs(rate[3]), std::abs(rate[4]), std::abs(rate[5]) * L}) * L / (U * U);
 }
 
-/// Sails one ship length after another until the motion is steady. @return whether it became so
+/// Integrates one ship length after another until the motion is steady. @return whether it became so
 ///
 /// At the end of each length all three accelerations must be small, so the turning point of a swing does not count.
-template <class Sailing>
-bool settle(Sailing& voyage, const Settling& settling, double L, double U) {
-  const double end = voyage.time() + settling.longest * L / U;
-  while (voyage.time() < end) {
-    voyage.sail(std::min(end, voyage.time() + L / U));
-    if (acceleration_size(voyage.rates_now(), L, U) < settling.tolerance) return true;
+template <class Stepper>
+bool settle(Stepper& stepper, const Settling& settling, double L, double U) {
+  const double end = stepper.time() + settling.longest * L / U;
+  while (stepper.time() < end) {
+    stepper.advance(std::min(end, stepper.time() + L / U));
+    if (acceleration_size(stepper.rates_now(), L, U) < settling.tolerance) return true;
   }
   return false;
 }

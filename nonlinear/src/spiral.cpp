@@ -28,16 +28,17 @@ std::optional<SpiralLoop> loop_of(const Spiral& s, double L) {
   return SpiralLoop{.width = highest - lowest, .height = height};
 }
 
-template <class Sailing>
-SpiralPoint hold(Sailing& voyage, double delta, const Settling& settling, double L, double U) {
-  const double start = voyage.time();
-  voyage.order(delta + 0.0);  // 0 rather than -0
-  const bool settled = settle(voyage, settling, L, U);
-  return {.delta = voyage.shown(), .motion = voyage.state().motion, .held = voyage.time() - start, .settled = settled};
+template <class Stepper>
+SpiralPoint hold(Stepper& stepper, double delta, const Settling& settling, double L, double U) {
+  const double start = stepper.time();
+  stepper.order(delta + 0.0);  // 0 rather than -0
+  const bool settled = settle(stepper, settling, L, U);
+  return {
+      .delta = stepper.shown(), .motion = stepper.state().motion, .held = stepper.time() - start, .settled = settled};
 }
 
 template <class Model>
-Spiral sail_spiral(const ActingShip<Model>& acting, const SpiralOrder& order, const ManoeuvreOptions& options) {
+Spiral run_spiral(const ActingShip<Model>& acting, const SpiralOrder& order, const ManoeuvreOptions& options) {
   const auto& model = acting.model;
   const auto angles = spiral_angles(order.largest, order.step);
   ManoeuvreOptions whole = options;
@@ -46,8 +47,8 @@ Spiral sail_spiral(const ActingShip<Model>& acting, const SpiralOrder& order, co
   const auto [U, propulsion, end, times] =
       plan(model, whole, order.settling.longest * 2.0 * static_cast<double>(angles.size()));
   const double L = model.particulars.L, sign = rudder_sign(order.first);
-  return with_voyage(acting, approach(U, propulsion), options.tolerance, [&](auto& voyage) {
-    voyage.sample_at(times);
+  return with_stepper(acting, approach(U, propulsion), options.tolerance, [&](auto& stepper) {
+    stepper.sample_at(times);
     Spiral result{.down = {},
                   .up = {},
                   .loop = {},
@@ -56,11 +57,11 @@ Spiral sail_spiral(const ActingShip<Model>& acting, const SpiralOrder& order, co
                   .approach_speed = U,
                   .propulsion = propulsion,
                   .run = {}};
-    for (const double angle : angles) result.down.push_back(hold(voyage, sign * angle, order.settling, L, U));
+    for (const double angle : angles) result.down.push_back(hold(stepper, sign * angle, order.settling, L, U));
     result.up.push_back(result.down.back());
     for (std::size_t i = angles.size() - 1; i-- > 0;)
-      result.up.push_back(hold(voyage, sign * angles[i], order.settling, L, U));
-    if (options.sampled) result.run = recording_of(voyage.samples(), acting);
+      result.up.push_back(hold(stepper, sign * angles[i], order.settling, L, U));
+    if (options.sampled) result.run = recording_of(stepper.samples(), acting);
     return result;
   });
 }
@@ -96,7 +97,7 @@ std::vector<double> spiral_angles(double largest, double step) {
 Spiral spiral(const Ship& ship, const SpiralOrder& order, const ManoeuvreOptions& options) {
   require_calm(ship, "spiral");
   require_rudder(order.largest, steering_gear(ship));
-  auto result = visit_acting(ship, [&](const auto& acting) { return sail_spiral(acting, order, options); });
+  auto result = visit_acting(ship, [&](const auto& acting) { return run_spiral(acting, order, options); });
   result.loop = loop_of(result, length(ship));
   result.curve = steady_turn_curve(ship, result.propulsion, order.largest, curve_step);
   result.exact = instability_loop(result.curve);

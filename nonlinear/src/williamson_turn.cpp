@@ -9,34 +9,34 @@
 namespace swayaw {
 namespace {
 
-template <class Sailing>
-TrackPlace place_of(const Sailing& voyage, double turn) {
-  return {.time = voyage.time(), .along = voyage.state().x, .offset = turn * voyage.state().y};
+template <class Stepper>
+TrackPlace place_of(const Stepper& stepper, double turn) {
+  return {.time = stepper.time(), .along = stepper.state().x, .offset = turn * stepper.state().y};
 }
 
 /// The three rudder orders, as far as the ship comes. @param turn  sign of a heading change to the first side
-template <class Sailing>
-void sail_orders(Sailing& voyage, WilliamsonTurn& result, const WilliamsonOrder& order, double turn, double end) {
-  voyage.order(-turn * order.rudder);
-  if (!voyage.sail(end, [&](const auto& s) { return turn * s.psi - order.heading; })) return;
-  result.shifted = place_of(voyage, turn);
-  voyage.order(turn * order.rudder);
-  if (!voyage.sail(end, [&](const auto& s) { return turn * s.psi + pi - order.before; })) return;
-  result.amidships = place_of(voyage, turn);
-  voyage.order(0.0);
+template <class Stepper>
+void give_orders(Stepper& stepper, WilliamsonTurn& result, const WilliamsonOrder& order, double turn, double end) {
+  stepper.order(-turn * order.rudder);
+  if (!stepper.advance(end, [&](const auto& s) { return turn * s.psi - order.heading; })) return;
+  result.shifted = place_of(stepper, turn);
+  stepper.order(turn * order.rudder);
+  if (!stepper.advance(end, [&](const auto& s) { return turn * s.psi + pi - order.before; })) return;
+  result.amidships = place_of(stepper, turn);
+  stepper.order(0.0);
   // the ship arrives where the heading left passes zero, or rests where the yaw rate does
   const auto left = [turn](const auto& s) { return turn * s.psi + pi; };
-  voyage.sail(end, [&](const auto& s) { return std::min(left(s), -turn * s.motion.r); });
-  if (std::abs(left(voyage.state())) < 1e-9) result.reciprocal = place_of(voyage, turn);
+  stepper.advance(end, [&](const auto& s) { return std::min(left(s), -turn * s.motion.r); });
+  if (std::abs(left(stepper.state())) < 1e-9) result.reciprocal = place_of(stepper, turn);
 }
 
 template <class Model>
-WilliamsonTurn sail_williamson(const ActingShip<Model>& acting, const WilliamsonOrder& order,
-                               const ManoeuvreOptions& options) {
+WilliamsonTurn run_williamson(const ActingShip<Model>& acting, const WilliamsonOrder& order,
+                              const ManoeuvreOptions& options) {
   const auto& model = acting.model;
   const auto [speed, propulsion, end, times] = plan(model, options, 100.0);
-  return with_voyage(acting, approach(speed, propulsion), options.tolerance, [&](auto& voyage) {
-    voyage.sample_at(times);
+  return with_stepper(acting, approach(speed, propulsion), options.tolerance, [&](auto& stepper) {
+    stepper.sample_at(times);
     WilliamsonTurn result{.shifted = {},
                           .amidships = {},
                           .reciprocal = {},
@@ -47,12 +47,12 @@ WilliamsonTurn sail_williamson(const ActingShip<Model>& acting, const Williamson
                           .propulsion = propulsion,
                           .run = {}};
     const double turn = yaw_sign(order.first);
-    sail_orders(voyage, result, order, turn, end);
-    if (result.reciprocal) result.way = way_made(voyage.samples(), now(voyage), result.reciprocal->time);
-    if (options.duration) voyage.sail(end);
-    result.heading = turn * voyage.state().psi;
-    result.yaw_rate = voyage.state().motion.r;
-    if (options.sampled) result.run = recording_of(voyage.samples(), acting);
+    give_orders(stepper, result, order, turn, end);
+    if (result.reciprocal) result.way = way_made(stepper.samples(), now(stepper), result.reciprocal->time);
+    if (options.duration) stepper.advance(end);
+    result.heading = turn * stepper.state().psi;
+    result.yaw_rate = stepper.state().motion.r;
+    if (options.sampled) result.run = recording_of(stepper.samples(), acting);
     return result;
   });
 }
@@ -66,7 +66,7 @@ WilliamsonTurn williamson_turn(const Ship& ship, const WilliamsonOrder& order, c
   if (!(order.before < pi))
     throw std::domain_error(fmt::format("{:.6g} deg before the reciprocal heading is the approach heading or beyond",
                                         degrees(order.before)));
-  auto result = visit_acting(ship, [&](const auto& acting) { return sail_williamson(acting, order, options); });
+  auto result = visit_acting(ship, [&](const auto& acting) { return run_williamson(acting, order, options); });
   result.run.name = ship.name;
   result.run.facts.execute = 0.0;
   result.run.facts.manoeuvre =

@@ -3,26 +3,26 @@
 namespace swayaw {
 namespace {
 
-/// Adds a reversal and its overshoot to the zigzag. @return whether the voyage went on to the heading peak
-template <class Sailing>
-bool reverse(Sailing& voyage, Zigzag& zigzag, const ZigzagOrder& order, double turn, double end) {
-  if (!voyage.sail(end, [&](const auto& s) { return turn * s.psi - order.heading; })) return false;
-  zigzag.reversals.push_back({.time = voyage.time(), .peak_time = {}, .overshoot = {}});
-  voyage.order(turn * order.rudder);
-  if (!voyage.sail(end, [](const auto& s) { return s.motion.r; })) return false;
-  zigzag.reversals.back().peak_time = voyage.time();
-  zigzag.reversals.back().overshoot = turn * voyage.state().psi - order.heading;
+/// Adds a reversal and its overshoot to the zigzag. @return whether the run went on to the heading peak
+template <class Stepper>
+bool reverse(Stepper& stepper, Zigzag& zigzag, const ZigzagOrder& order, double turn, double end) {
+  if (!stepper.advance(end, [&](const auto& s) { return turn * s.psi - order.heading; })) return false;
+  zigzag.reversals.push_back({.time = stepper.time(), .peak_time = {}, .overshoot = {}});
+  stepper.order(turn * order.rudder);
+  if (!stepper.advance(end, [](const auto& s) { return s.motion.r; })) return false;
+  zigzag.reversals.back().peak_time = stepper.time();
+  zigzag.reversals.back().overshoot = turn * stepper.state().psi - order.heading;
   return true;
 }
 
 template <class Model>
-Zigzag sail_zigzag(const ActingShip<Model>& acting, const ZigzagOrder& order, const ManoeuvreOptions& options) {
+Zigzag run_zigzag(const ActingShip<Model>& acting, const ZigzagOrder& order, const ManoeuvreOptions& options) {
   const auto& model = acting.model;
   const auto [speed, propulsion, end, times] = plan(model, options, 200.0);
-  return with_voyage(acting, approach(speed, propulsion), options.tolerance, [&](auto& voyage) {
-    voyage.sample_at(times);
-    voyage.trace(options.traced);
-    voyage.order(rudder_sign(order.first) * order.rudder);
+  return with_stepper(acting, approach(speed, propulsion), options.tolerance, [&](auto& stepper) {
+    stepper.sample_at(times);
+    stepper.trace(options.traced);
+    stepper.order(rudder_sign(order.first) * order.rudder);
     Zigzag result{.reversals = {},
                   .period = {},
                   .initial_turning = {},
@@ -32,15 +32,15 @@ Zigzag sail_zigzag(const ActingShip<Model>& acting, const ZigzagOrder& order, co
                   .steps = {}};
     constexpr std::size_t enough = 4;
     double turn = yaw_sign(order.first);
-    while (reverse(voyage, result, order, turn, end)) {
+    while (reverse(stepper, result, order, turn, end)) {
       turn = -turn;
       if (!options.duration && result.reversals.size() == enough) break;
     }
     const auto& reversals = result.reversals;
     if (reversals.size() >= 3) result.period = reversals.back().time - reversals[reversals.size() - 3].time;
-    if (!reversals.empty()) result.initial_turning = way_made(voyage.samples(), now(voyage), reversals.front().time);
-    if (options.sampled) result.run = recording_of(voyage.samples(), acting);
-    result.steps = std::move(voyage.steps());
+    if (!reversals.empty()) result.initial_turning = way_made(stepper.samples(), now(stepper), reversals.front().time);
+    if (options.sampled) result.run = recording_of(stepper.samples(), acting);
+    result.steps = std::move(stepper.steps());
     return result;
   });
 }
@@ -50,7 +50,7 @@ Zigzag sail_zigzag(const ActingShip<Model>& acting, const ZigzagOrder& order, co
 Zigzag zigzag(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options) {
   require_rudder(order.rudder, steering_gear(ship));
   require_positive(order.heading, "heading angle [rad]");
-  auto result = visit_acting(ship, [&](const auto& acting) { return sail_zigzag(acting, order, options); });
+  auto result = visit_acting(ship, [&](const auto& acting) { return run_zigzag(acting, order, options); });
   result.run.name = ship.name;
   result.run.facts.execute = 0.0;
   result.run.facts.manoeuvre =

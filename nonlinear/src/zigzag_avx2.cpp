@@ -2,6 +2,6 @@
 
 namespace swayaw::mmg_batch {
 
-ZigzagKernel avx2_zigzags() { return sail_lanes<xsimd::fma3<xsimd::avx2>>; }
+ZigzagKernel avx2_zigzags() { return run_lanes<xsimd::fma3<xsimd::avx2>>; }
 
 }  // namespace swayaw::mmg_batch

@@ -2,6 +2,6 @@
 
 namespace swayaw::mmg_batch {
 
-ZigzagKernel avx512_zigzags() { return sail_lanes<xsimd::avx512bw>; }
+ZigzagKernel avx512_zigzags() { return run_lanes<xsimd::avx512bw>; }
 
 }  // namespace swayaw::mmg_batch

@@ -6,7 +6,7 @@ ZigzagKernel baseline_zigzags() {
 #ifdef XSIMD_NO_SUPPORTED_ARCHITECTURE
   return nullptr;
 #else
-  return sail_lanes<xsimd::default_arch>;
+  return run_lanes<xsimd::default_arch>;
 #endif
 }
 

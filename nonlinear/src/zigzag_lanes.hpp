@@ -4,14 +4,15 @@
 #include <limits>
 
 #include "swayaw/core/pack.hpp"
+#include "swayaw/nonlinear/equations_of_motion.hpp"
 #include "swayaw/nonlinear/mmg_forces.hpp"
 #include "zigzag_kernel.hpp"
 
 /// The zigzag of MMG ships over packs. Only for the units of the batch kernels; see zigzag_kernel.hpp.
 ///
-/// Each lane sails its own ship as Voyage does (docs/simulation.md), with its own time and its own Dormand–Prince step.
-/// All lanes try a step at once. A lane whose error is too large tries a shorter one next time; a lane that runs over
-/// an event tries one that ends there; a lane that has finished takes the next ship.
+/// Each lane moves its own ship as EventStepper does (docs/simulation.md), with its own time and its own Dormand–Prince
+/// step. All lanes try a step at once. A lane whose error is too large tries a shorter one next time; a lane that runs
+/// over an event tries one that ends there; a lane that has finished takes the next ship.
 namespace swayaw::mmg_batch {
 
 /// Dormand–Prince 5(4). Source: [Dormand1980]; the dense output: [Hairer1993] II.6
@@ -39,18 +40,18 @@ class ZigzagLanes {
   using Tableau = DormandPrince;
 
  public:
-  /// @param next  the ship of the job that boards next; shared by packs that sail side by side
+  /// @param next  the ship of the job that is loaded next; shared by packs that run side by side
   ZigzagLanes(const ZigzagJob& job, std::size_t& next) : job_(job), next_(next) {
     for (std::size_t lane = 0; lane < lanes; ++lane) ship_of_[lane] = nobody;
     ship_.added_mass.surge_coupling.index = job.surge_coupling;
     ship_.engine.kind.index = job.engine;
     for (std::size_t lane = 0; lane < lanes; ++lane) take_numbers(lane, 0);
-    board(M(true));
+    load(M(true));
   }
 
-  /// Sails two packs side by side: each waits for its own results only, so the processor works on both at once.
-  static void sail(ZigzagLanes& x, ZigzagLanes& y) {
-    while (x.sailing_ + y.sailing_ > 0) {
+  /// Runs two packs side by side: each waits for its own results only, so the processor works on both at once.
+  static void run(ZigzagLanes& x, ZigzagLanes& y) {
+    while (x.under_way_ + y.under_way_ > 0) {
       x.begin_step();
       y.begin_step();
       for (int s = 1; s < 7; ++s) {
@@ -93,18 +94,18 @@ class ZigzagLanes {
   }
 
   /// The next ships into these lanes, as long as there are any; a lane without a ship idles.
-  void board(const M& who) {
+  void load(const M& who) {
     const auto free = lanes_of(who);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       if (!free[lane]) continue;
-      sailing_ -= ship_of_[lane] != nobody;
+      under_way_ -= ship_of_[lane] != nobody;
       ship_of_[lane] = next_ < job_.count ? next_++ : nobody;
       if (ship_of_[lane] == nobody) continue;
-      ++sailing_;
+      ++under_way_;
       take_numbers(lane, ship_of_[lane]);
     }
     read_numbers();
-    cast_off(who);
+    begin_approach(who);
   }
 
   void read_numbers() {
@@ -115,7 +116,7 @@ class ZigzagLanes {
   }
 
   /// Straight ahead on heading 0 with the first rudder order.
-  void cast_off(const M& who) {
+  void begin_approach(const M& who) {
     const P U = P::load_aligned(speed_.data()), L = ship_.particulars.L;
     time_unit_ = L / U;
     weight_ = {P(1.0 / job_.tolerance), P(1.0 / job_.tolerance) / U, P(1.0 / job_.tolerance) / U,
@@ -152,9 +153,10 @@ class ZigzagLanes {
   // ---------------------------------------------------------------- one step of every lane
 
   State rates(const P& t, const State& y) const {
-    const auto m = motion_of(y);
-    const auto a = acceleration(ship_, m, forces(ship_, m, Controls<P>{rudder_.at(t), rev_}, branch_).total());
-    return {m.r, a.u, a.v, a.r};
+    const ShipState<P> state{P(0.0), P(0.0), y[0], motion_of(y)};
+    const auto a = acceleration_of(ship_, StillSurroundings{}, NoEffects{}, state, NoEffects{},
+                                   Controls<P>{rudder_.at(t), rev_}, branch_);
+    return {y[3], a.u, a.v, a.r};
   }
 
   /// What is waited for: the heading, less where the rudder is reversed, or the yaw rate.
@@ -364,7 +366,7 @@ class ZigzagLanes {
     if (xsimd::any(seen)) note(seen);
     const M complete = done_ >= P(static_cast<double>(job_.reversals)), over = t_ >= end_,
             lost = ~(h_ > P(1e-8) * time_unit_);
-    if (xsimd::any(complete | over | lost)) leave(complete, over, lost);
+    if (xsimd::any(complete | over | lost)) unload(complete, over, lost);
   }
 
   /// The heading at which the rudder is reversed, or a heading peak.
@@ -384,7 +386,7 @@ class ZigzagLanes {
     watched_ = select(seen, watch(y_), watched_);
   }
 
-  void leave(const M& complete, const M& over, const M& lost) {
+  void unload(const M& complete, const M& over, const M& lost) {
     const auto is_complete = lanes_of(complete), is_over = lanes_of(over), is_lost = lanes_of(lost);
     const auto peaks = numbers_of(done_);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -394,7 +396,7 @@ class ZigzagLanes {
                                   : is_over[lane]   ? Left::time_over
                                                     : Left::unbounded;
     }
-    board(complete | over | lost);
+    load(complete | over | lost);
   }
 
   void store(const M& who, const P& value, double* table) const {
@@ -432,7 +434,7 @@ class ZigzagLanes {
 
   const ZigzagJob& job_;
   std::size_t& next_;
-  std::size_t sailing_ = 0;  ///< lanes with a ship
+  std::size_t under_way_ = 0;  ///< lanes with a ship
   std::size_t ship_of_[lanes];
   std::array<Numbers, numbers> number_;
   Numbers speed_, rev_of_, end_of_;
@@ -454,11 +456,11 @@ class ZigzagLanes {
 };
 
 template <class Arch>
-void sail_lanes(const ZigzagJob& job) {
+void run_lanes(const ZigzagJob& job) {
   if (job.count == 0) return;
   std::size_t next = 0;
   ZigzagLanes<Arch> x(job, next), y(job, next);
-  ZigzagLanes<Arch>::sail(x, y);
+  ZigzagLanes<Arch>::run(x, y);
 }
 
 }  // namespace swayaw::mmg_batch

@@ -7,6 +7,7 @@
 #include "random_effects.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/equations_of_motion.hpp"
 #include "swayaw/nonlinear/force_breakdown.hpp"
 #include "swayaw/nonlinear/instruments.hpp"
 #include "swayaw/nonlinear/linearization.hpp"

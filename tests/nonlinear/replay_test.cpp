@@ -5,6 +5,7 @@
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 
 namespace swayaw {
@@ -128,6 +129,108 @@ TEST_CASE("without a recorded shaft speed or thrust the model propels herself", 
   const auto run = zigzag_run(ship, 0.05);
   const auto replayed = replay(ship, without(run, {Channel::rev, Channel::thrust}));
   CHECK_THAT(replayed[Channel::rev].front(), WithinRel(run[Channel::rev].front(), 1e-6));
+}
+
+// ---------------------------------------------------------------- start in a current
+
+Ship in_current(Ship ship, double speed, double to) {
+  ship.effects.push_back(SteadyCurrent<>{.speed = speed, .to = to});
+  return ship;
+}
+
+/// A simulated run with what a receiver and a log show besides.
+Recording with_instruments(Recording run, const Current<double>& current) {
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    const double psi = run[Channel::psi][i];
+    const auto ground =
+        over_ground(current, ShipState<double>{0.0, 0.0, psi, {run[Channel::u][i], run[Channel::v][i], 0.0}});
+    const auto put = [&](Channel channel, double value) { run.channels[index_of(channel)].push_back(value); };
+    put(Channel::speed_through_water, run[Channel::u][i]);
+    put(Channel::u_ground, ground.u);
+    put(Channel::v_ground, ground.v);
+    put(Channel::speed_over_ground, std::hypot(ground.u, ground.v));
+    put(Channel::course_over_ground, wrapped(psi + std::atan2(ground.v, ground.u)));
+  }
+  return run;
+}
+
+/// The run from a sample on.
+Recording from_sample(Recording run, std::size_t first) {
+  const auto cut = [&](std::vector<double>& values) {
+    if (!values.empty()) values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first));
+  };
+  cut(run.time);
+  for (auto& channel : run.channels) cut(channel);
+  return run;
+}
+
+/// The run with nothing but these channels, heading, rudder and shaft speed.
+Recording with_only(const Recording& run, std::initializer_list<Channel> channels) {
+  Recording result;
+  result.name = run.name;
+  result.time = run.time;
+  const auto keep = [&](Channel channel) { result.channels[index_of(channel)] = run.channels[index_of(channel)]; };
+  for (const Channel channel : {Channel::psi, Channel::delta, Channel::rev}) keep(channel);
+  for (const Channel channel : channels) keep(channel);
+  return result;
+}
+
+TEST_CASE("a replay in a known current begins with the velocity through the water, whatever tells it",
+          "[nonlinear][second-route][regression]") {
+  // 2026-11-22: velocity over ground was taken for that through the water
+  using enum Channel;
+  test::RandomShips random(15);
+  for (int i = 0; i < 6; ++i) {
+    const Ship calm{.name = "test ship", .model = random.ship(), .confidence = {}, .surroundings = {}};
+    const double U = service_speed(calm), L = length(calm), time_unit = L / U;
+    const auto ship = in_current(calm, random.uniform(0.05, 0.3) * U, random.uniform(-pi, pi));
+    const auto current = surroundings_at(ship, 0.0).current;
+    const auto whole = with_instruments(
+        zigzag(ship, {.rudder = radians(10), .heading = radians(10)}, {.duration = 15 * time_unit}).run, current);
+    for (const std::size_t first : {0u, 100u, 230u}) {
+      const auto run = from_sample(whole, first);
+      const auto told_by = [&](std::initializer_list<Channel> channels) {
+        return recorded_state(ship, with_only(run, channels), run.time.front()).motion;
+      };
+      INFO("ship " << i << " from " << run.time.front());
+      const double u0 = run[u].front(), v0 = run[v].front();
+      for (const auto& channels : {std::initializer_list<Channel>{x, y},
+                                   {speed_through_water, x, y},
+                                   {u_ground, v_ground},
+                                   {speed_through_water, v_ground},
+                                   {speed_over_ground, course_over_ground},
+                                   {speed_over_ground, v},
+                                   {u, v}}) {
+        const auto motion = told_by(channels);
+        CHECK_THAT(motion.u, WithinAbs(u0, 0.01 * U));
+        CHECK_THAT(motion.v, WithinAbs(v0, 0.015 * U));
+        CHECK_THAT(motion.r, WithinAbs(run[r].front(), 0.03 * U / L));
+      }
+    }
+  }
+}
+
+TEST_CASE("a track tells the velocity in a steady turn in a current to the last digits", "[nonlinear][limit]") {
+  // x = x_0 + V_c cos(psi_c) t + (u sin ψ + v cos ψ)/r,   y = y_0 + V_c sin(psi_c) t + (v sin ψ − u cos ψ)/r
+  const Ship ship = in_current(test::kvlcc2_l7(), 0.2, 2.0);
+  const double u = 0.7, v = -0.2, r = 0.08;
+  Recording run;
+  run.name = "turn";
+  for (int i = 0; i < 200; ++i) run.time.push_back(0.1 * i);
+  const auto x = run.fill(Channel::x), y = run.fill(Channel::y), psi = run.fill(Channel::psi);
+  std::ranges::fill(run.fill(Channel::delta), -0.3);
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    const double t = run.time[i], s = std::sin(r * t), c = std::cos(r * t);
+    psi[i] = r * t;
+    x[i] = 0.2 * std::cos(2.0) * t + (u * s + v * c) / r;
+    y[i] = 0.2 * std::sin(2.0) * t + (v * s - u * c) / r;
+  }
+  for (const double time : {0.0, 5.0, 12.3}) {
+    const auto motion = recorded_state(ship, run, time).motion;
+    CHECK_THAT(motion.u, WithinAbs(u, 1e-8));
+    CHECK_THAT(motion.v, WithinAbs(v, 1e-8));
+    CHECK_THAT(motion.r, WithinAbs(r, 1e-8));
+  }
 }
 
 TEST_CASE("a run that does not tell its speed is refused", "[nonlinear][refusal]") {

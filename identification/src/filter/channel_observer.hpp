@@ -28,21 +28,6 @@ inline double compared(Channel channel, double measured, double expected) {
   return is_direction(channel) && std::abs(error) > pi ? wrapped(error) : error;
 }
 
-/// The motion some seconds ago, by the midpoint rule and constant accelerations.
-template <class S>
-ShipState<S> moved_back(const ShipState<S>& s, const Current<S>& current, const PlanarAcceleration<double>& a,
-                        const S& delay) {
-  const auto back = [&](const ShipState<S>& rate_at, const S& t) {
-    const auto ground = over_ground(current, rate_at);
-    const auto [sine, cosine] = sin_cos(rate_at.psi);
-    return ShipState<S>{s.x - t * (ground.u * cosine - ground.v * sine),
-                        s.y - t * (ground.u * sine + ground.v * cosine),
-                        s.psi - t * rate_at.motion.r,
-                        {s.motion.u - t * a.u, s.motion.v - t * a.v, s.motion.r - t * a.r}};
-  };
-  return back(back(s, S(0.5 * delay)), delay);
-}
-
 /// The instruments of a ship in a stream.
 class ChannelObserver {
  public:

@@ -5,6 +5,7 @@
 
 #include "swayaw/core/dual.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/equations_of_motion.hpp"
 
 /// Rates of a ship with her effects, and their derivatives by the state. Not installed.
 namespace swayaw {

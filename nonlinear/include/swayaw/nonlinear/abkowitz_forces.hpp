@@ -9,7 +9,8 @@
 
 /// Forces of Abkowitz's polynomial, written once for double, dual and pack.
 /// Valid near the speed U_0 and within the drift, yaw rate and rudder angles the coefficients were found for; the
-/// propeller runs as it does straight ahead at U_0, whatever the controls say. Source: [Abkowitz1964], [Chislett1965]
+/// propeller runs as it does straight ahead at U_0, whatever the controls say. Not for u ≤ 0 (validity.hpp). Source:
+/// [Abkowitz1964], [Chislett1965]
 namespace swayaw {
 
 /// The polynomial has one piece.

@@ -232,21 +232,6 @@ Hidden<S> steady_hidden(const AddedForces<S>& a, const PlanarMotion<S>& m) {
   return h;
 }
 
-/// Equations of motion with added forces; without any, those of surroundings.hpp.
-template <template <class> class Model, class S, std::size_t N>
-StateVector<S> rates_of(const Model<S>& ship, const Surroundings<S>& around, const AddedForces<S>& added,
-                        const ShipState<S>& state, const Hidden<S>& hidden, const Controls<S>& controls,
-                        const Branch<S, N>& branch) {
-  const auto& m = state.motion;
-  const auto actual = driven(added, m, controls);
-  const auto force = forces(ship, m, actual, branch).total() + wind_load(around, state) +
-                     added_force(ship, added, state, hidden, controls);
-  const auto a = acceleration(ship, m, force);
-  const auto [s, c] = sin_cos(state.psi);
-  const auto& [V_c, psi_c] = around.current;
-  return {m.u * c - m.v * s + V_c * cos(psi_c), m.u * s + m.v * c + V_c * sin(psi_c), m.r, a.u, a.v, a.r};
-}
-
 /// Force of model and effects in a motion that lasts, without what depends on the heading: wind, waves, an unknown
 /// force that does.
 template <template <class> class Model, class S, std::size_t N>

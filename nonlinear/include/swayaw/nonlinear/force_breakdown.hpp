@@ -18,11 +18,11 @@ struct ForceBreakdown {
 
 /// The rudder angle is that of the rudder. Gusts do not blow, and the heel is that of a steady motion.
 ///
-/// @throws Refusal  if the ship does not move ahead, for which no force model holds
+/// @throws Refusal  if no force model holds for the motion or the controls (validity.hpp)
 ForceBreakdown force_breakdown(const Ship& ship, const ShipState<double>& state, const Controls<double>& controls);
 
 /// Forces by part as columns X_hull_N, Y_hull_N, N_hull_N_m, … beside the samples of a run, recorded or simulated.
-/// Samples of which the motion, the rudder or the propulsion is missing get none.
+/// Samples of which the motion, the rudder or the propulsion is missing, or for which no force model holds, get none.
 ///
 /// @throws Refusal  if the run lacks u, v, r, rudder, or shaft speed and thrust, altogether
 void add_forces(Recording& run, const Ship& ship);

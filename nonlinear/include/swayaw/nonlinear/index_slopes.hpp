@@ -74,7 +74,7 @@ using Slopes = std::vector<double>;
 
 /// Derivatives of the indices by numbers of the ship, exact for the steps that were taken.
 ///
-/// The steps are sailed once more in duals. An event comes at g(t, theta) = 0, so that
+/// The steps are taken once more in duals. An event comes at g(t, theta) = 0, so that
 ///
 ///     dt/dtheta = −(∂g/∂theta) / (dg/dt),
 ///
@@ -85,7 +85,7 @@ using Slopes = std::vector<double>;
 /// Self-propulsion at the approach speed is kept, unless shaft speed or thrust were given.
 ///
 /// @param circle   of the same ship, order and options, `traced`
-/// @param numbers  every slopes_at_once of them cost one more voyage
+/// @param numbers  every slopes_at_once of them cost one more pass
 /// @throws Refusal  for a ship in wind, or with effects other than a current
 CircleIndices<Slopes> index_slopes(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options,
                                    const TurningCircle& circle, std::span<const ShipNumber> numbers);
@@ -94,7 +94,7 @@ CircleIndices<Slopes> index_slopes(const Ship& ship, const TurnOrder& order, con
 ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options,
                                    const Zigzag& zigzag, std::span<const ShipNumber> numbers);
 
-/// How many numbers one more voyage takes.
+/// How many numbers one more pass takes.
 inline constexpr std::size_t slopes_at_once = 19;
 
 }  // namespace swayaw

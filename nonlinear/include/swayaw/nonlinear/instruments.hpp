@@ -110,6 +110,21 @@ Kinematics<S> at_point(Kinematics<S> k, const S& x, const S& y) {
   return k;
 }
 
+/// The motion some seconds ago, by the midpoint rule and constant accelerations.
+template <class S>
+ShipState<S> moved_back(const ShipState<S>& s, const Current<S>& current, const PlanarAcceleration<double>& a,
+                        const S& delay) {
+  const auto back = [&](const ShipState<S>& rate_at, const S& t) {
+    const auto ground = over_ground(current, rate_at);
+    const auto [sine, cosine] = sin_cos(rate_at.psi);
+    return ShipState<S>{s.x - t * (ground.u * cosine - ground.v * sine),
+                        s.y - t * (ground.u * sine + ground.v * cosine),
+                        s.psi - t * rate_at.motion.r,
+                        {s.motion.u - t * a.u, s.motion.v - t * a.v, s.motion.r - t * a.r}};
+  };
+  return back(back(s, S(0.5 * delay)), delay);
+}
+
 /// What the instrument of a channel shows.
 ///
 /// @param at  Kinematics<S> at(S delay): what there was to look at so many seconds ago, 0 for now

@@ -84,9 +84,11 @@ Planform<S> planform(const LiftingLineRudder<S>& k) {
 
 /// Friction of a flat plate at a Reynolds number, 0.075/(log10 Re − 2)² of ITTC 1957,
 /// or 0.075/log10(Re − 2)² as the model was published, 2.7 times less at 1.3e5.
-/// Source: [Alexandersson2024] eqs (B.8)–(B.11)
+/// Below Re = 1e3, where nothing is turbulent and the formulas have their pole, it stays as it is there: the force then
+/// vanishes with the speed. Source: [Alexandersson2024] eqs (B.8)–(B.11)
 template <class S>
-S friction_coefficient(const S& Re, bool ittc57) {
+S friction_coefficient(const S& reynolds, bool ittc57) {
+  const S Re = greater(reynolds, S(1e3));
   constexpr double ln10 = std::numbers::ln10;
   const S logarithm = ittc57 ? S(log(Re) - 2.0 * ln10) : S(log(Re - 2.0));
   return 0.075 * ln10 * ln10 / (logarithm * logarithm);

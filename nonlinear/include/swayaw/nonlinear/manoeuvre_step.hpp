@@ -16,7 +16,7 @@ enum class StepEnd {
   watch,   ///< what the manoeuvre waited for has come
 };
 
-/// A step that was sailed, so that it can be sailed again in another scalar.
+/// A step of an integration, so that it can be taken again in another scalar.
 struct ManoeuvreStep {
   double to;  ///< its end [s]
   StepEnd end;

@@ -8,7 +8,7 @@
 #include "swayaw/nonlinear/rudder_lift_loss.hpp"
 
 /// Forces of the MMG standard model, written once for double, dual and pack.
-/// Valid for way ahead, u > 0. Source: [Yasukawa2015]
+/// Valid for way ahead, u > 0, and a shaft that turns ahead, or a given thrust (validity.hpp). Source: [Yasukawa2015]
 namespace swayaw {
 
 /// Drift angles as propeller and rudder see them.

@@ -7,7 +7,8 @@
 #include "swayaw/nonlinear/prime_forces.hpp"
 
 /// Forces of the physics-informed model, written once for double, dual and pack.
-/// Valid for way ahead, u > 0. Source: [Alexandersson2024]
+/// Valid for way ahead, u > 0, and a shaft that turns ahead, or a given thrust (validity.hpp). Source:
+/// [Alexandersson2024]
 namespace swayaw {
 
 /// Names of the branches.

@@ -7,7 +7,8 @@
 #include "swayaw/nonlinear/prime_parts.hpp"
 
 /// Hull, propellers and equations of motion that the physics-informed and the physics-uninformed model share.
-/// Valid for way ahead, u > 0. Source: [Alexandersson2024]
+/// Valid for way ahead, u > 0, and a shaft that turns ahead, or a given thrust (validity.hpp). Source:
+/// [Alexandersson2024]
 namespace swayaw {
 
 /// A ship made of the parts of prime_parts.hpp and a rudder.

@@ -6,7 +6,8 @@
 #include "swayaw/nonlinear/pu_ship.hpp"
 
 /// Forces of the physics-uninformed model, written once for double, dual and pack.
-/// Valid for way ahead, u > 0. Source: [Alexandersson2024]
+/// Valid for way ahead, u > 0, and a shaft that turns ahead, or a given thrust (validity.hpp). Source:
+/// [Alexandersson2024]
 namespace swayaw {
 
 /// The sign of beta_P selects the wake change.

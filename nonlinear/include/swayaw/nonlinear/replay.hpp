@@ -22,12 +22,20 @@ struct ReplayOptions {
   double tolerance = 1e-8;
 };
 
-/// Recorded state at a time, from least-squares parabolas through the samples within 0.25 L/U of it, or at the
-/// start of the run from straight lines through the samples before the rudder moves, within 0.5 L/U.
+/// Recorded state at a time, of the ship through the water, from least-squares parabolas through the samples within
+/// 0.25 L/U of it, or at the start of the run from straight lines through the samples before the rudder moves, within
+/// 0.5 L/U.
 ///
-/// u, v and r come from their own channels; if those are missing, from log or ground speed, from the track, and from
-/// the heading. Position and sway are 0 where nothing tells them. What the instruments of the ship did to them is
-/// undone.
+/// The first of these that was recorded tells; from what is over ground the current of the ship is taken off, at the
+/// recorded heading:
+///
+///     u      u, log, u over ground, track, speed and course over ground, speed over ground
+///     v      v, v over ground, track, speed and course over ground; else 0
+///     r      r, heading
+///     x, y   position; else 0
+///
+/// The track is followed along the recorded heading, so a ship that turns already is told too. What the instruments of
+/// the ship did to the recording is undone first.
 ///
 /// @throws Refusal  if no channel tells the speed of the ship
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time);
@@ -53,6 +61,9 @@ class RecordedControls {
   /// The rudder piece by piece, where it is not as the indicator shows.
   const std::optional<RudderTrack>& track() const { return track_; }
 
+  /// When the recorded shaft turns astern first between two times, if it does.
+  std::optional<double> shaft_astern(double from, double to) const;
+
   /// Times at which the slope of a control changes, in order.
   std::span<const double> knots() const { return knots_; }
 
@@ -67,6 +78,8 @@ class RecordedControls {
 
 /// Simulated run from a state at times.front() on, sampled at those times, as the instruments of the ship would record
 /// it. Heel and memory begin as in a steady motion.
+///
+/// @throws Refusal  if no force model holds for the start, or for the shaft on the way (validity.hpp)
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
                       std::span<const double> times, const ReplayOptions& options = {});
 

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
+#include <type_traits>
+
 #include "swayaw/core/motion.hpp"
-#include "swayaw/nonlinear/branch.hpp"
 #include "swayaw/nonlinear/wind.hpp"
 
-/// Water and air around the ship, and the equations of motion in them.
+/// Water and air around the ship.
 namespace swayaw {
 
 /// A uniform stream. Motion of the ship is counted through the water, so the stream only carries her along:
@@ -22,6 +24,21 @@ struct Surroundings {
   Current<S> current;
   bool windy = false;  ///< without it there is no air at all; its drag on a ship in calm is part of her resistance
 };
+
+/// Velocity of the water over ground, northward and eastward [m/s].
+template <class S>
+struct Drift {
+  S north, east;
+};
+
+/// V_c (cos psi_c, sin psi_c). Nothing is computed for plain numbers where no current runs; a dual may stand for one.
+template <class S>
+Drift<S> drift_of(const Current<S>& current) {
+  if constexpr (std::is_same_v<S, double>)
+    if (current.speed == 0.0) return {0.0, 0.0};
+  const auto [s, c] = sin_cos(current.to);
+  return {current.speed * c, current.speed * s};
+}
 
 /// Velocity of midship over ground in body axes.
 ///
@@ -52,22 +69,6 @@ StateVector<S> vector_of(const ShipState<S>& s) {
 template <class S>
 ShipState<S> state_of(const StateVector<S>& s) {
   return {s[0], s[1], s[2], {s[3], s[4], s[5]}};
-}
-
-/// Equations of motion, on a branch of the force model.
-///
-///     dx/dt = u cos(psi) − v sin(psi) + V_c cos(psi_c),   dpsi/dt = r
-///     dy/dt = u sin(psi) + v cos(psi) + V_c sin(psi_c),   (du, dv, dr)/dt by the model
-template <template <class> class Model, class S, std::size_t N>
-StateVector<S> rates_of(const Model<S>& ship, const Surroundings<S>& around, const ShipState<S>& state,
-                        const Controls<S>& controls, const Branch<S, N>& branch) {
-  const auto& m = state.motion;
-  auto force = forces(ship, m, controls, branch).total();
-  if (around.windy) force = force + wind_load(around, state);
-  const auto a = acceleration(ship, m, force);
-  const auto [s, c] = sin_cos(state.psi);
-  const auto& [V_c, psi_c] = around.current;
-  return {m.u * c - m.v * s + V_c * cos(psi_c), m.u * s + m.v * c + V_c * sin(psi_c), m.r, a.u, a.v, a.r};
 }
 
 }  // namespace swayaw

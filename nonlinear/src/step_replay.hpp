@@ -7,24 +7,24 @@
 
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/steering_gear.hpp"
-#include "swayaw/nonlinear/branch.hpp"
+#include "swayaw/nonlinear/equations_of_motion.hpp"
 #include "swayaw/nonlinear/manoeuvre_step.hpp"
 #include "swayaw/nonlinear/surroundings.hpp"
 
-/// Derivatives of a voyage. Not installed.
+/// Derivatives of a simulation. Not installed.
 namespace swayaw {
 
-/// Sails the steps of a Voyage once more in duals.
+/// Takes the steps of an EventStepper once more in duals.
 ///
 /// Time is a dual too: an event comes sooner or later with the numbers of the ship, and the step that ends there grows
 /// or shrinks by that. The last derivative is by time and serves for that alone; the others are by numbers of the ship.
 template <template <class> class Model, int N>
-class VoyageReplay {
+class StepReplay {
  public:
   using S = Dual<N>;
 
-  VoyageReplay(const Model<S>& ship, const Current<double>& current, const S& speed, const Controls<S>& propulsion,
-               std::span<const ManoeuvreStep> steps)
+  StepReplay(const Model<S>& ship, const Current<double>& current, const S& speed, const Controls<S>& propulsion,
+             std::span<const ManoeuvreStep> steps)
       : ship_(ship), propulsion_(propulsion), left_(steps), rudder_(RudderMotion<S>::moving(S(0.0), S(0.0), S(0.0))) {
     around_.current = {S(current.speed), S(current.to)};
     state_.fill(S(0.0));
@@ -46,9 +46,9 @@ class VoyageReplay {
     rudder_ = RudderMotion<S>::ordered(ship_.steering_gear, time_, rudder_.at(time_), S(angle));
   }
 
-  /// Sails until the watch of the voyage passed zero. @return whether it did
+  /// Goes on until the watch of the simulation passed zero. @return whether it did
   template <class Watch>
-  bool sail(const Watch& watch) {
+  bool advance(const Watch& watch) {
     while (!left_.empty()) {
       const auto& step = left_.front();
       left_ = left_.subspan(1);

@@ -18,10 +18,12 @@
 #include <vector>
 
 #include "swayaw/core/motion.hpp"
+#include "swayaw/core/recording.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/steering_gear.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/branch.hpp"
+#include "swayaw/nonlinear/equations_of_motion.hpp"
 #include "swayaw/nonlinear/manoeuvre_step.hpp"
 #include "swayaw/nonlinear/models.hpp"
 #include "swayaw/nonlinear/rudder_track.hpp"
@@ -47,13 +49,13 @@ struct PropulsionLine {
 
 /// x, y, psi, u, v, r, and where effects need them phi, p, v_s, r_s.
 template <std::size_t HiddenStates>
-using VoyageState = std::array<double, 6 + HiddenStates>;
+using StepperState = std::array<double, 6 + HiddenStates>;
 
 /// Error of a step in units of the tolerance: lengths over L, angles in radians, speeds over U, rates over U/L.
 template <std::size_t HiddenStates>
 class ScaledError {
  public:
-  using State = VoyageState<HiddenStates>;
+  using State = StepperState<HiddenStates>;
 
   ScaledError() = default;
   ScaledError(double tolerance, double L, double U) {
@@ -73,7 +75,7 @@ class ScaledError {
 };
 
 /// Where the ship is at a time, and her controls: angle of the rudder, shaft speed as ordered.
-struct Moment {
+struct Sample {
   double time;
   ShipState<double> state;
   Controls<double> controls;
@@ -81,21 +83,21 @@ struct Moment {
   Hidden<double> hidden{};  ///< heel and memory
 };
 
-/// Sails a ship through time with Dormand–Prince steps.
+/// Moves a ship through time with Dormand–Prince steps.
 ///
 /// The rudder follows `steer` or `order`, the propulsion is linear in time between calls of `drive`. Within a step the
 /// ship stays on one branch of its force model; where a branch function passes zero, or the rudder rate jumps, the step
 /// ends. Any event time is the root of the dense output, and the state there comes from a step that ends there. Where
 /// the wind changes, the step ends too.
 ///
-/// A ship whose effects go on out of sight needs HiddenStates = 4; see with_voyage.
+/// A ship whose effects go on out of sight needs HiddenStates = 4; see with_stepper.
 template <class Model, std::size_t HiddenStates = 0>
-class Voyage {
+class EventStepper {
  public:
-  using State = VoyageState<HiddenStates>;
+  using State = StepperState<HiddenStates>;
 
   /// @param start  the rudder as the indicator shows it
-  Voyage(const ActingShip<Model>& acting, const Moment& start, double tolerance)
+  EventStepper(const ActingShip<Model>& acting, const Sample& start, double tolerance)
       : ship_(acting.model),
         surroundings_(acting.surroundings),
         changes_(acting.changes),
@@ -108,7 +110,7 @@ class Voyage {
         propulsion_{start.time, start.controls},
         time_unit_(ship_.particulars.L / std::max(speed(start.state.motion), 0.05 * ship_.particulars.U_0)),
         step_(0.02 * time_unit_),
-        stepper_(Controlled(Error(tolerance, ship_.particulars.L, ship_.particulars.L / time_unit_))) {
+        integrator_(Controlled(Error(tolerance, ship_.particulars.L, ship_.particulars.L / time_unit_))) {
     pass_changes();
     if (actuator_.any()) {
       shown_ = rudder_;
@@ -158,18 +160,18 @@ class Voyage {
     running_ = false;
   }
 
-  /// Times at which `samples()` grow as the voyage passes them; in order, none before now.
+  /// Times at which `samples()` grow as the stepper passes them; in order, none before now.
   void sample_at(std::span<const double> times) { wanted_ = times; }
-  std::vector<Moment>& samples() { return samples_; }
+  std::vector<Sample>& samples() { return samples_; }
 
   /// From now on the steps are kept, if asked for.
   void trace(bool wanted) { traced_ = wanted; }
   std::vector<ManoeuvreStep>& steps() { return steps_; }
 
-  /// Sails to `until`, or to the moment at which `watch(state)` passes zero.
+  /// Integrates to `until`, or to the time at which `watch(state)` passes zero.
   /// @return whether the watch ended it
   template <class Watch>
-  bool sail(double until, Watch&& watch) {
+  bool advance(double until, Watch&& watch) {
     const auto g = [&](const State& s, double) { return watch(visible(s)); };
     double before = g(state_, time_);
     while (time_ < until) {
@@ -179,7 +181,7 @@ class Voyage {
       const double event = fired ? root(stretch, g) : stretch.to;
       const BranchChange change = branch_change(stretch);
       const bool branch_first = change.time < event || (change.time == event && !fired);
-      advance(stretch, branch_first ? change.time : event);
+      move_to(stretch, branch_first ? change.time : event);
       note(branch_first            ? StepEnd::branch
            : fired                 ? StepEnd::watch
            : time_ >= rudder_kink_ ? StepEnd::kink
@@ -196,14 +198,14 @@ class Voyage {
     return false;
   }
 
-  void sail(double until) {
-    sail(until, [](const ShipState<double>&) { return 1.0; });
+  void advance(double until) {
+    advance(until, [](const ShipState<double>&) { return 1.0; });
   }
 
  private:
   using Error = ScaledError<HiddenStates>;
-  using Stepper = boost::numeric::odeint::runge_kutta_dopri5<State>;
-  using Controlled = boost::numeric::odeint::controlled_runge_kutta<Stepper, Error>;
+  using DormandPrince = boost::numeric::odeint::runge_kutta_dopri5<State>;
+  using Controlled = boost::numeric::odeint::controlled_runge_kutta<DormandPrince, Error>;
   using DenseOutput = boost::numeric::odeint::dense_output_runge_kutta<Controlled>;
 
   /// An accepted step, cut at the time limit.
@@ -241,8 +243,13 @@ class Voyage {
       else if (with_added_)
         rate = rates_of(ship_, surroundings_, added_, visible(s), steady_hidden(added_, visible(s).motion),
                         controls_at(time), branch_);
-      else rate = rates_of(ship_, surroundings_, visible(s), controls_at(time), branch_);
+      else rate = rates_without_effects(s, time);
     };
+  }
+
+  /// Inlined as a whole: most simulations spend their time here.
+  [[gnu::flatten]] State rates_without_effects(const State& s, double time) const requires(HiddenStates == 0) {
+    return rates_of(ship_, surroundings_, visible(s), controls_at(time), branch_);
   }
 
   State rates_with_hidden(const State& s, double time) const {
@@ -311,26 +318,27 @@ class Voyage {
   }
 
   Stretch next_stretch(double until) {
-    if (!running_) stepper_.initialize(state_, time_, std::min(step_, until - time_));
+    if (!running_) integrator_.initialize(state_, time_, std::min(step_, until - time_));
     running_ = true;
     const double from = time_;
-    const double tried = stepper_.current_time_step();
-    stepper_.do_step(rates());
-    const double reached = stepper_.current_time();
+    const double tried = integrator_.current_time_step();
+    integrator_.do_step(rates());
+    const double reached = integrator_.current_time();
     const double rounding = 4e-16 * std::abs(reached);
     const bool cut_short = tried < step_ && reached - from >= tried - rounding;  // by the limit, not by the error
-    step_ = cut_short ? std::max(step_, stepper_.current_time_step()) : stepper_.current_time_step();
+    step_ = cut_short ? std::max(step_, integrator_.current_time_step()) : integrator_.current_time_step();
     if (!cut_short) require_bounded(from);
-    if (std::abs(reached - until) <= 1e-13 * time_unit_) return {from, until, state_, stepper_.current_state(), true};
-    if (reached < until) return {from, reached, state_, stepper_.current_state(), true};
+    if (std::abs(reached - until) <= 1e-13 * time_unit_)
+      return {from, until, state_, integrator_.current_state(), true};
+    if (reached < until) return {from, reached, state_, integrator_.current_state(), true};
     return {from, until, state_, dense(until), false};
   }
 
   /// @throws Refusal  when the ship comes to a stop, or her motion grows so fast, that no step can follow it
   void require_bounded(double time) const {
-    const auto& s = stepper_.current_state();
+    const auto& s = integrator_.current_state();
     const bool finite = std::isfinite(std::accumulate(s.begin(), s.end(), 0.0));
-    if (finite && stepper_.current_time_step() > 1e-8 * time_unit_) return;
+    if (finite && integrator_.current_time_step() > 1e-8 * time_unit_) return;
     require_way(time);
     throw Refusal(fmt::format("the simulated motion grows without bound at {:.6g} s", time));
   }
@@ -352,7 +360,7 @@ class Voyage {
 
   State dense(double time) const {
     State s;
-    stepper_.calc_state(time, s);
+    integrator_.calc_state(time, s);
     return s;
   }
 
@@ -364,11 +372,11 @@ class Voyage {
   /// First time at which the ship leaves its branch; never, if it stays.
   BranchChange branch_change(const Stretch& stretch) const {
     BranchChange first{never, 0};
-    const auto g0 = branch_functions_at(stretch.start, stretch.from);
-    const auto g1 = branch_functions_at(stretch.end, stretch.to);
-    for (std::size_t i = 0; i < g0.size(); ++i) {
-      if (g1[i] == 0.0 || (g1[i] > 0.0) == branch_[i]) continue;
-      const bool left_before = g0[i] == 0.0 || (g0[i] > 0.0) != branch_[i];
+    const auto after = branch_functions_at(stretch.end, stretch.to);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      if (after[i] == 0.0 || (after[i] > 0.0) == branch_[i]) continue;
+      const double before = branch_functions_at(stretch.start, stretch.from)[i];
+      const bool left_before = before == 0.0 || (before > 0.0) != branch_[i];
       if (left_before && last_change_.time == stretch.from && last_change_.index == i) continue;
       const auto g = [&](const State& s, double time) { return branch_functions_at(s, time)[i]; };
       const double time = left_before ? stretch.from : root(stretch, g);
@@ -396,16 +404,16 @@ class Voyage {
   }
 
   /// Moves to `to` within the stretch; a cut step is repeated so that it ends there.
-  void advance(const Stretch& stretch, double to) {
+  void move_to(const Stretch& stretch, double to) {
     take_samples(to);
     const bool whole = to == stretch.to && stretch.whole;
     if (whole) {
       state_ = stretch.end;
     } else if (to > stretch.from) {
-      Stepper step;
+      DormandPrince step;
       step.do_step(rates(), stretch.start, stretch.from, state_, to - stretch.from);
     }
-    running_ = whole && stepper_.current_time() == to;
+    running_ = whole && integrator_.current_time() == to;
     time_ = to;
   }
 
@@ -432,7 +440,7 @@ class Voyage {
   PropulsionLine propulsion_;
   double time_unit_;  ///< L/U [s]
   double step_;       ///< step that the error control asks for [s]
-  DenseOutput stepper_;
+  DenseOutput integrator_;
   bool running_ = false;
   Branch<double, Model::branch_count> branch_{};
   BranchChange last_change_{-never, 0};
@@ -443,20 +451,20 @@ class Voyage {
   RudderTrack track_;
   std::size_t next_motion_ = 0;
   std::span<const double> wanted_;
-  std::vector<Moment> samples_;
+  std::vector<Sample> samples_;
   bool traced_ = false;
   std::vector<ManoeuvreStep> steps_;
 };
 
-/// What sail(voyage) gives, with a voyage that follows what goes on out of sight where the ship needs it.
-template <class Model, class Sail>
-auto with_voyage(const ActingShip<Model>& acting, const Moment& start, double tolerance, Sail&& sail) {
+/// What run(stepper) gives, with a stepper that follows what goes on out of sight where the ship needs it.
+template <class Model, class Run>
+auto with_stepper(const ActingShip<Model>& acting, const Sample& start, double tolerance, Run&& run) {
   if (acting.added.hidden()) {
-    Voyage<Model, 4> voyage(acting, start, tolerance);
-    return sail(voyage);
+    EventStepper<Model, 4> stepper(acting, start, tolerance);
+    return run(stepper);
   }
-  Voyage<Model> voyage(acting, start, tolerance);
-  return sail(voyage);
+  EventStepper<Model> stepper(acting, start, tolerance);
+  return run(stepper);
 }
 
 }  // namespace swayaw
