@@ -7,7 +7,7 @@
 #include "measurement.hpp"
 #include "swayaw/core/angle.hpp"
 
-namespace swayaw {
+namespace swayaw::trajectory {
 namespace {
 
 // ---------------------------------------------------------------- noise
@@ -306,4 +306,4 @@ class Searcher {
 
 Found search_from(const SearchTask& task, const Place& start) { return Searcher(task, start).run(); }
 
-}  // namespace swayaw
+}  // namespace swayaw::trajectory
