@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include "swayaw/core/refusal.hpp"
 
@@ -102,7 +103,8 @@ constexpr std::array<IsherwoodRow, 19> isherwood_rows{{
 const BlendermannShip& blendermann_ship(std::string_view type) {
   const auto found = std::ranges::find(blendermann_ships, type, &BlendermannShip::type);
   if (found != blendermann_ships.end()) return *found;
-  const auto known = blendermann_ships | std::views::transform(&BlendermannShip::type);
+  std::vector<std::string_view> known;
+  for (const auto& ship : blendermann_ships) known.push_back(ship.type);
   throw std::domain_error(fmt::format("no type of ship \"{}\"; known are {}", type, fmt::join(known, ", ")));
 }
 

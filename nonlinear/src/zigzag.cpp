@@ -18,7 +18,10 @@ bool reverse(Sailing& voyage, Zigzag& zigzag, const ZigzagOrder& order, double t
 template <class Model>
 Zigzag sail_zigzag(const ActingShip<Model>& acting, const ZigzagOrder& order, const ManoeuvreOptions& options) {
   const auto& model = acting.model;
-  const auto [speed, propulsion, end, times] = plan(model, options, 200.0);
+  const Plan planned = plan(model, options, 200.0);
+  const double speed = planned.speed, end = planned.end;
+  const auto& propulsion = planned.propulsion;
+  const auto& times = planned.times;
   return with_voyage(acting, approach(speed, propulsion), options.tolerance, [&](auto& voyage) {
     voyage.sample_at(times);
     voyage.trace(options.traced);

@@ -24,7 +24,7 @@ packages=$(apt-cache depends --recurse --installed --no-recommends --no-suggests
   --no-replaces --no-enhances $wanted dash coreutils | grep -v '^[ |<]' | sort -u)
 {
   dpkg-query -L $packages 2>/dev/null || true  # some names are virtual
-  dpkg-query -L libceres-dev | grep '/usr/include/ceres/\(jet\.h\|internal/\)'
+  dpkg-query -L libceres-dev | grep '/usr/include/ceres/\(jet[a-z_]*\.h\|internal/\)'
 } | grep -v '^/usr/share/\(doc\|man\|locale\|info\)/' | sort -u |
   while read -r file; do if [[ -L $file || -f $file ]]; then echo "${file#/}"; fi; done |
   tar -C / -c -T - --ignore-failed-read | tar -C "$root" -x --keep-directory-symlink

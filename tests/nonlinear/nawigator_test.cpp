@@ -7,7 +7,6 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <ranges>
 #include <sstream>
 
 #include "files.hpp"
@@ -422,7 +421,7 @@ constexpr double by_differences = 1e-7;
 double distance_to_pole(const Linearization& linear, double pole) {
   const double unit = linear.scale.U / linear.scale.L;
   const auto distance = [&](const std::complex<double>& p) { return std::abs(p / unit - pole); };
-  return std::ranges::min(linear.poles | std::views::transform(distance));
+  return distance(*std::ranges::min_element(linear.poles, {}, distance));
 }
 
 TEST_CASE(
