@@ -49,7 +49,7 @@ function(swayaw_add_kernels floor name)
   set_property(SOURCE ${kernels} APPEND PROPERTY COMPILE_OPTIONS -O3)
 endfunction()
 
-# Warnings and, on request, sanitizers or link-time optimisation for a target of this project.
+# Warnings and, on request, sanitizers or link-time code generation for a target of this project.
 function(swayaw_set_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
     -Wno-missing-field-initializers
@@ -65,7 +65,7 @@ function(swayaw_set_warnings target)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
   endif()
   if(SWAYAW_LTO_ODR)
-    target_compile_options(${target} PRIVATE -flto -Wodr)
+    target_compile_options(${target} PRIVATE -flto)
     target_link_options(${target} PRIVATE -flto=auto -Wodr -Werror=odr -Werror=lto-type-mismatch)
   endif()
 endfunction()
