@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-build=$1
+build=${1:?a build folder}
 shift
 if (($# == 0)); then set -- $(git ls-files '*/src/*.cpp' | grep -v '_avx'); fi
 # g++ has options that clang does not know
