@@ -34,8 +34,8 @@ void merge_equal(WindTable& table) {
     if (same_direction(a, b) && (a.C_X != b.C_X || a.C_Y != b.C_Y || a.C_N != b.C_N))
       throw std::domain_error(fmt::format("wind table has two different rows at {:.6g} deg", degrees(a.angle)));
   }
-  const auto rest = std::ranges::unique(table, same_direction);
-  table.erase(rest.begin(), rest.end());
+  const auto rest = std::unique(table.begin(), table.end(), same_direction);
+  table.erase(rest, table.end());
 }
 
 double require_known(double area, std::string_view quantity) {
