@@ -177,7 +177,9 @@ class Predictor {
     const auto [k3, m3] = rates(x_ + 0.5 * h * k2, moved(hidden_, m2, 0.5 * h), middle);
     const auto [k4, m4] = rates(x_ + h * k3, moved(hidden_, m3, h), b);
     x_ += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-    const auto mean = [&](double Hidden<double>::*q) { return (m1.*q + 2.0 * m2.*q + 2.0 * m3.*q + m4.*q) / 6.0; };
+    const auto mean = [&m1 = m1, &m2 = m2, &m3 = m3, &m4 = m4](double Hidden<double>::*q) {
+      return (m1.*q + 2.0 * m2.*q + 2.0 * m3.*q + m4.*q) / 6.0;
+    };
     hidden_ = moved(
         hidden_,
         {mean(&Hidden<double>::phi), mean(&Hidden<double>::p), mean(&Hidden<double>::v), mean(&Hidden<double>::r)}, h);

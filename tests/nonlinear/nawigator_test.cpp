@@ -183,7 +183,7 @@ TEST_CASE("forces of Nawigator XXI agree with an independent program", "[nonline
     const auto split = forces(ship, motion, controls);
     const auto a = acceleration(ship, motion, split.total());
     const auto drift = local_drift(ship, motion);
-    const auto check = [&](const char* key, double value) {
+    const auto check = [&f = f](const char* key, double value) {
       INFO(key);
       CHECK_THAT(value, WithinRel(f[key].get<double>(), 1e-9));
     };
