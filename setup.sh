@@ -1,11 +1,12 @@
 #!/bin/bash
-# Installs the Debian packages of packages.txt that are missing; does nothing when all are there.
+# Installs the Debian packages of packages.txt, and of lists that are named, if they are missing; does nothing when all are
+# there.   setup.sh [LIST…]
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
-wanted=$(<packages.txt)
+wanted=$(cat packages.txt "$@")
 # npm is often installed from elsewhere than Debian
-if command -v npm >/dev/null; then wanted=$(grep -vx npm packages.txt); fi
+if command -v npm >/dev/null; then wanted=$(grep -vx npm <<<"$wanted"); fi
 
 installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2>/dev/null | sed -n 's/ installed$//p' || true)
 missing=$(grep -vxF "$installed" <<<"$wanted" || true)

@@ -4,4 +4,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 
 ./setup.sh
-cmake --workflow --preset test
+status=0
+cmake --workflow --preset test || status=$?
+# tests that lack recordings, or a program, say so and pass
+grep -h '^\[skipped\]' build/dev/Testing/Temporary/LastTest.log 2>/dev/null | sort -u || true
+exit $status

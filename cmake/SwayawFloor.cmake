@@ -1,4 +1,4 @@
-# One floor of the house: a static library swayaw_<name> (alias swayaw::<name>) that sees its own
+# One floor of the house: a library swayaw_<name> (alias swayaw::<name>) that sees its own
 # headers and those of the floors in DEPENDS, and nothing else.
 #
 #   swayaw_add_floor(nonlinear
@@ -8,9 +8,11 @@
 function(swayaw_add_floor name)
   cmake_parse_arguments(FLOOR "" "" "SOURCES;DEPENDS;USES" ${ARGN})
   set(target swayaw_${name})
-  add_library(${target} STATIC ${FLOOR_SOURCES})
+  add_library(${target} ${FLOOR_SOURCES})
   add_library(swayaw::${name} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  # before 1.0 a minor version may change what a program is linked to
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
@@ -19,37 +21,51 @@ function(swayaw_add_floor name)
   target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math)
   target_link_libraries(${target} PUBLIC ${FLOOR_DEPENDS} PRIVATE ${FLOOR_USES})
   swayaw_set_warnings(${target})
-  install(TARGETS ${target} EXPORT swayaw ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  if(SWAYAW_INSTALL)
+    install(TARGETS ${target} EXPORT swayaw)
+    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  endif()
 endfunction()
 
 # The packs of a floor once for each instruction set: NAME_baseline.cpp, which is one of its SOURCES, and on x86-64
 # NAME_avx2.cpp and NAME_avx512.cpp; which one runs is decided when the program does. Optimised in every configuration, so
-# that no inline function is left that the rest of the program might be linked to.
+# that no inline function is left that the rest of the program might be linked to (tests/build/kernels.sh looks).
 function(swayaw_add_kernels floor name)
   set(kernels ${name}_baseline.cpp)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$" AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  if(SWAYAW_HAS_XSIMD)
+    target_compile_definitions(swayaw_${floor} PRIVATE SWAYAW_PACKS)
+  endif()
+  if(SWAYAW_HAS_XSIMD AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$"
+      AND CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     target_sources(swayaw_${floor} PRIVATE ${name}_avx2.cpp ${name}_avx512.cpp)
     target_compile_definitions(swayaw_${floor} PRIVATE SWAYAW_X86_KERNELS)
     set_property(SOURCE ${name}_avx2.cpp PROPERTY COMPILE_OPTIONS -mavx2 -mfma)
     # g++ 12 takes its own AVX-512 headers for careless
     set_property(SOURCE ${name}_avx512.cpp PROPERTY COMPILE_OPTIONS
-      -mavx512f -mavx512cd -mavx512dq -mavx512bw -mfma -Wno-uninitialized -Wno-maybe-uninitialized)
+      -mavx512f -mavx512cd -mavx512dq -mavx512bw -mfma -Wno-uninitialized
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
     list(APPEND kernels ${name}_avx2.cpp ${name}_avx512.cpp)
   endif()
   set_property(SOURCE ${kernels} APPEND PROPERTY COMPILE_OPTIONS -O3)
 endfunction()
 
-# Warnings and, on request, sanitizers for a target of this project.
+# Warnings and, on request, sanitizers or link-time code generation for a target of this project.
 function(swayaw_set_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
     -Wno-missing-field-initializers
+    # a designator leaves out what has a default; clang++ also warns of implicit signs, which g++ does only with -Wsign-conversion
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion -Wno-missing-braces>
     $<$<BOOL:${SWAYAW_WARNINGS_AS_ERRORS}>:-Werror>)
   if(SWAYAW_SANITIZE)
     # the sanitizers make g++ 12 suspect xsimd and Eigen of using what they do not
-    target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized
+    target_compile_options(${target} PRIVATE
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
       -fsanitize=address,undefined -fno-omit-frame-pointer
       -fno-sanitize-recover=all)
     target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+  endif()
+  if(SWAYAW_LTO_ODR)
+    target_compile_options(${target} PRIVATE -flto)
+    target_link_options(${target} PRIVATE -flto=auto -Wodr -Werror=odr -Werror=lto-type-mismatch)
   endif()
 endfunction()

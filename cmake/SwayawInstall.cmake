@@ -1,4 +1,4 @@
-# install(…) and find_package(swayaw).
+# install(…), find_package(swayaw) and pkg-config.
 include(CMakePackageConfigHelpers)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/swayaw-config.cmake.in
@@ -14,3 +14,26 @@ install(FILES ${PROJECT_BINARY_DIR}/swayaw-config.cmake ${PROJECT_BINARY_DIR}/sw
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/swayaw)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/ships/ DESTINATION ${CMAKE_INSTALL_DATADIR}/swayaw/ships
   FILES_MATCHING PATTERN "*.toml")
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md
+  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Whoever links static libraries links what they use; shared ones know it themselves.
+set(pc_private "")
+if(BUILD_SHARED_LIBS)
+  set(pc_private _private)
+endif()
+set(pc${pc_private}_requires " fmt tomlplusplus")
+set(pc${pc_private}_libraries " -pthread")
+if(SWAYAW_HAS_GEOGRAPHICLIB)
+  string(PREPEND pc${pc_private}_libraries " ${GeographicLib_LIBRARY}")
+endif()
+set(pc_includes "")
+foreach(folder ${SWAYAW_CERES_INCLUDE} ${SWAYAW_XSIMD_INCLUDE})
+  if(IS_DIRECTORY ${folder} AND NOT folder IN_LIST CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES)
+    string(APPEND pc_includes " -I${folder}")
+  endif()
+endforeach()
+# the prefix as seen from the file, so that the tree can be moved
+file(RELATIVE_PATH pc_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+configure_file(${CMAKE_CURRENT_LIST_DIR}/swayaw.pc.in ${PROJECT_BINARY_DIR}/swayaw.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/swayaw.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

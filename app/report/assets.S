@@ -1,4 +1,4 @@
-/* Puts the report's text files into the library; the include path finds them. */
+/* Puts the report's text files into the library; the include path finds them, Plotly has a path of its own. */
 .macro embed name, file
     .global swayaw_report_\name
     .global swayaw_report_\name\()_end
@@ -14,6 +14,6 @@ swayaw_report_\name\()_end:
     embed compare_js, compare.js
     embed loop_js, loop.js
     embed diagnose_js, diagnose.js
-    embed plotly_js, plotly-basic.min.js
+    embed plotly_js, SWAYAW_PLOTLY
 
     .section .note.GNU-stack, "", %progbits

@@ -142,7 +142,8 @@ class KeysReader {
   void require_keys(const toml::table& table, std::string_view name) const {
     const auto* missing = missing_key(table, name);
     const auto where = name.empty() ? std::string{} : fmt::format(" in [{}]", name);
-    for (auto&& [key, value] : table) {
+    for (auto&& entry : table) {
+      const toml::key& key = entry.first;
       const auto is_key = [&](const KnownKey& k) { return k.table == name && k.key == key.str(); };
       if (std::ranges::any_of(keys_, is_key)) continue;
       const auto hint = missing ? fmt::format("; {} is missing", missing->name()) : std::string{};

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#ifdef SWAYAW_GEOGRAPHICLIB
 #include <GeographicLib/LocalCartesian.hpp>
+#endif
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -125,6 +127,10 @@ class RecordingParser {
     if (found("lat_deg") != found("lon_deg")) fail(line_, "lat_deg and lon_deg must come together");
     if (found("lat_deg") && (source_of(Channel::x) || source_of(Channel::y)))
       fail(line_, "x_m, y_m and lat_deg, lon_deg both give the position");
+#ifndef SWAYAW_GEOGRAPHICLIB
+    if (found("lat_deg"))
+      fail(line_, "lat_deg and lon_deg need a swayaw built with GeographicLib; or give x_m and y_m");
+#endif
   }
 
   void require_one_of(std::initializer_list<std::string_view> names, std::string_view refusal) const {
@@ -241,6 +247,7 @@ class RecordingParser {
 
   /// Latitude and longitude to metres north and east of the first fix.
   void project_position() {
+#ifdef SWAYAW_GEOGRAPHICLIB
     if (latitude_.empty()) return;
     const auto x = recording_.fill(Channel::x), y = recording_.fill(Channel::y);
     std::optional<GeographicLib::LocalCartesian> plane;
@@ -250,6 +257,7 @@ class RecordingParser {
       double up = 0.0;
       plane->Forward(latitude_[i], longitude_[i], 0.0, y[i], x[i], up);
     }
+#endif
   }
 
   /// A step of half a turn at most stays as it is, to the last bit.

@@ -64,7 +64,7 @@ class RunKeyReader {
   bool take_key(std::string_view key, const toml::node& value) {
     if (std::ranges::count(run_keys, key) == 0) return false;
     if (std::ranges::count(seen_, key) > 0) throw FileError(at(1), fmt::format("{} appears twice", key));
-    seen_.push_back(std::string(key));
+    seen_.emplace_back(key);
     if (key == "rudder_positive") convention_.rudder_sign = rudder_sign_of(value);
     else if (key == "reference_x_m") convention_.reference_x = number(key, value);
     else if (key == "water_depth_m") facts_.water_depth = positive_number(key, value);

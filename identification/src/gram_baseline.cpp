@@ -1,12 +1,15 @@
+#include "gram_kernel.hpp"
+#ifdef SWAYAW_PACKS
 #include "gram_packs.hpp"
+#endif
 
 namespace swayaw::gram {
 
 GramKernel baseline_gram() {
-#ifdef XSIMD_NO_SUPPORTED_ARCHITECTURE
-  return nullptr;
-#else
+#if defined(SWAYAW_PACKS) && !defined(XSIMD_NO_SUPPORTED_ARCHITECTURE)
   return gram_packs<xsimd::default_arch>;
+#else
+  return nullptr;
 #endif
 }
 

@@ -21,7 +21,7 @@ inline constexpr std::size_t widest = 16;
 
 using GramKernel = void (*)(const GramJob&);
 
-GramKernel baseline_gram();  ///< null where xsimd knows no instruction set
+GramKernel baseline_gram();  ///< null without xsimd, or where it knows no instruction set
 GramKernel avx2_gram();      ///< AVX2 and fused multiply-add
 GramKernel avx512_gram();    ///< AVX-512 F, CD, DQ and BW
 

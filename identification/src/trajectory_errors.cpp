@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace swayaw {
+namespace swayaw::trajectory {
 namespace {
 
 /// Residuals count as correlated over this time, in ship lengths.
@@ -92,4 +92,4 @@ Combinations combinations_of(const NumberList& numbers, std::span<const double> 
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::trajectory

@@ -3,7 +3,7 @@
 #include "trajectory_shooting.hpp"
 
 /// What legs tell about the numbers at the end of a fit. Not installed.
-namespace swayaw {
+namespace swayaw::trajectory {
 
 struct NumberErrors {
   Eigen::MatrixXd covariance;   ///< infinite on the diagonal for a number that is not told
@@ -23,4 +23,4 @@ struct Combinations {
 
 Combinations combinations_of(const NumberList& numbers, std::span<const double> values, const NumberErrors& errors);
 
-}  // namespace swayaw
+}  // namespace swayaw::trajectory

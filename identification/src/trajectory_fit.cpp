@@ -12,6 +12,8 @@
 #include "trajectory_search.hpp"
 
 namespace swayaw {
+using namespace trajectory;
+
 namespace {
 
 // ---------------------------------------------------------------- report

@@ -11,7 +11,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
-namespace swayaw {
+namespace swayaw::trajectory {
 namespace {
 
 // ---------------------------------------------------------------- runs
@@ -196,4 +196,4 @@ Matrix6 disturbance_factor(const TrajectoryProblem& problem, const Leg& leg, std
   return unit.asDiagonal() * Matrix6((scaled + 1e-16 * Matrix6::Identity()).llt().matrixL());
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::trajectory

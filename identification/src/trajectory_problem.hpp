@@ -8,7 +8,7 @@
 #include "swayaw/identification/trajectory_fit.hpp"
 
 /// What a trajectory fit works on. Not installed.
-namespace swayaw {
+namespace swayaw::trajectory {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -61,4 +61,4 @@ Eigen::Vector<double, 6> state_units(const TrajectoryProblem& problem);
 Matrix6 disturbance_factor(const TrajectoryProblem& problem, const Leg& leg, std::span<const double> values,
                            const PlanarAcceleration<double>& size);
 
-}  // namespace swayaw
+}  // namespace swayaw::trajectory

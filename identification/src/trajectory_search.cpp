@@ -6,7 +6,7 @@
 
 #include "swayaw/core/angle.hpp"
 
-namespace swayaw {
+namespace swayaw::trajectory {
 namespace {
 
 // ---------------------------------------------------------------- noise
@@ -308,4 +308,4 @@ class Searcher {
 
 Found search_from(const SearchTask& task, const Place& start) { return Searcher(task, start).run(); }
 
-}  // namespace swayaw
+}  // namespace swayaw::trajectory

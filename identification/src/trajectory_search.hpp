@@ -3,7 +3,7 @@
 #include "trajectory_shooting.hpp"
 
 /// The search for the most likely numbers. Not installed.
-namespace swayaw {
+namespace swayaw::trajectory {
 
 /// What a search works with.
 struct SearchTask {
@@ -30,4 +30,4 @@ Found search_from(const SearchTask& task, const Place& start);
 /// −½ Σ (e²/σ² + ln 2πσ²)
 double log_likelihood(const std::vector<Leg>& legs, const std::vector<Course>& courses, const Weights& weights);
 
-}  // namespace swayaw
+}  // namespace swayaw::trajectory

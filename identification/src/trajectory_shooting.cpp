@@ -6,7 +6,7 @@
 
 #include "swayaw/core/parallel.hpp"
 
-namespace swayaw {
+namespace swayaw::trajectory {
 
 // ---------------------------------------------------------------- axes
 
@@ -241,4 +241,4 @@ std::vector<std::vector<Eigen::VectorXd>> Linearization::scores() const {
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::trajectory

@@ -3,7 +3,7 @@
 #include "trajectory_problem.hpp"
 
 /// Multiple shooting: legs that need not fit together while the numbers are looked for. Not installed.
-namespace swayaw {
+namespace swayaw::trajectory {
 
 /// A symmetric matrix by its axes, measured in units that make its diagonal 1.
 class Axes {
@@ -116,4 +116,4 @@ class Linearization {
   Eigen::MatrixXd information_;
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::trajectory

@@ -1,13 +1,15 @@
-#include "batch_zigzag.hpp"
 #include "sample_blocks.hpp"
+#ifdef SWAYAW_PACKS
+#include "batch_zigzag.hpp"
+#endif
 
 namespace swayaw::batch {
 
 ZigzagKernel baseline_zigzags() {
-#ifdef XSIMD_NO_SUPPORTED_ARCHITECTURE
-  return nullptr;
-#else
+#if defined(SWAYAW_PACKS) && !defined(XSIMD_NO_SUPPORTED_ARCHITECTURE)
   return sail_packs<xsimd::default_arch>;
+#else
+  return nullptr;
 #endif
 }
 

@@ -26,7 +26,7 @@ inline constexpr std::size_t most_reversals = 16;
 /// Zigzags of the ships [first, last).
 using ZigzagKernel = void (*)(const ZigzagJob&, std::size_t first, std::size_t last);
 
-ZigzagKernel baseline_zigzags();  ///< null where xsimd knows no instruction set
+ZigzagKernel baseline_zigzags();  ///< null without xsimd, or where it knows no instruction set
 ZigzagKernel avx2_zigzags();      ///< AVX2 and fused multiply-add
 ZigzagKernel avx512_zigzags();    ///< AVX-512 F, CD, DQ and BW
 

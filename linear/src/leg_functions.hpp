@@ -121,8 +121,8 @@ class LegFunctions {
 
   /// What all functions of the leg are made of.
   struct Basis {
-    Moments slow, fast;       ///< if the poles are well apart
-    ResponseBasis<double> h;  ///< else
+    ExponentialMoments slow, fast;  ///< if the poles are well apart
+    ResponseBasis<double> h;        ///< else
   };
 
   static double sign(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }

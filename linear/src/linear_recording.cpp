@@ -46,7 +46,9 @@ Recording recording_of(const SwayYawCoefficients<double>& coefficients, std::vec
   if (legs.empty()) throw std::domain_error("a motion without legs cannot be sampled");
   const LinearResponse<double> ship(coefficients);
   const double L = scale.L, U = scale.U, time_unit = L / U;
-  const auto [times, states] = sampled(ship, legs, step / time_unit);
+  const auto samples = sampled(ship, legs, step / time_unit);
+  const auto& times = samples.s;
+  const auto& states = samples.states;
   cut(legs, times.back());
   const auto points = track(ship, legs, times);
   Recording run;

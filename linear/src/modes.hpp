@@ -6,7 +6,7 @@
 namespace swayaw {
 
 /// exp(l s) and its integrals from 0: once, twice, three times.
-struct Moments {
+struct ExponentialMoments {
   double e, p1, p2, p3;
 };
 
@@ -22,14 +22,14 @@ inline double third_moment_series(double z) {
 }
 
 /// Downwards, p_k = s^k/k! + l p_{k+1}: for small |l s|.
-inline Moments moments_by_series(double l, double s) {
+inline ExponentialMoments moments_by_series(double l, double s) {
   const double p3 = s * s * s * third_moment_series(l * s);
   const double p2 = 0.5 * s * s + l * p3, p1 = s + l * p2;
   return {1.0 + l * p1, p1, p2, p3};
 }
 
 /// Upwards, p_{k+1} = (p_k − s^k/k!)/l.
-inline Moments moments_by_exponential(double l, double over_l, double s) {
+inline ExponentialMoments moments_by_exponential(double l, double over_l, double s) {
   const double e = exp(l * s);
   const double p1 = (e - 1.0) * over_l, p2 = (p1 - s) * over_l;
   return {e, p1, p2, (p2 - 0.5 * s * s) * over_l};
@@ -38,7 +38,7 @@ inline Moments moments_by_exponential(double l, double over_l, double s) {
 }  // namespace detail
 
 /// @param over_l  1/l, not used where |l s| is small
-inline Moments moments(double l, double over_l, double s) {
+inline ExponentialMoments moments(double l, double over_l, double s) {
   return std::abs(l * s) < 0.5 ? detail::moments_by_series(l, s) : detail::moments_by_exponential(l, over_l, s);
 }
 

@@ -58,7 +58,10 @@ PullOutSide run_pull_out(const Ship& ship, const ActingShip<Model>& acting, cons
   ManoeuvreOptions whole = options;
   whole.duration.reset();
   whole.sampled = true;
-  const auto [U, propulsion, end, times] = plan(model, whole, 2.0 * settling.longest);
+  const Plan planned = plan(model, whole, 2.0 * settling.longest);
+  const double U = planned.speed;
+  const auto& propulsion = planned.propulsion;
+  const auto& times = planned.times;
   const double L = model.particulars.L;
   return with_stepper(acting, approach(U, propulsion), options.tolerance, [&](auto& stepper) {
     stepper.sample_at(times);

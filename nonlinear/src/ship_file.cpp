@@ -63,7 +63,8 @@ void apply_labels(Model&, Confidence&) {}
 
 /// The numbers of the effect from its table; those that need not be given may be missing.
 void read_numbers(Effect& effect, const FileEffect& given, const PartsReader& file) {
-  for (const auto& [key, value] : given.numbers) {
+  for (const auto& number : given.numbers) {
+    const auto& key = number.first;
     bool known = false;
     for_each_parameter(effect, [&](const auto& p, double&) { known = known || p.key == key; });
     if (!known) file.fail(given, fmt::format("{} is not a number of {}", key, given.kind));

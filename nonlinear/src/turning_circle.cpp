@@ -47,7 +47,10 @@ template <class Model>
 TurningCircle run_circle(const Ship& ship, const ActingShip<Model>& acting, const TurnOrder& order,
                          const ManoeuvreOptions& options) {
   const auto& model = acting.model;
-  const auto [speed, propulsion, end, times] = plan(model, options, 100.0);
+  const Plan planned = plan(model, options, 100.0);
+  const double speed = planned.speed, end = planned.end;
+  const auto& propulsion = planned.propulsion;
+  const auto& times = planned.times;
   return with_stepper(acting, approach(speed, propulsion), options.tolerance, [&](auto& stepper) {
     stepper.sample_at(times);
     stepper.trace(options.traced);

@@ -34,7 +34,10 @@ template <class Model>
 WilliamsonTurn run_williamson(const ActingShip<Model>& acting, const WilliamsonOrder& order,
                               const ManoeuvreOptions& options) {
   const auto& model = acting.model;
-  const auto [speed, propulsion, end, times] = plan(model, options, 100.0);
+  const Plan planned = plan(model, options, 100.0);
+  const double speed = planned.speed, end = planned.end;
+  const auto& propulsion = planned.propulsion;
+  const auto& times = planned.times;
   return with_stepper(acting, approach(speed, propulsion), options.tolerance, [&](auto& stepper) {
     stepper.sample_at(times);
     WilliamsonTurn result{.shifted = {},

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include "swayaw/core/refusal.hpp"
 
@@ -33,8 +34,8 @@ void merge_equal(WindTable& table) {
     if (same_direction(a, b) && (a.C_X != b.C_X || a.C_Y != b.C_Y || a.C_N != b.C_N))
       throw std::domain_error(fmt::format("wind table has two different rows at {:.6g} deg", degrees(a.angle)));
   }
-  const auto rest = std::ranges::unique(table, same_direction);
-  table.erase(rest.begin(), rest.end());
+  const auto rest = std::unique(table.begin(), table.end(), same_direction);
+  table.erase(rest, table.end());
 }
 
 double require_known(double area, std::string_view quantity) {
@@ -102,7 +103,8 @@ constexpr std::array<IsherwoodRow, 19> isherwood_rows{{
 const BlendermannShip& blendermann_ship(std::string_view type) {
   const auto found = std::ranges::find(blendermann_ships, type, &BlendermannShip::type);
   if (found != blendermann_ships.end()) return *found;
-  const auto known = blendermann_ships | std::views::transform(&BlendermannShip::type);
+  std::vector<std::string_view> known;
+  for (const auto& ship : blendermann_ships) known.push_back(ship.type);
   throw std::domain_error(fmt::format("no type of ship \"{}\"; known are {}", type, fmt::join(known, ", ")));
 }
 

@@ -18,7 +18,10 @@ bool reverse(Stepper& stepper, Zigzag& zigzag, const ZigzagOrder& order, double 
 template <class Model>
 Zigzag run_zigzag(const ActingShip<Model>& acting, const ZigzagOrder& order, const ManoeuvreOptions& options) {
   const auto& model = acting.model;
-  const auto [speed, propulsion, end, times] = plan(model, options, 200.0);
+  const Plan planned = plan(model, options, 200.0);
+  const double speed = planned.speed, end = planned.end;
+  const auto& propulsion = planned.propulsion;
+  const auto& times = planned.times;
   return with_stepper(acting, approach(speed, propulsion), options.tolerance, [&](auto& stepper) {
     stepper.sample_at(times);
     stepper.trace(options.traced);

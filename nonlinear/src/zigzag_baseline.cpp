@@ -1,12 +1,15 @@
+#include "zigzag_kernel.hpp"
+#ifdef SWAYAW_PACKS
 #include "zigzag_lanes.hpp"
+#endif
 
 namespace swayaw::mmg_batch {
 
 ZigzagKernel baseline_zigzags() {
-#ifdef XSIMD_NO_SUPPORTED_ARCHITECTURE
-  return nullptr;
-#else
+#if defined(SWAYAW_PACKS) && !defined(XSIMD_NO_SUPPORTED_ARCHITECTURE)
   return run_lanes<xsimd::default_arch>;
+#else
+  return nullptr;
 #endif
 }
 

@@ -29,7 +29,7 @@ struct ZigzagJob {
 
 using ZigzagKernel = void (*)(const ZigzagJob&);
 
-ZigzagKernel baseline_zigzags();  ///< null where xsimd knows no instruction set
+ZigzagKernel baseline_zigzags();  ///< null without xsimd, or where it knows no instruction set
 ZigzagKernel avx2_zigzags();      ///< AVX2 and fused multiply-add
 ZigzagKernel avx512_zigzags();    ///< AVX-512 F, CD, DQ and BW
 

@@ -49,8 +49,8 @@ TEMPLATE_TEST_CASE("derivatives of a trajectory by its start and by all coeffici
     ship.surroundings.current = {0.1 * service_speed(ship), 1.0};
     auto numbers = ship_numbers(ship);
     std::erase_if(numbers, [](const ShipNumber& n) { return n.role != Role::coefficient || n.value == 0.0; });
-    const auto sailor =
-        std::visit([&](const auto& model) { return sailor_of(model, ship.surroundings, numbers); }, ship.model);
+    const auto sailor = std::visit(
+        [&, &ship = ship](const auto& model) { return sailor_of(model, ship.surroundings, numbers); }, ship.model);
     const auto run = course_run(ship, runs.front());
     const Stretch stretch{&run, 0, run.time.size() - 1, run.readings};
     const double L = length(ship), U = service_speed(ship);

@@ -133,7 +133,8 @@ TEST_CASE("no noise near the estimated one makes the run more likely", "[identif
   CHECK_THAT(changed([](auto&&) {}), WithinAbs(best.log_likelihood, 1e-6));
   for (const double factor : {0.85, 1.15}) {
     for (const auto& [channel, deviation] : test::good_sensors)
-      CHECK(changed([&](auto& o) { *o.noise[index_of(channel)] *= factor; }) < best.log_likelihood);
+      CHECK(changed([channel = channel, factor](auto& o) { *o.noise[index_of(channel)] *= factor; }) <
+            best.log_likelihood);
     for (const auto member :
          {&PlanarAcceleration<double>::u, &PlanarAcceleration<double>::v, &PlanarAcceleration<double>::r})
       CHECK(changed([&](auto& o) { o.imperfection->size.*member *= factor; }) < best.log_likelihood);

@@ -51,7 +51,7 @@ TEST_CASE("elasticities are differences of the inversion", "[linear][second-rout
   const double h = 1e-6;
   for (const auto& [name, known] : test::known_parts) {
     const auto result = inverted(m, i, printed_table_1(), known).parts;
-    const auto value = [&](double factor) {
+    const auto value = [&, &known = known](double factor) {
       auto varied = i;
       varied.T3w *= factor;
       return inverted(coefficients_from(varied), varied, printed_table_1(), known).parts;

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <ranges>
 #include <sstream>
 
 #include "files.hpp"
@@ -184,7 +183,7 @@ TEST_CASE("forces of Nawigator XXI agree with an independent program", "[nonline
     const auto split = forces(ship, motion, controls);
     const auto a = acceleration(ship, motion, split.total());
     const auto drift = local_drift(ship, motion);
-    const auto check = [&](const char* key, double value) {
+    const auto check = [&f = f](const char* key, double value) {
       INFO(key);
       CHECK_THAT(value, WithinRel(f[key].get<double>(), 1e-9));
     };
@@ -422,7 +421,7 @@ constexpr double by_differences = 1e-7;
 double distance_to_pole(const Linearization& linear, double pole) {
   const double unit = linear.scale.U / linear.scale.L;
   const auto distance = [&](const std::complex<double>& p) { return std::abs(p / unit - pole); };
-  return std::ranges::min(linear.poles | std::views::transform(distance));
+  return distance(*std::ranges::min_element(linear.poles, {}, distance));
 }
 
 TEST_CASE(

@@ -143,7 +143,7 @@ TEST_CASE("rudder and hull of the reference set meet the markers of figure 9", "
     for (std::size_t i = 0; i < marks.at("x").size(); ++i, ++markers) {
       INFO(name << " " << marks.at("x")[i]);
       const auto [hull, rudder] = figure.at(name, marks, i);
-      const auto mark = [&](const char* force) { return marks.at(force)[i].get<double>() * 1e-3; };
+      const auto mark = [&, &marks = marks](const char* force) { return marks.at(force)[i].get<double>() * 1e-3; };
       CHECK_THAT(rudder.X, WithinAbs(mark("XR_model"), 1.5e-10));
       CHECK_THAT(rudder.Y, WithinAbs(mark("YR_model"), 1.5e-10));
       CHECK_THAT(rudder.N, WithinAbs(mark("NR_model"), 1.5e-10));

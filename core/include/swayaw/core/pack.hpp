@@ -5,7 +5,7 @@
 #include "swayaw/core/scalar.hpp"
 
 /// Packs: many ships at once, one a lane. What a lane gives depends on that lane alone, so a ship may have any
-/// neighbours.
+/// neighbours. This header, and no other, needs xsimd.
 namespace swayaw {
 
 /// As many doubles as the instruction set of this translation unit handles at once.

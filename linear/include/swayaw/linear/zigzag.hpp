@@ -76,7 +76,7 @@ SwayYawCoefficients<S> first_order_ship(const S& K, const S& T) {
 /// How long a leg lasts in duals: one Newton step, s − g/(dg/ds), from the root in numbers.
 template <class S>
 S carried_length(const LinearResponse<S>& ship, const Leg<S>& leg, double heading, double arrival) {
-  const S s = leg.length;
+  const S& s = leg.length;
   if (leg.end == LegEnd::limit) return s;
   if (leg.end == LegEnd::arrival) return (arrival - leg.rudder.value) / leg.rudder.rate;
   const auto x = state_after(ship, leg.start, leg.rudder, s);

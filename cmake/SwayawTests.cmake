@@ -1,0 +1,35 @@
+# Tests of a floor: one program, and one test of ctest for each of its files, which runs the cases of that file and names
+# those that fail. (A process for each case would be ten times as many.)
+find_package(Catch2 REQUIRED)
+
+# Enough for a build without optimisation and with sanitizers.
+set(SWAYAW_TEST_TIMEOUT 300)
+if(SWAYAW_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
+  set(SWAYAW_TEST_TIMEOUT 3000)
+endif()
+
+# What tests do is soon done; what they wait for is the compiler.
+set(SWAYAW_TEST_OPTIMISATION $<$<CONFIG:Release>:-O1>)
+
+#   swayaw_add_tests(core SOURCES recording_test.cpp DEPENDS swayaw::core)
+#     ctest -R core.recording; or build/dev/tests/core/swayaw_test_core "name of a case"
+function(swayaw_add_tests floor)
+  cmake_parse_arguments(TESTS "" "" "SOURCES;DEPENDS" ${ARGN})
+  set(target swayaw_test_${floor})
+  add_executable(${target} ${TESTS_SOURCES})
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
+  target_link_libraries(${target} PRIVATE swayaw_test_main ${TESTS_DEPENDS})
+  target_compile_definitions(${target} PRIVATE
+    SWAYAW_TEST_SHIPS="${PROJECT_SOURCE_DIR}/ships"
+    SWAYAW_TEST_GOLDEN="${PROJECT_SOURCE_DIR}/tests/golden"
+    SWAYAW_TEST_EXAMPLES="${PROJECT_SOURCE_DIR}/examples/recordings"
+    SWAYAW_TEST_SHARED="${SWAYAW_SHARED}")
+  target_compile_options(${target} PRIVATE ${SWAYAW_TEST_OPTIMISATION})
+  swayaw_set_warnings(${target})
+  foreach(source ${TESTS_SOURCES})
+    get_filename_component(file ${source} NAME_WE)
+    string(REGEX REPLACE "_test$" "" name ${floor}.${file})
+    add_test(NAME ${name} COMMAND ${target} --filenames-as-tags --warn NoTests "[#${file}]")
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${SWAYAW_TEST_TIMEOUT})
+  endforeach()
+endfunction()

@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""What each object costs to compile: processor seconds and peak memory of the compiler.
+
+As a compiler launcher it adds a line to compile_cost.csv in the build folder:
+
+    cmake --preset dev -D CMAKE_CXX_COMPILER_LAUNCHER=$PWD/cmake/compile_cost.py
+    cmake --build --preset dev
+
+Then `cmake/compile_cost.py --table build/dev/compile_cost.csv` prints a Markdown table, the dearest first, and
+`--limit 25 700` fails when an object needs more than 25 s or 700 MB.
+"""
+
+import argparse
+import csv
+import os
+import resource
+import subprocess
+import sys
+
+
+def launch(command):
+    status = subprocess.call(command)
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    if "-o" in command and "-c" in command:
+        built = command[command.index("-o") + 1]
+        row = f"{built},{used.ru_utime + used.ru_stime:.2f},{used.ru_maxrss / 1024:.0f}\n"
+        log = os.environ.get("SWAYAW_COMPILE_COST", "compile_cost.csv")
+        with open(log, "a", encoding="utf-8") as file:
+            file.write(row)  # one short write: lines of parallel compilers do not mix
+    return status
+
+
+def read(path):
+    """Seconds and megabytes by object; of an object compiled twice the last line counts."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return {built: (float(seconds), float(memory)) for built, seconds, memory in csv.reader(file)}
+
+
+def short(built):
+    """app/CMakeFiles/swayaw.dir/src/main.cpp.o is app/src/main.cpp"""
+    parts = built.split("/")
+    if "CMakeFiles" in parts:
+        place = parts.index("CMakeFiles")
+        parts = parts[:place] + parts[place + 2 :]
+    return "/".join(parts).removesuffix(".o")
+
+
+def print_table(costs, rows):
+    total = sum(seconds for seconds, _ in costs.values())
+    print(f"{len(costs)} objects, {total:.0f} s of processor time.\n")
+    print("| object | seconds | MB |\n| --- | ---: | ---: |")
+    dearest = sorted(costs.items(), key=lambda item: -item[1][0])
+    for built, (seconds, memory) in dearest[:rows]:
+        print(f"| {short(built)} | {seconds:.1f} | {memory:.0f} |")
+
+
+def above(costs, limit):
+    return [built for built, (seconds, memory) in costs.items() if seconds > limit[0] or memory > limit[1]]
+
+
+def report(arguments):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--table", required=True, metavar="CSV", help="what the launcher has written")
+    parser.add_argument("--rows", type=int, default=30)
+    parser.add_argument("--limit", type=float, nargs=2, metavar=("SECONDS", "MB"))
+    options = parser.parse_args(arguments)
+    costs = read(options.table)
+    print_table(costs, options.rows)
+    dear = above(costs, options.limit) if options.limit else []
+    for built in dear:
+        print(f"compile_cost: {short(built)} is above the limit", file=sys.stderr)
+    return 1 if dear else 0
+
+
+if __name__ == "__main__":
+    starts_with_option = len(sys.argv) < 2 or sys.argv[1].startswith("-")
+    sys.exit(report(sys.argv[1:]) if starts_with_option else launch(sys.argv[1:]))
