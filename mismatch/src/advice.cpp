@@ -28,9 +28,9 @@ Ship seen_on(Ship ship, double heading) {
   ship.surroundings.wind.from -= heading;
   ship.surroundings.current.to -= heading;
   for (auto& effect : ship.effects) {
-    const auto numbers = numbers_of(ship, effect);
+    const auto numbers = parameters_of(ship, effect);
     for (const auto& n : numbers)
-      if (is_direction(n)) number_of(effect, n.index) -= heading;
+      if (is_direction(n)) parameter_value(effect, n.index) -= heading;
   }
   return ship;
 }
@@ -153,14 +153,14 @@ double coordinate_shown(double D, double gain) { return std::sqrt(2.0 * gain / s
 std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s, std::span<const EffectForm> forms,
                                              double detection) {
   std::vector<DetectableSize> sizes;
-  const auto add = [&](const EffectForm& form, const EffectNumber& n, double D) {
-    sizes.push_back({form.id, std::string(n.key), coordinate_shown(D, detection) * n.prior});
+  const auto add = [&](const EffectForm& form, const Parameter& n, double D) {
+    sizes.push_back({form.id, std::string(n.key), coordinate_shown(D, detection) * n.deviation});
   };
   for (const auto& form : forms) {
     if (std::ranges::count(sizes, form.id, &DetectableSize::effect))
       continue;  // the delay of the first channel stands for all
-    const auto numbers = numbers_of(trial.ship, make_effect(form.id));
-    const auto number = std::ranges::find_if(numbers, &EffectNumber::decides);
+    const auto numbers = parameters_of(trial.ship, make_effect(form.id));
+    const auto number = std::ranges::find_if(numbers, &Parameter::decides);
     const bool by_parts = is_kind(form, {"steady_wind", "steady_current", "wave_drift"});
     const bool in_deviations = form.with_terms || (form.coordinates.size() == 1 && std::isfinite(number->null));
     if (!by_parts && !in_deviations) continue;  // a depth, an angle of stall or a lag: no size that grows from 0

@@ -46,7 +46,7 @@ std::vector<EffectParameterEstimate> estimates(const Trial& trial, const Accepte
   const auto& form = *accepted.form;
   const auto size = static_cast<Eigen::Index>(form.coordinates.size());
   const Point c = found.point.segment(from, size);
-  const auto numbers = numbers_of(trial.ship, form.at({c.data(), static_cast<std::size_t>(size)}));
+  const auto numbers = parameters_of(trial.ship, form.at({c.data(), static_cast<std::size_t>(size)}));
   Eigen::MatrixXd slopes = number_slopes(trial.ship, form, c);
   if (!accepted.widening.empty())
     slopes *= Eigen::Map<const Eigen::VectorXd>(accepted.widening.data(), size).asDiagonal();

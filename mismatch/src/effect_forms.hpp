@@ -40,7 +40,7 @@ struct EffectForm {
 std::optional<EffectForm> ordinary_lift_loss(const Ship& ship);
 
 /// Whether a number is a direction on the earth, that wind and waves come from or a stream goes to.
-bool is_direction(const EffectNumber& number);
+bool is_direction(const Parameter& number);
 
 /// d(numbers)/d(coordinates) of an effect, numbers as `numbers_of` gives them; directions turn the short way.
 Eigen::MatrixXd number_slopes(const Ship& ship, const EffectForm& form, const Eigen::VectorXd& coordinates);

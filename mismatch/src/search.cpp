@@ -476,7 +476,7 @@ Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covarianc
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
   const auto size = std::ssize(form.coordinates);
   const Point c = found.point.tail(size);
-  const auto numbers = numbers_of(ship, form.at({c.data(), static_cast<std::size_t>(size)}));
+  const auto numbers = parameters_of(ship, form.at({c.data(), static_cast<std::size_t>(size)}));
   std::vector<Eigen::Index> deciding;
   std::vector<double> departures;
   for (std::size_t i = 0; i < numbers.size(); ++i) {

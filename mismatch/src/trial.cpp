@@ -229,7 +229,7 @@ std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recordi
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
   Trial trial{
       .ship = ship, .numbers = {}, .lift_loss = ordinary_lift_loss(ship), .mean = {}, .precision = {}, .runs = {}};
-  for (const auto& n : ship_numbers(ship))
+  for (const auto& n : parameters_of(ship))
     if (n.role == Role::coefficient && n.deviation > 0.0) trial.numbers.push_back(n);
   const auto size = trial.baseline_size();
   trial.mean = Eigen::VectorXd::Zero(size);

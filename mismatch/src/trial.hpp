@@ -15,7 +15,7 @@ namespace swayaw {
 /// precision matrix.
 struct Trial {
   Ship ship;
-  std::vector<ShipNumber> numbers;      ///< of the baseline that may be a little wrong
+  std::vector<Parameter> numbers;       ///< of the baseline that may be a little wrong
   std::optional<EffectForm> lift_loss;  ///< of the rudder, part of the baseline
   Eigen::VectorXd mean;                 ///< of the baseline's coordinates
   Eigen::MatrixXd precision;

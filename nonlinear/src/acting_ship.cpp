@@ -232,11 +232,11 @@ std::optional<double> own_number(const ShipModel& model, const AddedForces<doubl
 
 }  // namespace
 
-std::vector<EffectNumber> numbers_of(const Ship& ship, const Effect& effect) {
+std::vector<Parameter> parameters_of(const Ship& ship, const Effect& effect) {
   if (!cannot_act(ship.model, effect).empty()) return {};
   const auto defaults =
       std::visit([](const auto& m) { return added_forces(m, std::span<const Effect>{}); }, ship.model);
-  std::vector<EffectNumber> numbers;
+  std::vector<Parameter> parameters;
   std::size_t index = 0;
   for_each_parameter(effect, [&](const auto& p, double value) {
     const std::size_t place = index++;
@@ -244,10 +244,20 @@ std::vector<EffectNumber> numbers_of(const Ship& ship, const Effect& effect) {
     if (!own) return;
     const double one = one_of(p.scale, ship, *own), null = std::isnan(p.null) ? *own : p.null;
     const double floor = p.scale == ShipUnit::wind ? p.floor * service_speed(ship) : p.floor * one;
-    numbers.push_back(
-        {p.key, place, p.range, std::isnan(value) ? null : value, null, p.prior * one, floor, p.law, p.decides});
+    parameters.push_back({.name = std::string(p.key),
+                          .table = id_of(effect),
+                          .key = p.key,
+                          .unit = "-",
+                          .index = place,
+                          .value = std::isnan(value) ? null : value,
+                          .range = p.range,
+                          .null = null,
+                          .deviation = p.prior * one,
+                          .floor = floor,
+                          .law = p.law,
+                          .decides = p.decides});
   });
-  return numbers;
+  return parameters;
 }
 
 }  // namespace swayaw

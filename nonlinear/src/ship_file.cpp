@@ -134,7 +134,7 @@ constexpr auto windage_types = [] {
 }();
 
 void add_keys(FileKeys& keys, WindageTable& table) {
-  add_numbers(keys.numbers, "windage", table.windage);
+  add_parameters(keys.parameters, "windage", table.windage);
   keys.choices.push_back({"windage", "type", windage_types, &table.type});
   keys.lists.push_back({"windage", "angle_deg", radians(1.0), &table.angle});
   keys.lists.push_back({"windage", "C_X", 1.0, &table.C_X});

@@ -143,8 +143,8 @@ TEST_CASE("numbers that are less well known than the ship file says are no missi
   for (const unsigned seed : {31u, 32u, 33u}) {
     std::mt19937_64 engine(seed);
     std::normal_distribution normal;
-    auto numbers = ship_numbers(ship);
-    std::erase_if(numbers, [](const ShipNumber& n) { return n.role != Role::coefficient || !(n.deviation > 0.0); });
+    auto numbers = parameters_of(ship);
+    std::erase_if(numbers, [](const Parameter& n) { return n.role != Role::coefficient || !(n.deviation > 0.0); });
     std::vector<double> values;
     for (const auto& n : numbers) values.push_back(n.value + 3.0 * n.deviation * normal(engine));
     const auto real = with_values(ship, numbers, values);

@@ -64,7 +64,7 @@ TEST_CASE("every effect has a name, lists its numbers and does nothing at first"
     const auto effect = make_effect(id);
     CHECK(id_of(effect) == id);
     CHECK(is_null(effect));
-    CHECK(number_count(effect) > 0);
+    CHECK(parameter_count(effect) > 0);
   }
   CHECK_THROWS_AS(make_effect("kelp"), std::domain_error);
 }
@@ -72,11 +72,11 @@ TEST_CASE("every effect has a name, lists its numbers and does nothing at first"
 TEMPLATE_TEST_CASE("priors and floors grow with the ship and are never negative", "[nonlinear][limit]", EVERY_MODEL) {
   const auto ship = test::with_areas(sailing_ship<TestType>());
   for (const auto id : effect_ids())
-    for (const auto& n : numbers_of(ship, make_effect(id))) {
+    for (const auto& n : parameters_of(ship, make_effect(id))) {
       INFO(id << " " << n.key);
-      CHECK(n.prior > 0.0);
+      CHECK(n.deviation > 0.0);
       CHECK(n.floor >= 0.0);
-      CHECK(n.floor < n.prior);
+      CHECK(n.floor < n.deviation);
     }
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("wind, waves and current turn with the run", "[nonlinear][symmetry]") 
       const double turn = random.uniform(-pi, pi);
       auto turned = effect;
       const std::size_t direction_at = id == WaveDrift<>::id ? 0 : 1;
-      number_of(turned, direction_at) += turn;
+      parameter_value(turned, direction_at) += turn;
       const auto a = with_effect(bare, effect), b = with_effect(bare, turned);
       const double time = id == Gust<>::id ? std::get<Gust<>>(effect).onset : 0.0, psi = random.uniform(-pi, pi);
       const auto rates = [&](const Ship& ship, double heading) {

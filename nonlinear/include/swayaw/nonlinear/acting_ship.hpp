@@ -107,22 +107,9 @@ Ship with_effect(const Ship& ship, const Effect& effect);
 
 // ---------------------------------------------------------------- numbers of effects, on a ship
 
-/// A number of an effect on a ship, in SI, with what is known of it before any recording.
-struct EffectNumber {
-  std::string_view key;
-  std::size_t index;  ///< for number_of
-  Range range;
-  double value;
-  double null;   ///< the effect does nothing there
-  double prior;  ///< standard deviation about null
-  double floor;  ///< a smaller departure from null is a trace
-  double law;    ///< what its law is worth: standard deviation over departure from null, of directions in radians
-  bool decides;  ///< its departure from null is the effect
-};
-
-/// The numbers of an effect that the model of the ship has a place for; none if it cannot act. A number that is
+/// The parameters of an effect that the model of the ship has a place for; none if it cannot act. One that is
 /// `unchanged` has the value of the ship.
-std::vector<EffectNumber> numbers_of(const Ship& ship, const Effect& effect);
+std::vector<Parameter> parameters_of(const Ship& ship, const Effect& effect);
 
 // ---------------------------------------------------------------- implementation
 

@@ -16,21 +16,6 @@ enum class EffectPlace { air, water, force, actuator, sensor };
 /// "force" for EffectPlace::force, alike.
 std::string_view name_of(EffectPlace place);
 
-/// What a prior or a floor is counted in: sizes that grow with the ship.
-enum class ShipUnit {
-  one,       ///< the unit of the number itself
-  speed,     ///< service speed U
-  wind,      ///< sqrt(U² + 0.1 gL): what blows where ships of that size sail; a floor counts U alone
-  time,      ///< L/U
-  length,    ///< L
-  yaw_rate,  ///< U/L
-  force,     ///< resistance-like force, 1e-3 ½ρL²U²
-  own,       ///< size of the number of the ship that the effect replaces
-};
-
-/// Stands for a number that an effect leaves as it is.
-inline constexpr double unchanged = std::numeric_limits<double>::quiet_NaN();
-
 /// One number of an effect, in SI and radians.
 template <class Part, class Scalar>
 struct EffectParameter {

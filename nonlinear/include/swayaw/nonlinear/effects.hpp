@@ -62,19 +62,19 @@ void for_each_parameter(E& effect, Visit&& visit) {
 
 /// How many numbers an effect has.
 template <class S>
-std::size_t number_count(const EffectIn<S>& effect) {
+std::size_t parameter_count(const EffectIn<S>& effect) {
   return std::visit([](const auto& e) { return e.parameters().size(); }, effect);
 }
 
 /// A number of an effect by its place in the list.
 template <class S>
-S& number_of(EffectIn<S>& effect, std::size_t index) {
+S& parameter_value(EffectIn<S>& effect, std::size_t index) {
   return std::visit([&](auto& e) -> S& { return e.*(e.parameters()[index].member); }, effect);
 }
 
 template <class S>
-const S& number_of(const EffectIn<S>& effect, std::size_t index) {
-  return number_of(const_cast<EffectIn<S>&>(effect), index);
+const S& parameter_value(const EffectIn<S>& effect, std::size_t index) {
+  return parameter_value(const_cast<EffectIn<S>&>(effect), index);
 }
 
 /// Whether an effect of that kind does nothing: every number that decides has its null value.
