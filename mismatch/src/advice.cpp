@@ -30,7 +30,7 @@ Ship seen_on(Ship ship, double heading) {
   for (auto& effect : ship.effects) {
     const auto numbers = parameters_of(ship, effect);
     for (const auto& n : numbers)
-      if (is_direction(n)) parameter_value(effect, n.index) -= heading;
+      if (n.direction) parameter_value(effect, n.index) -= heading;
   }
   return ship;
 }
@@ -141,10 +141,6 @@ std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& s) {
 
 namespace {
 
-bool is_kind(const EffectForm& form, std::initializer_list<std::string_view> ids) {
-  return std::ranges::count(ids, form.id) > 0;
-}
-
 /// Coordinate at which an effect gains that much log evidence, ½ D c² = gain.
 double coordinate_shown(double D, double gain) { return std::sqrt(2.0 * gain / std::max(D, 1e-12)); }
 
@@ -161,7 +157,7 @@ std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s
       continue;  // the delay of the first channel stands for all
     const auto numbers = parameters_of(trial.ship, make_effect(form.id));
     const auto number = std::ranges::find_if(numbers, &Parameter::decides);
-    const bool by_parts = is_kind(form, {"steady_wind", "steady_current", "wave_drift"});
+    const bool by_parts = std::ranges::any_of(numbers, &Parameter::direction) && !begins_and_ends(make_effect(form.id));
     const bool in_deviations = form.with_terms || (form.coordinates.size() == 1 && std::isfinite(number->null));
     if (!by_parts && !in_deviations) continue;  // a depth, an angle of stall or a lag: no size that grows from 0
     try {

@@ -134,7 +134,7 @@ class Predictor {
     hidden_ = steady_hidden(acting_.added, s.motion);
     next_change_ = 0;
     around_ = acting_.surroundings;
-    acting_.added.mapped = dual_added_.mapped = mapped_at_first_;
+    acting_.added.acting = dual_added_.acting = acting_at_first_;
   }
 
   FilterCovariance start_covariance(const OrdinaryImperfection& size) const {
@@ -159,8 +159,9 @@ class Predictor {
     return {rate, acting_.added.hidden() ? hidden_rates(acting_.added, s.motion, hidden) : Hidden<double>{}};
   }
 
-  static Hidden<double> moved(const Hidden<double>& h, const Hidden<double>& rate, double t) {
-    return {h.phi + t * rate.phi, h.p + t * rate.p, h.v + t * rate.v, h.r + t * rate.r};
+  static Hidden<double> moved(Hidden<double> h, const Hidden<double>& rate, double t) {
+    for (std::size_t i = 0; i < h.size(); ++i) h[i] += t * rate[i];
+    return h;
   }
 
   /// The midpoint rule; the classical Runge–Kutta step where something swings out of sight. What the rule is short of,
@@ -177,10 +178,9 @@ class Predictor {
     const auto [k3, m3] = rates(x_ + 0.5 * h * k2, moved(hidden_, m2, 0.5 * h), middle);
     const auto [k4, m4] = rates(x_ + h * k3, moved(hidden_, m3, h), b);
     x_ += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-    const auto mean = [&](double Hidden<double>::*q) { return (m1.*q + 2.0 * m2.*q + 2.0 * m3.*q + m4.*q) / 6.0; };
-    hidden_ = moved(
-        hidden_,
-        {mean(&Hidden<double>::phi), mean(&Hidden<double>::p), mean(&Hidden<double>::v), mean(&Hidden<double>::r)}, h);
+    Hidden<double> mean;
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = (m1[i] + 2.0 * m2[i] + 2.0 * m3[i] + m4[i]) / 6.0;
+    hidden_ = moved(hidden_, mean, h);
   }
 
   static Controls<double> between(const Controls<double>& a, const Controls<double>& b, double share) {
@@ -208,7 +208,7 @@ class Predictor {
       const auto& changes = acting_.changes;
       for (; next_change_ < changes.size() && changes[next_change_].time <= now; ++next_change_) {
         changes[next_change_].apply(around_, acting_.added);
-        dual_added_.mapped = acting_.added.mapped;
+        dual_added_.acting = acting_.added.acting;
       }
       const double edge = next_change_ < changes.size() ? std::min(to, changes[next_change_].time) : to;
       const int steps =
@@ -229,7 +229,8 @@ class Predictor {
   FilterCovariance jacobian(const Controls<double>& c) const {
     const auto s = state();
     const ShipState<D> dual{D(s.x), D(s.y), D(s.psi, 0), {D(s.motion.u, 1), D(s.motion.v, 2), D(s.motion.r, 3)}};
-    const Hidden<D> hidden{D(hidden_.phi), D(hidden_.p), D(hidden_.v), D(hidden_.r)};
+    Hidden<D> hidden;
+    std::ranges::transform(hidden_, hidden.begin(), [](double h) { return D(h); });
     const Surroundings<D> around{.windage = cast_part<D>(around_.windage),
                                  .wind = {D(around_.wind.speed), D(around_.wind.from)},
                                  .current = {D(around_.current.speed), D(around_.current.to)},
@@ -260,7 +261,7 @@ class Predictor {
 
   /// What the instruments look at, with accelerations where one of them is late.
   Instant instant(std::size_t k, bool with_accelerations) const {
-    Instant now{state(), {}, hidden_.phi};
+    Instant now{state(), {}, shown_by(hidden_, Channel::phi)};
     if (with_accelerations) {
       const auto [rate, out_of_sight] = rates(x_, hidden_, at_samples_[k]);
       for (std::size_t i = 0; i < 6; ++i) now.rate[i] = rate[static_cast<Eigen::Index>(i)];
@@ -280,8 +281,7 @@ class Predictor {
 
   /// Measured less expected; 0 where a sample is missing.
   void errors(std::size_t k, Eigen::VectorXd& e) const {
-    const bool late = std::ranges::any_of(
-        acting_.sensors, [](const Effect& s) { return std::holds_alternative<ChannelDelay<double>>(s); });
+    const bool late = std::ranges::any_of(acting_.sensors, [](const Effect& s) { return channel_of(s) != nullptr; });
     const auto now = instant(k, late);
     for (std::size_t i = 0; i < run_.channels.size(); ++i) {
       const auto channel = run_.channels[i].channel;
@@ -297,7 +297,7 @@ class Predictor {
     const auto m = static_cast<Eigen::Index>(run_.channels.size());
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(m, filter_states);
     const auto at = [&](const FilterState& x) {
-      return Instant{{x[0], x[1], x[2], {x[3], x[4], x[5]}}, way(x), hidden_.phi};
+      return Instant{{x[0], x[1], x[2], {x[3], x[4], x[5]}}, way(x), shown_by(hidden_, Channel::phi)};
     };
     for (int j = 0; j < 6; ++j) {
       const double h = j < 2 ? 1.0 : 1e-6;
@@ -348,7 +348,7 @@ class Predictor {
   ActingShip<Model> acting_;
   RecordedControls controls_;
   decltype(cast<D>(std::declval<Model>())) dual_;
-  AddedForces<D> dual_added_;
+  ActingEffects<D> dual_added_;
   std::vector<Controls<double>> at_samples_;
   std::vector<double> noise_;  ///< of each channel
   double tau_ = 0.0;           ///< memory of the imperfection [s]
@@ -356,7 +356,7 @@ class Predictor {
   Hidden<double> hidden_;
   Surroundings<double> around_;
   std::size_t next_change_ = 0;
-  bool mapped_at_first_ = acting_.added.mapped;
+  std::uint32_t acting_at_first_ = acting_.added.acting;
 };
 
 }  // namespace swayaw

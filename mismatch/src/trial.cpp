@@ -31,21 +31,8 @@ double shown(Channel channel, const Instant& now, std::span<const Effect> sensor
     case Channel::phi: value = phi; break;
     default: break;
   }
-  for (const auto& effect : sensors) {
-    if (const auto* heading = std::get_if<HeadingBias<double>>(&effect))
-      value += channel == Channel::psi ? heading->bias : 0.0;
-    if (const auto* gyro = std::get_if<GyroBias<double>>(&effect)) value += channel == Channel::r ? gyro->bias : 0.0;
-    if (const auto* log = std::get_if<LogScale<double>>(&effect))
-      value *= channel == Channel::u || channel == Channel::speed_through_water ? log->scale : 1.0;
-    if (const auto* antenna = std::get_if<AntennaLeverArm<double>>(&effect)) {
-      const double sine = std::sin(s.psi), cosine = std::cos(s.psi);
-      if (channel == Channel::x) value += antenna->x * cosine - antenna->y * sine;
-      if (channel == Channel::y) value += antenna->x * sine + antenna->y * cosine;
-    }
-    if (const auto* late = std::get_if<ChannelDelay<double>>(&effect))
-      if (late->channel == channel || (late->channel == Channel::x && channel == Channel::y))
-        value -= late->delay * slope;
-  }
+  const ChannelReading<double> reading{channel, s, slope};
+  for (const auto& effect : sensors) value = shown(effect, reading, value);
   return value;
 }
 
@@ -182,7 +169,7 @@ Space space_of(const Trial& trial, const Hypothesis& hypothesis) {
   return space;
 }
 
-bool takes_lift(const EffectForm* form) { return form->id == "rudder_gap" || form->id == "rudder_stall"; }
+bool takes_lift(const EffectForm* form) { return takes_rudder_lift(form->id); }
 
 /// d(residuals)/d(point), columns from..to.
 void differences(const Trial& trial, const Hypothesis& hypothesis, const Space& space, const Point& point,

@@ -100,8 +100,7 @@ namespace {
 Interpolant in_time(const Ship& ship, const Recording& run) {
   std::vector<Effect> late;
   for (const auto& effect : sensor_effects(ship))
-    if (const auto* delay = std::get_if<ChannelDelay<>>(&effect); delay && delay->channel == Channel::delta)
-      late.push_back(effect);
+    if (const auto* channel = channel_of(effect); channel && *channel == Channel::delta) late.push_back(effect);
   return late.empty() ? Interpolant(run, Channel::delta) : Interpolant(as_it_was(run, late), Channel::delta);
 }
 

@@ -74,7 +74,7 @@ bool is_of_earth(std::string_view key) { return key.ends_with("from_rad") || key
 /// Value of a number less the truth, in standard errors.
 double error_of(const Diagnosis& d, std::string_view key, double truth) {
   const auto& list = d.effects.front().parameters;
-  const auto p = std::ranges::find(list, key, &EffectParameterEstimate::key);
+  const auto p = std::ranges::find(list, key, &ParameterEstimate::key);
   REQUIRE(p != list.end());
   const double error = is_of_earth(key) ? wrapped(p->value - truth) : p->value - truth;
   return error / p->standard_error;

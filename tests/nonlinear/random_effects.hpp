@@ -35,8 +35,7 @@ class RandomEffects {
     if (numbers.empty()) return std::nullopt;
     for (const auto& n : numbers) parameter_value(effect, n.index) = off_null(n);
     if (id == HullLinearDerivatives<>::id || id == HullNonlinearDamping<>::id) keep_damped(effect, numbers);
-    if (id == Gust<>::id) set_window(std::get<Gust<>>(effect), ship);
-    if (id == UnknownForce<>::id) set_window(std::get<UnknownForce<>>(effect), ship);
+    std::visit([&](auto& e) { set_window(e, ship); }, effect);
     if (auto* gap = std::get_if<RudderGap<>>(&effect)) gap->delta_lim = uniform(0.04, 0.08);  // opens in any zigzag
     if (auto* gear = std::get_if<SteeringGearLag<>>(&effect)) gear->rate = 0.5 * steering_gear(ship).rate;
     return effect;
@@ -58,7 +57,11 @@ class RandomEffects {
     return n.range.contains(value) ? value : base - sign * size;
   }
 
-  void set_window(auto& effect, const Ship& ship) {
+  template <class Kind>
+  void set_window(Kind&, const Ship&) {}
+
+  template <BeginsAndEnds Kind>
+  void set_window(Kind& effect, const Ship& ship) {
     const double time_unit = length(ship) / service_speed(ship);
     effect.onset = uniform(1.0, 4.0) * time_unit;
     effect.end = effect.onset + uniform(1.0, 4.0) * time_unit;
