@@ -149,6 +149,18 @@ struct Space {
   double prior(const Point& p) const { return (p - mean).dot(precision * (p - mean)); }
 };
 
+/// The coordinates (value − mean)/deviation at which a coefficient of the baseline has its least and its largest value.
+std::pair<double, double> reach(const Parameter& p) {
+  constexpr double clear = 1e-3;  // deviations from an end that is itself refused
+  const double low = (p.range.low - p.value) / p.deviation + (p.range.above_low ? clear : 0.0);
+  return {low, (p.range.high - p.value) / p.deviation};
+}
+
+/// Its value at a coordinate, rounding kept out of what is refused.
+double value_at(const Parameter& p, double c) {
+  return std::clamp(p.value + p.deviation * c, p.range.low, p.range.high);
+}
+
 Space space_of(const Trial& trial, const Hypothesis& hypothesis) {
   const auto base = trial.baseline_size();
   Eigen::Index size = base;
@@ -158,7 +170,11 @@ Space space_of(const Trial& trial, const Hypothesis& hypothesis) {
               Eigen::MatrixXd::Zero(size, size)};
   space.mean.head(base) = trial.mean;
   space.precision.topLeftCorner(base, base) = trial.precision;
-  if (trial.lift_loss) space.low[base - 1] = 0.0;
+  for (std::size_t k = 0; k < trial.numbers.size(); ++k) {
+    const auto [low, high] = reach(trial.numbers[k]);
+    space.low[static_cast<Eigen::Index>(k)] = low, space.high[static_cast<Eigen::Index>(k)] = high;
+  }
+  if (trial.lift_loss) space.low[base - 1] = trial.lift_loss->coordinates.front().low;
   Eigen::Index i = base;
   for (const auto* form : hypothesis)
     for (const auto& c : form->coordinates) {
@@ -232,10 +248,14 @@ Trial doubted(Trial trial, double factor) {
   return trial;
 }
 
+Point in_range(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
+  return space_of(trial, hypothesis).clamped(point);
+}
+
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
   std::vector<double> values;
   for (std::size_t i = 0; i < trial.numbers.size(); ++i)
-    values.push_back(trial.numbers[i].value + trial.numbers[i].deviation * point[static_cast<Eigen::Index>(i)]);
+    values.push_back(value_at(trial.numbers[i], point[static_cast<Eigen::Index>(i)]));
   Ship ship = with_values(trial.ship, trial.numbers, values);
   Eigen::Index next = trial.baseline_size();
   if (trial.lift_loss && std::ranges::none_of(hypothesis, takes_lift)) {

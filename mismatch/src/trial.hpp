@@ -50,6 +50,9 @@ using Hypothesis = std::vector<const EffectForm*>;
 /// Coordinates of the baseline, then of each effect.
 using Point = Eigen::VectorXd;
 
+/// The nearest point at which every coefficient of the baseline and every coordinate of the effects is in its range.
+Point in_range(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
+
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
 
 /// A point with the coordinates of one more effect.

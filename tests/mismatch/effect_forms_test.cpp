@@ -61,5 +61,27 @@ TEST_CASE("wherever a search goes, the parameters of an effect are in their rang
       }
 }
 
+// Regression, 2026-11-22: a refit that left the range, as m_y = -0.10, ended a diagnosis after minutes of work, when
+// the improved ship was written.
+TEST_CASE("wherever a search goes, the coefficients of the ship are in their ranges", "[mismatch][regression]") {
+  for (auto ship : ships()) {
+    ship.confidence.coefficients = 0.3;
+    const auto trial = trial_of(ship, {}, channels);
+    for (const double far : {-20.0, -3.0, 3.0, 20.0}) {
+      const auto there = ship_at(trial, {}, in_range(trial, {}, Point::Constant(trial.baseline_size(), far)));
+      INFO(ship.name << " " << far);
+      const auto parameters = parameters_of(there);
+      for (const auto& moved : trial.numbers) {
+        const auto& p = parameters[moved.index];
+        INFO(p.name << " " << p.value);
+        CHECK(p.range.contains(p.value));
+      }
+      CHECK_NOTHROW(ship_text(there));
+    }
+    const Point ordinary = Point::Constant(trial.baseline_size(), 0.5);
+    CHECK(in_range(trial, {}, ordinary) == ordinary);
+  }
+}
+
 }  // namespace
 }  // namespace swayaw
