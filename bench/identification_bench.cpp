@@ -35,7 +35,7 @@ Recording noisy_zigzag(const Ship& ship) {
 void trajectory_fit_10_numbers_888_samples(benchmark::State& state) {
   const Ship ship = read_ship(SWAYAW_BENCH_SHIPS "/kvlcc2_l7.toml");
   const auto run = noisy_zigzag(ship);
-  const auto numbers = ship_numbers(ship, ten);
+  const auto numbers = parameters_of(ship, ten);
   std::vector<double> off;
   for (const auto& n : numbers) off.push_back(n.value * (off.size() % 2 == 0 ? 1.1 : 0.9));
   const Ship start = with_values(ship, numbers, off);

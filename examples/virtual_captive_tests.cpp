@@ -68,7 +68,7 @@ int main(int count, char** arguments) {
       fmt::print("{} of {} tests: {}, condition {:.1f}\n", in_words(step.step.component), step.points,
                  in_words(step.fit.status), step.fit.condition_number);
       for (const auto& c : step.fit.coefficients) {
-        const double truth = ship_numbers(ship, std::array{c.name})[0].value;
+        const double truth = parameters_of(ship, std::array{c.name})[0].value;
         fmt::print("  {:<10} {:9.5f} ± {:.5f}   true {:9.5f}{}\n", c.name, c.estimate.value, c.estimate.standard_error,
                    truth, c.undetermined ? "   not determined" : "");
       }

@@ -1,17 +1,6 @@
 // The page of a diagnosis: verdict, missing force over time and in the drift–yaw plane, ranking, replays, what to sail next.
 
-const EFFECTS = {
-  steady_wind: 'steady wind', gust: 'gust of wind', steady_current: 'steady current', wave_drift: 'wave drift force',
-  shallow_water: 'shallow water', hull_linear_derivatives: 'linear hull derivatives', hull_nonlinear_damping: 'nonlinear hull damping',
-  cross_flow_drag: 'cross-flow drag', added_resistance: 'added resistance', speed_loss_in_turn: 'speed loss in turns',
-  added_mass: 'added mass', rudder_effectiveness: 'rudder effectiveness', rudder_hull_interaction: 'rudder–hull interaction',
-  rudder_stall: 'rudder stall', rudder_gap: 'rudder gap', flow_straightening: 'flow straightening at the rudder',
-  propeller_race: 'propeller race on the rudder', propeller_side_force: 'propeller side force', wake_change: 'wake change in drift',
-  shaft_speed_drop: 'shaft speed drop in turns', rudder_offset: 'rudder offset', steering_gear_lag: 'steering gear lag',
-  steering_gear_backlash: 'steering gear play', roll_coupling: 'roll coupling', fluid_memory: 'fluid memory',
-  heading_bias: 'compass error', gyro_bias: 'zero error of the yaw-rate gyro', log_scale: 'speed log factor',
-  antenna_lever_arm: 'antenna off midship', channel_delay: 'late channel', unknown: 'something unknown',
-};
+let EFFECTS = {};  // words of every effect, by its id: the document tells them
 
 const QUANTITIES = { heading: 'Heading', yaw_rate: 'Yaw rate', speed: 'Speed', drift: 'Drift angle', position: 'Position' };
 
@@ -624,6 +613,7 @@ function preparedReport(report) {
 }
 
 function showDiagnosis(report) {
+  EFFECTS = report.effect_names || {};
   document.title = `${report.ship || 'Ship'}: what the model leaves out`;
   nameAfter(report.verdict);
   const sections = [forceSection, planeSection, rankingSection, proofSection, nextSection].map((make) => make(report)).filter(Boolean);

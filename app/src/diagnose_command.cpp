@@ -27,8 +27,8 @@ Json effect_json(const FoundEffect& e) {
   Json parameters = Json::object();
   for (const auto& p : e.parameters)
     parameters[p.key] = {{"value", number(p.value)}, {"standard_error", number(p.standard_error)}};
-  if (const auto* late = std::get_if<ChannelDelay<double>>(&e.effect))
-    parameters["channel"] = {{"value", short_name(late->channel)}, {"standard_error", nullptr}};
+  if (const auto* channel = channel_of(e.effect))
+    parameters["channel"] = {{"value", short_name(*channel)}, {"standard_error", nullptr}};
   return {{"effect", id_of(e.effect)},           {"probability", number(e.probability)},
           {"onset_s", number(e.onset)},          {"end_s", number(e.end)},
           {"parameters", std::move(parameters)}, {"indistinguishable_from", e.indistinguishable_from}};

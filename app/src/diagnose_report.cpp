@@ -89,6 +89,13 @@ void keep_order(Json& effects, const std::vector<FoundEffect>& found) {
   }
 }
 
+/// What the page calls each effect.
+Json effect_names() {
+  Json names = Json::object();
+  for (const auto id : effect_ids()) names[std::string(id)] = text_of(make_effect(id)).label;
+  return names;
+}
+
 }  // namespace
 
 void require_folder(const std::filesystem::path& page) {
@@ -103,6 +110,7 @@ void write_diagnosis_report(Json document, const Ship& ship, const Diagnosis& di
   document["ship"] = ship.name;
   document["length_m"] = length(ship);
   document["ordinary_force"] = ordinary_json(diagnosis.refitted);
+  document["effect_names"] = effect_names();
   keep_order(document["effects"], diagnosis.effects);
   document["runs"] = pictures_json(ship, diagnosis);
   write_text(page, diagnosis_page(nlohmann::json::parse(document.dump())));

@@ -37,10 +37,10 @@ std::vector<std::string> numbers_to_find(const Ship& ship, const IdentifyArgumen
   for (const auto& name : a.also)
     if (std::ranges::count(names, name) == 0) names.push_back(name);
   for (const auto& name : a.keep) {
-    (void)ship_numbers(ship, std::array{name});
+    (void)parameters_of(ship, std::array{name});
     std::erase(names, name);
   }
-  (void)ship_numbers(ship, names);
+  (void)parameters_of(ship, names);
   return names;
 }
 
@@ -73,7 +73,7 @@ Question question_of(const IdentifyArguments& a) {
 
 /// A coefficient as it is written to the file.
 struct Found {
-  ShipNumber before;
+  Parameter before;
   Estimate estimate;
   double low, high;
   std::optional<double> variance_inflation;
@@ -135,14 +135,14 @@ TrajectoryFit fit_on_trajectories(const Question& q, const ForceFit& start, Prog
   return fit_trajectories(start.ship, q.runs, options);
 }
 
-Found found_by_forces(const ShipNumber& number, const ForceFit& fit) {
+Found found_by_forces(const Parameter& number, const ForceFit& fit) {
   for (const auto& equation : fit.equations)
     for (const auto& c : equation.fit.coefficients)
       if (c.name == number.name) return {number, c.estimate, c.low, c.high, c.variance_inflation, c.undetermined};
   return {number, {}, std::nan(""), std::nan(""), std::nullopt, true};
 }
 
-Found found_on_trajectories(const ShipNumber& number, const TrajectoryFit& fit) {
+Found found_on_trajectories(const Parameter& number, const TrajectoryFit& fit) {
   const auto n = std::ranges::find(fit.numbers, number.name, &FittedNumber::name);
   const auto& [value, error] = n->estimate;
   const bool undetermined = std::ranges::count(fit.undetermined, number.name) > 0;
@@ -275,7 +275,7 @@ Answer answer_to(const Question& q, const IdentifyArguments& a) {
   }
   choose(answer, a);
   answer.ship = answer.from_trajectories ? answer.trajectories->ship : answer.forces.ship;
-  for (const auto& number : ship_numbers(q.ship, q.options.numbers))
+  for (const auto& number : parameters_of(q.ship, q.options.numbers))
     answer.found.push_back(answer.from_trajectories ? found_on_trajectories(number, *answer.trajectories)
                                                     : found_by_forces(number, answer.forces));
   answer.stability = stability_verdict(answer.forces);

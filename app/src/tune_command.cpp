@@ -16,7 +16,7 @@ namespace {
 
 struct Findings {
   MeasuredIndices measured;
-  std::vector<ShipNumber> numbers;
+  std::vector<Parameter> numbers;
   IndexSensitivity sensitivity;
   std::vector<double> relative;  ///< singular values of d (I/I_measured) / d ln number
   Tuning tuning;

@@ -121,11 +121,11 @@ TEST_CASE("every kind of hidden effect shows in the recording, under the keys of
       const auto label = conceal(hidden, kind, Severity::strong, ship, std::get<MmgShip<double>>(file.model), random);
       CHECK(recording_text(sail(ship, hidden, zigzag(20, 20, true, 0.3), still)) != clean);
       if (kind.starts_with("unknown")) continue;
-      const auto numbers = numbers_of(file, make_effect(kind));
+      const auto numbers = parameters_of(file, make_effect(kind));
       for (const auto& n : label.numbers) {
         INFO(n.key);
         CHECK(std::isfinite(n.value));
-        CHECK(std::ranges::count(numbers, n.key, &EffectNumber::key) == 1);
+        CHECK(std::ranges::count(numbers, n.key, &Parameter::key) == 1);
       }
     }
 }

@@ -204,7 +204,7 @@ constexpr double known_by_trials = 0.0017;
 Confidence confidence_of(const Ship& ship, double least) {
   Confidence confidence{.coefficients = least, .named = {}};
   const auto terms = coefficients_of(ship, "hull");
-  const auto size = [](const ShipNumber& n) {  // "Y_vvr" stands before v'²r'
+  const auto size = [](const Parameter& n) {  // "Y_vvr" stands before v'²r'
     double product = std::abs(n.value);
     for (const char c : n.key.substr(2)) product *= c == 'v' ? 0.25 : c == 'r' ? 0.5 : 0.0;
     return product;
@@ -242,9 +242,9 @@ FairShip fair_ship(const TrueShip& truth, double confidence) {
 
 Ship slightly_wrong(const Ship& ship, std::uint64_t seed) {
   RandomSource random(seed);
-  std::vector<ShipNumber> coefficients;
+  std::vector<Parameter> coefficients;
   std::vector<double> values;
-  for (const auto& n : ship_numbers(ship))
+  for (const auto& n : parameters_of(ship))
     if (n.role == Role::coefficient && n.deviation > 0.0 && !n.key.starts_with("stall"))
       coefficients.push_back(n), values.push_back(n.value + n.deviation * random.normal());
   return with_values(ship, coefficients, values);

@@ -84,31 +84,31 @@ Vector stacked(const std::vector<Sample>& samples, auto&& of_sample) {
 /// Small effects of a kind, whose sum with any weights stands for the kind.
 std::vector<Effect> unit_effects(const Ship& ship, const Effect& null) {
   std::vector<Effect> units;
-  const auto numbers = numbers_of(ship, null);
+  const auto numbers = parameters_of(ship, null);
   const auto direction = std::ranges::find_if(numbers, [](const auto& n) { return n.key.ends_with("from_rad"); });
   if (direction != numbers.end()) {
     for (const double from : {0.0, 0.5 * pi, pi, 1.5 * pi}) {
       Effect effect = null;
-      number_of(effect, numbers.front().index) = numbers.front().prior;
+      parameter_value(effect, numbers.front().index) = numbers.front().deviation;
       for (const auto& n : numbers)
-        if (n.decides && n.index != direction->index) number_of(effect, n.index) = n.prior;
-      number_of(effect, direction->index) = from;
+        if (n.decides && n.index != direction->index) parameter_value(effect, n.index) = n.deviation;
+      parameter_value(effect, direction->index) = from;
       units.push_back(effect);
     }
     return units;
   }
-  const auto of_value = [&](const EffectNumber& n, double value) {
+  const auto of_value = [&](const Parameter& n, double value) {
     Effect effect = null;
-    number_of(effect, n.index) = value;
+    parameter_value(effect, n.index) = value;
     if (id_of(null) == "rudder_gap") std::get<RudderGap<double>>(effect).delta_lim = 0.2;
     units.push_back(effect);
   };
   for (const auto& n : numbers) {
-    if (!n.decides || !(n.prior > 0.0)) continue;
+    if (!n.decides || !(n.deviation > 0.0)) continue;
     if (id_of(null) == "shallow_water") of_value(n, 1.6);
     else if (id_of(null) == "rudder_stall") of_value(n, 0.3);
-    else if (id_of(null) == "rudder_gap") of_value(n, -n.prior);
-    else of_value(n, std::min(n.range.high, n.null + 0.5 * n.prior));
+    else if (id_of(null) == "rudder_gap") of_value(n, -n.deviation);
+    else of_value(n, std::min(n.range.high, n.null + 0.5 * n.deviation));
   }
   return units;
 }

@@ -38,7 +38,7 @@ Json effect_of(const FoundEffect& e) {
   Json json{{"effect", id_of(e.effect)},        {"probability", number(e.probability)},
             {"onset_s", number(e.onset)},       {"end_s", number(e.end)},
             {"parameters", std::move(numbers)}, {"indistinguishable_from", e.indistinguishable_from}};
-  if (const auto* late = std::get_if<ChannelDelay<double>>(&e.effect)) json["channel"] = short_name(late->channel);
+  if (const auto* channel = channel_of(e.effect)) json["channel"] = short_name(*channel);
   return json;
 }
 

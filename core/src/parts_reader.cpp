@@ -57,7 +57,7 @@ std::vector<KnownKey> known_keys(const FileKeys& file) {
     if (known == keys.end()) keys.push_back({"", std::string(table), Holds::table, required});
     else known->required = known->required || required;
   };
-  for (const auto& n : file.numbers) {
+  for (const auto& n : file.parameters) {
     require_table(n.table, n.required);
     const auto [key, index] = place_of(n.key);
     if (index.value_or(0) > 0) ++keys.back().numbers;
@@ -122,7 +122,7 @@ class KeysReader {
     for (const auto& k : keys_)
       if (k.holds == Holds::table && k.key != "confidence" && file_.root().contains(k.key))
         require_keys(file_.table(k.key), k.key);
-    for (const auto& n : wanted_.numbers) read_number(n);
+    for (const auto& n : wanted_.parameters) read_number(n);
     for (const auto& c : wanted_.choices) read_choice(c);
     for (const auto& l : wanted_.lists) read_list(l);
     read_confidence(head.confidence);
@@ -154,7 +154,7 @@ class KeysReader {
 
   // -------------------------------------------------------------- numbers
 
-  void read_number(const FileNumber& n) const {
+  void read_number(const FileParameter& n) const {
     const auto place = place_of(n.key);
     const auto* node = node_of(n.table, place.key);
     *n.value = node ? number(*node, place, n.table, n.range) * n.si : n.fallback;

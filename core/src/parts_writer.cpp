@@ -32,32 +32,32 @@ std::string in_quotes(std::string_view text) {
   return result + '"';
 }
 
-double checked(const FileNumber& n) {
+double checked(const FileParameter& n) {
   const double number = in_unit(*n.value, n.si);
   if (std::isfinite(number) && n.range.contains(number)) return number;
   throw std::domain_error(fmt::format("{} in [{}] cannot be {}", n.key, n.table, number));
 }
 
-bool is_written(const FileNumber& n) { return n.required || *n.value != n.fallback; }
+bool is_written(const FileParameter& n) { return n.required || *n.value != n.fallback; }
 
 /// "kt[0]" is the first number of the list kt.
 std::string_view list_of(std::string_view key) { return key.substr(0, key.find('[')); }
 
 /// One `key = value`, or one `key = [value, …]` where the numbers from i on make a list. @return how many numbers it
 /// took
-std::size_t write_number(std::string& text, const std::vector<FileNumber>& numbers, std::size_t i) {
+std::size_t write_number(std::string& text, const std::vector<FileParameter>& numbers, std::size_t i) {
   const auto& n = numbers[i];
   const auto list = list_of(n.key);
   if (list == n.key) {
     if (is_written(n)) text += fmt::format("{} = {}\n", n.key, text_of(checked(n)));
     return 1;
   }
-  const auto in_list = [&](const FileNumber& other) { return other.table == n.table && list_of(other.key) == list; };
+  const auto in_list = [&](const FileParameter& other) { return other.table == n.table && list_of(other.key) == list; };
   const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(i);
   const auto end = std::find_if_not(begin, numbers.end(), in_list);
   std::vector<std::string> elements;
   std::transform(begin, end, std::back_inserter(elements),
-                 [](const FileNumber& e) { return text_of(*e.value / e.si); });
+                 [](const FileParameter& e) { return text_of(*e.value / e.si); });
   if (std::any_of(begin, end, is_written)) text += fmt::format("{} = [{}]\n", list, fmt::join(elements, ", "));
   return static_cast<std::size_t>(end - begin);
 }
@@ -68,7 +68,7 @@ std::vector<std::string_view> tables_of(const FileKeys& keys) {
   const auto add = [&](std::string_view table) {
     if (std::ranges::find(tables, table) == tables.end()) tables.push_back(table);
   };
-  for (const auto& n : keys.numbers) add(n.table);
+  for (const auto& n : keys.parameters) add(n.table);
   for (const auto& c : keys.choices) add(c.table);
   for (const auto& l : keys.lists) add(l.table);
   return tables;
@@ -79,8 +79,8 @@ std::string table_text(std::string_view table, const FileKeys& keys) {
   for (const auto& c : keys.choices)
     if (c.table == table && c.value->index > 0)
       text += fmt::format("{} = {}\n", c.key, in_quotes(c.names[static_cast<std::size_t>(c.value->index)]));
-  for (std::size_t i = 0; i < keys.numbers.size();)
-    i += keys.numbers[i].table == table ? write_number(text, keys.numbers, i) : 1;
+  for (std::size_t i = 0; i < keys.parameters.size();)
+    i += keys.parameters[i].table == table ? write_number(text, keys.parameters, i) : 1;
   for (const auto& l : keys.lists) {
     if (l.table != table || l.value->empty()) continue;
     std::vector<std::string> elements;

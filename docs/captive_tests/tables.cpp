@@ -44,7 +44,7 @@ Points hmri(const std::filesystem::path& folder, const Ship& ship) {
 
 /// The same where the moments of oscillating tests were about the centre of gravity: N + x_G Y about midship.
 Points about_centre_of_gravity(Points points, const Ship& ship) {
-  const double x_G = ship_numbers(ship, std::array<std::string, 1>{"x_g_m"})[0].value;
+  const double x_G = parameters_of(ship, std::array<std::string, 1>{"x_g_m"})[0].value;
   for (auto& point : points)
     if (point.with_inertia) point.measured.N += x_G * point.measured.Y;
   return points;
@@ -105,7 +105,7 @@ std::string cell(const CaptiveFit& fit, const std::string& name) {
 }
 
 std::string cell(const Ship& ship, const std::string& name) {
-  const double value = ship_numbers(ship, std::array{name})[0].value;
+  const double value = parameters_of(ship, std::array{name})[0].value;
   return value == 0.0 ? "-" : fmt::format("{:.3f}", scale_of(name, 1000.0) * value);
 }
 

@@ -217,7 +217,7 @@ std::string force_cells(const Ship& ship, const CaptivePoint& point, const Plana
 
 /// rms of N_v' v', of N_r' r' and of their sum over the recorded zigzags.
 std::string share_cells(const ForceFit& fit) {
-  const auto numbers = ship_numbers(fit.ship, std::array<std::string, 2>{"N_v", "N_r"});
+  const auto numbers = parameters_of(fit.ship, std::array<std::string, 2>{"N_v", "N_r"});
   double drift = 0.0, yaw = 0.0, both = 0.0, count = 0.0;
   for (const auto& run : fit.states)
     for (const auto& s : run.states) {

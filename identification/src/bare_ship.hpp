@@ -14,9 +14,11 @@ namespace swayaw {
 /// @throws Refusal  naming the effect
 inline void require_known_effects(const Ship& ship, std::string_view fit, bool sensors) {
   for (const auto& effect : ship.effects) {
-    const bool known = place_of(effect) == EffectPlace::water || std::holds_alternative<SteadyWind<>>(effect) ||
-                       (sensors && place_of(effect) == EffectPlace::sensor) ||
-                       (place_of(effect) == EffectPlace::actuator && !std::holds_alternative<ShaftSpeedDrop<>>(effect));
+    const auto acts_besides = []<class Kind>(const Kind&) {
+      return GivesCurrent<Kind> || (GivesWind<Kind> && !BeginsAndEnds<Kind>) || ActuatesRudder<Kind>;
+    };
+    const bool is_sensor = place_of(effect) == EffectPlace::sensor,
+               known = is_sensor ? sensors : std::visit(acts_besides, effect);
     if (!known && !is_null(effect))
       throw Refusal(fmt::format("the {} does not know {}; take it out of the ship file", fit, id_of(effect)));
   }

@@ -50,7 +50,7 @@ bool chosen(const CaptivePoint& point, const CaptiveSelection& s) {
 }
 
 /// d(force)/d(coefficients) of a point, a row in primes.
-Eigen::VectorXd features(const Ship& ship, const CaptivePoint& point, std::span<const ShipNumber> numbers,
+Eigen::VectorXd features(const Ship& ship, const CaptivePoint& point, std::span<const Parameter> numbers,
                          ForceComponent component) {
   using D = Dual<1>;
   Eigen::VectorXd row(static_cast<Index>(numbers.size()));
@@ -65,12 +65,12 @@ Eigen::VectorXd features(const Ship& ship, const CaptivePoint& point, std::span<
   return row;
 }
 
-Ship with_zeros(const Ship& ship, std::span<const ShipNumber> numbers) {
+Ship with_zeros(const Ship& ship, std::span<const Parameter> numbers) {
   return with_values(ship, numbers, std::vector<double>(numbers.size(), 0.0));
 }
 
 /// The force is linear: at ones it is what it is at zeros and the sum of its derivatives there.
-void require_linear(const Ship& at_zero, std::span<const ShipNumber> numbers, const CaptiveStep& step,
+void require_linear(const Ship& at_zero, std::span<const Parameter> numbers, const CaptiveStep& step,
                     const CaptivePoint& point, const Eigen::VectorXd& row) {
   const double unit = unit_of(at_zero, point, step.component);
   const double zero = component_of(captive_force(at_zero, point), step.component) / unit;
@@ -83,7 +83,7 @@ void require_linear(const Ship& at_zero, std::span<const ShipNumber> numbers, co
 
 /// y = measured − what the ship does without the coefficients of the step.
 Design design_of(const Ship& at_zero, std::span<const CaptivePoint> points, const CaptiveStep& step,
-                 std::span<const ShipNumber> numbers) {
+                 std::span<const Parameter> numbers) {
   Design design{.names = step.coefficients, .X = {}, .y = {}};
   design.X.resize(static_cast<Index>(points.size()), static_cast<Index>(numbers.size()));
   design.y.resize(design.X.rows());
@@ -115,10 +115,10 @@ void require_apart(const CaptiveStep& step, std::span<const CaptivePoint> points
                                 fmt::join(step.coefficients, ", ")));
 }
 
-std::vector<ShipNumber> all_found(const Ship& ship, const CaptivePlan& plan) {
+std::vector<Parameter> all_found(const Ship& ship, const CaptivePlan& plan) {
   std::vector<std::string> names;
   for (const auto& step : plan.steps) names.insert(names.end(), step.coefficients.begin(), step.coefficients.end());
-  return ship_numbers(ship, names);
+  return parameters_of(ship, names);
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ CaptiveFit fit_captive(const Ship& ship, std::span<const CaptivePoint> points, c
                        const RegressionOptions& options) {
   CaptiveFit result{.ship = with_zeros(ship, all_found(ship, plan)), .steps = {}, .validation = {}};
   for (const auto& step : plan.steps) {
-    const auto numbers = ship_numbers(result.ship, step.coefficients);
+    const auto numbers = parameters_of(result.ship, step.coefficients);
     const auto mine = points_of(step, points);
     require_apart(step, mine, plan.validation);
     const auto fit = regress(design_of(with_zeros(result.ship, numbers), mine, step, numbers), options);

@@ -50,10 +50,9 @@ const std::vector<StandardStep>& standard_steps() {
 /// Those that the model has and that may be fitted.
 Names known(const Ship& ship, const Names& names) {
   Names result;
-  const auto numbers = ship_numbers(ship);
+  const auto numbers = parameters_of(ship);
   for (const auto& name : names)
-    if (std::ranges::any_of(numbers,
-                            [&](const ShipNumber& n) { return n.name == name && n.role == Role::coefficient; }))
+    if (std::ranges::any_of(numbers, [&](const Parameter& n) { return n.name == name && n.role == Role::coefficient; }))
       result.push_back(name);
   return result;
 }

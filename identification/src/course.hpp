@@ -57,7 +57,7 @@ class Sailor {
                       bool with_slopes) const = 0;
 };
 
-using NumberList = std::vector<ShipNumber>;
+using NumberList = std::vector<Parameter>;
 
 /// One for each model; each is compiled in a file of its own.
 std::unique_ptr<Sailor> sailor_of(const MmgShip<double>& model, const Surroundings<double>& around,

@@ -35,7 +35,7 @@ struct ForceAndFeatures {
 };
 
 /// In portions of as many numbers as a dual has derivatives.
-ForceAndFeatures force_and_features(const Ship& ship, std::span<const ShipNumber> numbers,
+ForceAndFeatures force_and_features(const Ship& ship, std::span<const Parameter> numbers,
                                     const PlanarMotion<double>& motion, const Controls<double>& controls) {
   constexpr int lanes = 8;
   using D = Dual<lanes>;
@@ -81,7 +81,7 @@ std::vector<ForceComponent> acts_in(const Eigen::Vector3d& by_number, double sca
 }
 
 /// Where each number acts, which is one equation, and linearly.
-std::vector<ForceComponent> equations_of(const Ship& at_zero, std::span<const ShipNumber> numbers) {
+std::vector<ForceComponent> equations_of(const Ship& at_zero, std::span<const Parameter> numbers) {
   const auto [motion, controls] = probe_of(at_zero);
   const auto zero = force_and_features(at_zero, numbers, motion, controls);
   const auto ones = with_values(at_zero, numbers, std::vector<double>(numbers.size(), 1.0));
@@ -118,7 +118,7 @@ struct Rows {
   Eigen::Vector3d y;
 };
 
-Rows rows_at(const Known& known, std::span<const ShipNumber> numbers, const PlanarMotion<double>& motion,
+Rows rows_at(const Known& known, std::span<const Parameter> numbers, const PlanarMotion<double>& motion,
              const PlanarAcceleration<double>& unmodelled, const Controls<double>& controls) {
   const auto [force, by_number] = force_and_features(known.at_zero, numbers, motion, controls);
   const auto damping = std::visit(
@@ -142,7 +142,7 @@ Rows rows_at(const Known& known, std::span<const ShipNumber> numbers, const Plan
 /// Changes of (features, y) of an equation with u, v, r and the unmodelled acceleration.
 using Slopes = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
-std::array<Slopes, 3> slopes_at(const Known& known, std::span<const ShipNumber> numbers, const EstimatedState& s,
+std::array<Slopes, 3> slopes_at(const Known& known, std::span<const Parameter> numbers, const EstimatedState& s,
                                 const Controls<double>& controls) {
   const double U = speed(s.state.motion), L = length(known.ship);
   const std::array<double, 6> step{1e-5 * U,         1e-5 * U,         1e-5 * U / L,
@@ -180,7 +180,7 @@ Eigen::Matrix<double, 6, 6> covariance_of(const EstimatedState& s) {
 /// Rows of all runs, equation by equation.
 class Equations {
  public:
-  Equations(const Ship& ship, std::span<const ShipNumber> numbers)
+  Equations(const Ship& ship, std::span<const Parameter> numbers)
       : numbers_(numbers),
         known_{ship, with_values(ship, numbers, std::vector<double>(numbers.size(), 0.0))},
         acts_in_(equations_of(known_.at_zero, numbers)) {}
@@ -241,7 +241,7 @@ class Equations {
   }
 
  private:
-  std::span<const ShipNumber> numbers_;
+  std::span<const Parameter> numbers_;
   Known known_;
   std::vector<ForceComponent> acts_in_;
   std::vector<Rows> rows_;
@@ -262,7 +262,7 @@ MotionRange range_of(std::span<const Recording> runs, std::span<const StateEstim
   return range;
 }
 
-std::vector<Prior> priors_of(std::span<const ShipNumber> numbers, const Design& design) {
+std::vector<Prior> priors_of(std::span<const Parameter> numbers, const Design& design) {
   std::vector<Prior> priors;
   for (const auto& n : numbers)
     if (std::ranges::count(design.names, n.name) > 0 && n.deviation > 0.0)
@@ -282,7 +282,7 @@ ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, std::vect
                     const ForceFitOptions& options) {
   if (options.numbers.empty()) throw Refusal("no coefficient is to be found");
   require_known_effects(ship, "force fit", true);
-  const auto numbers = ship_numbers(ship, options.numbers);
+  const auto numbers = parameters_of(ship, options.numbers);
   Equations equations(ship, numbers);
   for (std::size_t i = 0; i < runs.size(); ++i) equations.add(runs[i], states[i]);
   ForceFit result{.ship = ship, .equations = {}, .range = range_of(runs, states, ship), .states = std::move(states)};
@@ -297,7 +297,7 @@ ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, std::vect
     for (const auto& c : result.equations.back().fit.coefficients) {
       if (!std::isfinite(c.estimate.value)) continue;
       const std::array name{c.name};
-      result.ship = with_values(result.ship, ship_numbers(ship, name), std::array{c.estimate.value});
+      result.ship = with_values(result.ship, parameters_of(ship, name), std::array{c.estimate.value});
     }
   }
   return result;

@@ -43,11 +43,11 @@ std::vector<std::string> published_form(const Ship& ship) {
   return {"X_0", "X_u", "X_vv", "X_rr", "X_vr", "Y_v", "Y_r", "N_v", "N_r"};
 }
 
-bool has_values(std::span<const ShipNumber> numbers) {
-  return std::ranges::any_of(numbers, [](const ShipNumber& n) { return n.value != 0.0; });
+bool has_values(std::span<const Parameter> numbers) {
+  return std::ranges::any_of(numbers, [](const Parameter& n) { return n.value != 0.0; });
 }
 
-void add_names(std::vector<std::string>& names, std::span<const ShipNumber> numbers, bool zeros_too) {
+void add_names(std::vector<std::string>& names, std::span<const Parameter> numbers, bool zeros_too) {
   for (const auto& n : numbers)
     if (zeros_too || n.value != 0.0) names.push_back(n.name);
 }
@@ -109,7 +109,7 @@ double variance_from(const ForceFit& fit, const ForceEquation& equation, double 
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
     const auto& [value, error] = coefficients[i].estimate;
     if (!std::isfinite(error) || !(error > 0.0)) continue;
-    const auto number = ship_numbers(fit.ship, std::array{coefficients[i].name});
+    const auto number = parameters_of(fit.ship, std::array{coefficients[i].name});
     const auto up = constant_term(with_values(fit.ship, number, std::array{value + error}), U);
     const auto down = constant_term(with_values(fit.ship, number, std::array{value - error}), U);
     if (up && down) slope[static_cast<Eigen::Index>(i)] = (*up - *down) / (2.0 * error);
@@ -119,7 +119,7 @@ double variance_from(const ForceFit& fit, const ForceEquation& equation, double 
 
 /// Whether sway force and yaw moment of the hull are linear in v and r.
 bool has_linear_hull(const Ship& ship) {
-  return std::ranges::all_of(coefficients_of(ship, "hull"), [](const ShipNumber& n) {
+  return std::ranges::all_of(coefficients_of(ship, "hull"), [](const Parameter& n) {
     const bool nonlinear = (n.key.starts_with("Y_") || n.key.starts_with("N_")) && n.key.size() > 3;
     return !nonlinear || n.value == 0.0;
   });

@@ -93,7 +93,7 @@ SailedTrial IndexTrials::sail(const Ship& ship, const MeasuredTrial& trial) {
 }
 
 Eigen::MatrixXd IndexTrials::slopes(const Ship& ship, const MeasuredTrial& trial, const SailedTrial& sailed,
-                                    std::span<const ShipNumber> numbers) {
+                                    std::span<const Parameter> numbers) {
   const auto options = options_for(trial);
   count(trial, (numbers.size() + slopes_at_once - 1) / slopes_at_once);
   if (const auto* order = std::get_if<TurnOrder>(&trial.manoeuvre))

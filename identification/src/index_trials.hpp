@@ -33,7 +33,7 @@ class IndexTrials {
 
   /// Derivatives of the indices by numbers of the ship.
   Eigen::MatrixXd slopes(const Ship& ship, const MeasuredTrial& trial, const SailedTrial& sailed,
-                         std::span<const ShipNumber> numbers);
+                         std::span<const Parameter> numbers);
 
  private:
   ManoeuvreOptions options_for(const MeasuredTrial& trial) const;

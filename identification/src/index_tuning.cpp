@@ -73,7 +73,7 @@ struct Candidate {
   Vector indices;
 };
 
-std::vector<double> values_at(std::span<const ShipNumber> numbers, const Vector& z) {
+std::vector<double> values_at(std::span<const Parameter> numbers, const Vector& z) {
   std::vector<double> values(numbers.size());
   for (std::size_t j = 0; j < numbers.size(); ++j) values[j] = numbers[j].value * (1.0 + z[index(j)]);
   return values;
@@ -89,7 +89,7 @@ SailedTrial sailed_or_told(IndexTrials& trials, const Ship& ship, const Measured
 }
 
 /// Sails all manoeuvres.
-Candidate sailed(IndexTrials& trials, const Ship& start, std::span<const ShipNumber> numbers, const Vector& z) {
+Candidate sailed(IndexTrials& trials, const Ship& start, std::span<const Parameter> numbers, const Vector& z) {
   Candidate c{.z = z, .ship = with_values(start, numbers, values_at(numbers, z)), .sailed = {}, .indices = {}};
   for (const auto& trial : trials.trials()) {
     c.sailed.push_back(sailed_or_told(trials, c.ship, trial));
@@ -102,7 +102,7 @@ Candidate sailed(IndexTrials& trials, const Ship& start, std::span<const ShipNum
 }
 
 /// dI/dz.
-Matrix slopes(IndexTrials& trials, const Candidate& c, std::span<const ShipNumber> numbers) {
+Matrix slopes(IndexTrials& trials, const Candidate& c, std::span<const Parameter> numbers) {
   Matrix J(c.indices.size(), index(numbers.size()));
   Eigen::Index row = 0;
   for (std::size_t t = 0; t < c.sailed.size(); ++t) {
@@ -159,7 +159,7 @@ class Tuner {
   void bound(Eigen::Index j) {
     const auto& n = numbers_[at(j)];
     const double prior = prior_of(n), most = prior > 0.0 ? options_.most_change.value_or(infinity) : 0.0,
-                 to_z = n.si / n.value;
+                 to_z = 1.0 / n.value;
     weight_[j] = prior > 0.0 ? 1.0 / (prior * prior) : 0.0;
     const double a = n.range.low * to_z - 1.0, b = n.range.high * to_z - 1.0;
     low_[j] = std::max(-most, std::min(a, b));
@@ -167,7 +167,7 @@ class Tuner {
     if (n.range.above_low) (to_z > 0.0 ? low_[j] : high_[j]) *= 1.0 - 1e-9;  // never at the limit itself
   }
 
-  double prior_of(const ShipNumber& n) const { return options_.prior.value_or(n.deviation / std::abs(n.value)); }
+  double prior_of(const Parameter& n) const { return options_.prior.value_or(n.deviation / std::abs(n.value)); }
 
   Vector residuals(const Candidate& c) const { return (c.indices - flat_.value).cwiseQuotient(flat_.deviation); }
 
@@ -291,7 +291,7 @@ class Tuner {
   const MeasuredIndices& measured_;
   Measured flat_;
   const TuningOptions& options_;
-  std::vector<ShipNumber> numbers_;
+  std::vector<Parameter> numbers_;
   IndexTrials trials_;
   Vector weight_;      ///< 1/prior²
   Vector low_, high_;  ///< of z
@@ -320,21 +320,21 @@ std::string_view in_words(TuningStatus status) {
   return "interrupted";
 }
 
-std::vector<ShipNumber> tuned_numbers(const Ship& ship, const TuningOptions& options) {
+std::vector<Parameter> tuned_numbers(const Ship& ship, const TuningOptions& options) {
   if (!options.numbers.empty()) {
-    auto numbers = ship_numbers(ship, options.numbers);
+    auto numbers = parameters_of(ship, options.numbers);
     for (const auto& n : numbers)
       if (n.value == 0.0) throw Refusal(fmt::format("{} is 0 and has no relative change to be tuned by", n.name));
     return numbers;
   }
   auto numbers = coefficients_of(ship, "hull");
-  std::erase_if(numbers, [](const ShipNumber& n) { return n.value == 0.0 || is_resistance(n.key); });
+  std::erase_if(numbers, [](const Parameter& n) { return n.value == 0.0 || is_resistance(n.key); });
   if (numbers.empty()) throw Refusal(fmt::format("{}: her model has no hull derivative to tune", ship.name));
   return numbers;
 }
 
 IndexSensitivity index_sensitivity(const Ship& ship, const MeasuredIndices& measured,
-                                   const std::vector<ShipNumber>& numbers) {
+                                   const std::vector<Parameter>& numbers) {
   IndexTrials trials(measured);
   const Vector zero = Vector::Zero(index(numbers.size()));
   const auto base = sailed(trials, ship, numbers, zero);

@@ -17,7 +17,7 @@ class ModelSailor : public Sailor {
   Course sail(const Stretch& stretch, const StateVector<double>& start, std::span<const double> values,
               bool with_slopes) const override {
     Model<double> ship = model_;
-    set_values(ship, std::span<const ShipNumber>(numbers_), values);
+    set_values(ship, std::span<const Parameter>(numbers_), values);
     Course course;
     course.residual.resize(static_cast<Eigen::Index>(stretch.readings.size()));
     if (!with_slopes) sail_values(ship, stretch, start, course);
@@ -48,7 +48,7 @@ class ModelSailor : public Sailor {
       if (stretch.readings[i].channel == Channel::x) course.residual_slope(static_cast<Eigen::Index>(i), 0) = 1.0;
       if (stretch.readings[i].channel == Channel::y) course.residual_slope(static_cast<Eigen::Index>(i), 1) = 1.0;
     }
-    const std::span<const ShipNumber> all(numbers_);
+    const std::span<const Parameter> all(numbers_);
     std::size_t done = std::min<std::size_t>(all.size(), N - 4);
     pass<N>(ship, stretch, start, all.first(done), true, 2, course);
     while (done < all.size()) {
@@ -60,7 +60,7 @@ class ModelSailor : public Sailor {
 
   template <int N>
   void pass(const Model<double>& ship, const Stretch& stretch, const StateVector<double>& start,
-            std::span<const ShipNumber> numbers, bool first, Eigen::Index column, Course& course) const {
+            std::span<const Parameter> numbers, bool first, Eigen::Index column, Course& course) const {
     using S = Dual<N>;
     const int states = first ? 4 : 0;
     const auto lanes = static_cast<Eigen::Index>(numbers.size()) + states;

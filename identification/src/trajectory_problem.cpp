@@ -69,7 +69,7 @@ std::vector<Channel> channels_of(const std::vector<CourseRun>& runs) {
 
 NumberList numbers_of(const Ship& ship, const TrajectoryFitOptions& options) {
   if (options.numbers.empty()) throw Refusal(fmt::format("{}: no number to fit", ship.name));
-  const auto numbers = ship_numbers(ship, options.numbers);
+  const auto numbers = parameters_of(ship, options.numbers);
   for (std::size_t i = 0; i < numbers.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (numbers[i].index == numbers[k].index)
@@ -77,11 +77,11 @@ NumberList numbers_of(const Ship& ship, const TrajectoryFitOptions& options) {
   return numbers;
 }
 
-/// The accepted range in SI; an end that is itself refused is kept clear of.
-void add_bounds(TrajectoryProblem& problem, const ShipNumber& number) {
+/// The accepted range; an end that is itself refused is kept clear of.
+void add_bounds(TrajectoryProblem& problem, const Parameter& number) {
   const double clear = number.range.above_low ? 1e-6 * std::max(std::abs(number.value), 1e-6) : 0.0;
-  problem.low.push_back(number.range.low * number.si + clear);
-  problem.high.push_back(number.range.high * number.si);
+  problem.low.push_back(number.range.low + clear);
+  problem.high.push_back(number.range.high);
 }
 
 void check(const TrajectoryFitOptions& options) {

@@ -40,7 +40,7 @@ struct RealIndices {
 
   static constexpr auto parameters() {
     constexpr auto index = [](std::string_view key, double RealIndices::*member, const Range& range = any_number) {
-      return Parameter<RealIndices, double>{key, member, "-", range, Role::coefficient};
+      return ParameterOf<RealIndices, double>{key, member, "-", range, Role::coefficient};
     };
     return std::array{index("T1", &RealIndices::T1, not_zero), index("T2", &RealIndices::T2, not_zero),
                       index("T3b", &RealIndices::T3b),         index("T3w", &RealIndices::T3w),
@@ -77,7 +77,7 @@ struct TableFile {
 template <class File>
 LinearShip read_as(const PartsReader& reader) {
   File file{};
-  auto head = reader.read({file_numbers(file), {}, {}});
+  auto head = reader.read({file_parameters(file), {}, {}});
   if (file.gear.lag > 0.0)
     reader.fail("rudder", "lag_s",
                 "a linear ship's rudder keeps its rate until it arrives; lag_s is not understood here");
@@ -122,7 +122,7 @@ TableFile<Numbers> file_of(const LinearShip& ship, const Numbers& numbers) {
 std::string ship_text(const LinearShip& ship, std::string_view remark) {
   const auto text_as = [&](const auto& form) {
     auto file = file_of(ship, form);
-    return ship_text("linear", {ship.name, ship.confidence}, {file_numbers(file), {}, {}}, {}, remark);
+    return ship_text("linear", {ship.name, ship.confidence}, {file_parameters(file), {}, {}}, {}, remark);
   };
   return std::visit(text_as, ship.form);
 }

@@ -28,9 +28,9 @@ Ship seen_on(Ship ship, double heading) {
   ship.surroundings.wind.from -= heading;
   ship.surroundings.current.to -= heading;
   for (auto& effect : ship.effects) {
-    const auto numbers = numbers_of(ship, effect);
+    const auto numbers = parameters_of(ship, effect);
     for (const auto& n : numbers)
-      if (is_direction(n)) number_of(effect, n.index) -= heading;
+      if (n.direction) parameter_value(effect, n.index) -= heading;
   }
   return ship;
 }
@@ -138,10 +138,6 @@ std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& s) {
 
 namespace {
 
-bool is_kind(const EffectForm& form, std::initializer_list<std::string_view> ids) {
-  return std::ranges::count(ids, form.id) > 0;
-}
-
 /// Coordinate at which an effect gains that much log evidence, ½ D c² = gain.
 double coordinate_shown(double D, double gain) { return std::sqrt(2.0 * gain / std::max(D, 1e-12)); }
 
@@ -150,15 +146,15 @@ double coordinate_shown(double D, double gain) { return std::sqrt(2.0 * gain / s
 std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s, std::span<const EffectForm> forms,
                                              double detection) {
   std::vector<DetectableSize> sizes;
-  const auto add = [&](const EffectForm& form, const EffectNumber& n, double D) {
-    sizes.push_back({form.id, std::string(n.key), coordinate_shown(D, detection) * n.prior});
+  const auto add = [&](const EffectForm& form, const Parameter& n, double D) {
+    sizes.push_back({form.id, std::string(n.key), coordinate_shown(D, detection) * n.deviation});
   };
   for (const auto& form : forms) {
     if (std::ranges::count(sizes, form.id, &DetectableSize::effect))
       continue;  // the delay of the first channel stands for all
-    const auto numbers = numbers_of(trial.ship, make_effect(form.id));
-    const auto number = std::ranges::find_if(numbers, &EffectNumber::decides);
-    const bool by_parts = is_kind(form, {"steady_wind", "steady_current", "wave_drift"});
+    const auto numbers = parameters_of(trial.ship, make_effect(form.id));
+    const auto number = std::ranges::find_if(numbers, &Parameter::decides);
+    const bool by_parts = std::ranges::any_of(numbers, &Parameter::direction) && !begins_and_ends(make_effect(form.id));
     const bool in_deviations = form.with_terms || (form.coordinates.size() == 1 && std::isfinite(number->null));
     if (!by_parts && !in_deviations) continue;  // a depth, an angle of stall or a lag: no size that grows from 0
     try {

@@ -41,24 +41,24 @@ void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> refere
 
 /// Numbers of an effect. To the scatter of the fit, as wide as evidence is in excess, comes what the law of the effect
 /// is worth.
-std::vector<EffectParameterEstimate> estimates(const Trial& trial, const Accepted& accepted, const MapFit& found,
-                                               Eigen::Index from) {
+std::vector<ParameterEstimate> estimates(const Trial& trial, const Accepted& accepted, const MapFit& found,
+                                         Eigen::Index from) {
   const auto& form = *accepted.form;
   const auto size = static_cast<Eigen::Index>(form.coordinates.size());
   const Point c = found.point.segment(from, size);
-  const auto numbers = numbers_of(trial.ship, form.at({c.data(), static_cast<std::size_t>(size)}));
-  Eigen::MatrixXd slopes = number_slopes(trial.ship, form, c);
+  const auto numbers = parameters_of(trial.ship, form.at({c.data(), static_cast<std::size_t>(size)}));
+  Eigen::MatrixXd slopes = parameter_slopes(trial.ship, form, c);
   if (!accepted.widening.empty())
     slopes *= Eigen::Map<const Eigen::VectorXd>(accepted.widening.data(), size).asDiagonal();
   const Eigen::MatrixXd covariance =
       slopes * widened(form, found.covariance.block(from, from, size, size)) * slopes.transpose();
-  std::vector<EffectParameterEstimate> result;
+  std::vector<ParameterEstimate> result;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const auto place = static_cast<Eigen::Index>(i);
     if (!std::isfinite(numbers[i].value) || !(covariance(place, place) > 0.0)) continue;
     const double value =
-        is_direction(numbers[i]) && numbers[i].value < 0.0 ? numbers[i].value + 2.0 * pi : numbers[i].value;
-    const double departure = is_direction(numbers[i]) ? 1.0 : std::abs(numbers[i].value - numbers[i].null),
+        numbers[i].direction && numbers[i].value < 0.0 ? numbers[i].value + 2.0 * pi : numbers[i].value;
+    const double departure = numbers[i].direction ? 1.0 : std::abs(numbers[i].value - numbers[i].null),
                  law = std::isfinite(departure) ? numbers[i].law * departure : 0.0;
     result.push_back({std::string(numbers[i].key), value, std::hypot(std::sqrt(covariance(place, place)), law)});
   }
@@ -109,43 +109,7 @@ std::vector<BaselineShift> shifts_of(const Trial& trial, const Point& point) {
 
 // ---------------------------------------------------------------- words
 
-std::string_view phrase(std::string_view id) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 31> phrases{{
-      {"steady_wind", "a steady wind"},
-      {"gust", "a gust"},
-      {"steady_current", "a current"},
-      {"wave_drift", "the drift force of waves"},
-      {"shallow_water", "shallow water"},
-      {"hull_linear_derivatives", "other linear derivatives of the hull"},
-      {"hull_nonlinear_damping", "other cubic terms of the hull"},
-      {"cross_flow_drag", "cross-flow drag"},
-      {"added_resistance", "more resistance"},
-      {"speed_loss_in_turn", "another loss of speed in turns"},
-      {"added_mass", "another added mass"},
-      {"rudder_effectiveness", "another lift of the rudder"},
-      {"rudder_hull_interaction", "another rudder-hull interaction"},
-      {"rudder_stall", "a rudder that stalls"},
-      {"rudder_gap", "the gap above the rudder"},
-      {"flow_straightening", "another flow straightening at the rudder"},
-      {"propeller_race", "another race on the rudder"},
-      {"propeller_side_force", "a side force of the propeller"},
-      {"wake_change", "another wake in turns"},
-      {"shaft_speed_drop", "a shaft that slows under load"},
-      {"rudder_offset", "an offset of the rudder"},
-      {"steering_gear_lag", "a rudder that follows late"},
-      {"steering_gear_backlash", "play in the steering gear"},
-      {"roll_coupling", "heel that acts on sway and yaw"},
-      {"fluid_memory", "forces that follow the motion late"},
-      {"heading_bias", "an error of the compass"},
-      {"gyro_bias", "a zero error of the yaw-rate gyro"},
-      {"log_scale", "a factor of the speed log"},
-      {"antenna_lever_arm", "an antenna off midship"},
-      {"channel_delay", "a channel that is late"},
-      {UnknownForce<>::id, "a force without a name"},
-  }};
-  const auto found = std::ranges::find(phrases, id, [](const auto& p) { return p.first; });
-  return found == phrases.end() ? id : found->second;
-}
+std::string_view phrase(std::string_view id) { return text_of(make_effect(id)).phrase; }
 
 std::string listed(const std::vector<std::string>& names) {
   if (names.size() < 2) return names.empty() ? "" : names.front();
@@ -216,24 +180,6 @@ std::string words_of(const Diagnosis& d) {
 
 // ---------------------------------------------------------------- where an instrument is wrong
 
-/// The quantity that a wrong instrument shows wrong; nothing for forces.
-std::string_view shown_wrong(const Effect& effect) {
-  if (std::holds_alternative<HeadingBias<double>>(effect)) return "heading";
-  if (std::holds_alternative<GyroBias<double>>(effect)) return "yaw_rate";
-  if (std::holds_alternative<LogScale<double>>(effect)) return "speed";
-  if (std::holds_alternative<AntennaLeverArm<double>>(effect)) return "position";
-  const auto* late = std::get_if<ChannelDelay<double>>(&effect);
-  if (!late) return {};
-  switch (late->channel) {
-    case Channel::x:
-    case Channel::y: return "position";
-    case Channel::psi: return "heading";
-    case Channel::r: return "yaw_rate";
-    case Channel::delta: return {};
-    default: return "speed";
-  }
-}
-
 std::vector<MismatchPlace> places_of(const Effect& sensor, std::span<const Recording> runs) {
   std::vector<MismatchPlace> places;
   for (const auto& run : runs)
@@ -266,9 +212,7 @@ FoundEffect found_effect(const Trial& trial, const Accepted& accepted, const Map
                     .parameters = estimates(trial, accepted, now, from),
                     .indistinguishable_from = {}};
   for (const auto& rival : accepted.rivals) found.indistinguishable_from.push_back(rival.form->id);
-  if (const auto* gust = std::get_if<Gust<double>>(&found.effect)) found.onset = gust->onset, found.end = gust->end;
-  if (const auto* unknown = std::get_if<UnknownForce<double>>(&found.effect); unknown && std::isfinite(unknown->onset))
-    found.onset = unknown->onset, found.end = unknown->end;
+  if (const auto time = acting_time(found.effect)) found.onset = time->onset, found.end = time->end;
   return found;
 }
 

@@ -203,15 +203,13 @@ MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit
   return likelier(found, fit(trial, hypothesis, with_start(now.point, other), now.noise));
 }
 
-/// A heel that is recorded is explained by rolling alone; it is coupled only where sway force or yaw moment show it.
+/// Whether an effect acts, which some can be seen without: a heel that is recorded is explained by rolling alone.
 bool acts(const EffectForm& form, const MapFit& found) {
-  if (form.id != "roll_coupling") return true;
+  if (std::ranges::none_of(form.coordinates, &Coordinate::acts)) return true;
   const auto from = found.point.size() - static_cast<Eigen::Index>(form.coordinates.size());
   for (std::size_t i = 0; i < form.coordinates.size(); ++i) {
     const auto k = from + static_cast<Eigen::Index>(i);
-    if (form.coordinates[i].name.ends_with("_phi") &&
-        std::abs(found.point[k]) > 2.0 * std::sqrt(found.covariance(k, k)))
-      return true;
+    if (form.coordinates[i].acts && std::abs(found.point[k]) > 2.0 * std::sqrt(found.covariance(k, k))) return true;
   }
   return false;
 }
@@ -325,10 +323,7 @@ double held_out_gain(const Trial& trial, const Elsewhere& elsewhere, const Hypot
 }
 
 /// A force of a time in one run is not asked for in another.
-bool is_of_a_time(const Effect& effect) {
-  const auto* unknown = std::get_if<UnknownForce<double>>(&effect);
-  return std::holds_alternative<Gust<double>>(effect) || (unknown && std::isfinite(unknown->onset));
-}
+bool is_of_a_time(const Effect& effect) { return acting_time(effect).has_value(); }
 
 /// Whether runs that were not used speak against an effect: they gain nothing by it, or, where it gains several times
 /// what is needed, lose clearly.
@@ -477,7 +472,7 @@ Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covarianc
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
   const auto size = std::ssize(form.coordinates);
   const Point c = found.point.tail(size);
-  const auto numbers = numbers_of(ship, form.at({c.data(), static_cast<std::size_t>(size)}));
+  const auto numbers = parameters_of(ship, form.at({c.data(), static_cast<std::size_t>(size)}));
   std::vector<Eigen::Index> deciding;
   std::vector<double> departures;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -485,7 +480,7 @@ bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
     if (!std::isfinite(numbers[i].value - numbers[i].null)) return true;
     deciding.push_back(static_cast<Eigen::Index>(i)), departures.push_back(numbers[i].value - numbers[i].null);
   }
-  const Eigen::MatrixXd slopes = number_slopes(ship, form, c)(deciding, Eigen::all);
+  const Eigen::MatrixXd slopes = parameter_slopes(ship, form, c)(deciding, Eigen::all);
   const Eigen::MatrixXd C = slopes * widened(form, found.covariance.bottomRightCorner(size, size)) * slopes.transpose();
   const Eigen::Map<const Eigen::VectorXd> z(departures.data(), std::ssize(departures));
   return !(z.dot(C.completeOrthogonalDecomposition().solve(z)) < 4.0);

@@ -10,7 +10,7 @@ namespace swayaw {
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
   Trial trial{
       .ship = ship, .numbers = {}, .lift_loss = ordinary_lift_loss(ship), .mean = {}, .precision = {}, .runs = {}};
-  for (const auto& n : ship_numbers(ship))
+  for (const auto& n : parameters_of(ship))
     if (n.role == Role::coefficient && n.deviation > 0.0) trial.numbers.push_back(n);
   const auto size = trial.baseline_size();
   trial.mean = Eigen::VectorXd::Zero(size);
@@ -30,17 +30,21 @@ Trial doubted(Trial trial, double factor) {
 
 namespace {
 
-bool takes_lift(const EffectForm* form) { return form->id == "rudder_gap" || form->id == "rudder_stall"; }
+bool takes_lift(const EffectForm* form) { return takes_rudder_lift(form->id); }
 
-/// A number of the baseline, in its deviations from the value of the ship file, kept to the range that ship files
-/// accept.
-Unknown unknown_of(const ShipNumber& n, double mean) {
-  constexpr double clear = 1e-3;  // deviations from an end of the range that is refused itself
-  const auto in_deviations = [&](double value) { return (value * n.si - n.value) / n.deviation; };
-  return {.name = n.name,
+/// A coefficient of the baseline, in its deviations from the value of the ship file, kept to its range.
+Unknown unknown_of(const Parameter& p, double mean) {
+  constexpr double clear = 1e-3;  // deviations from an end that is itself refused
+  const auto in_deviations = [&](double value) { return (value - p.value) / p.deviation; };
+  return {.name = p.name,
           .mean = mean,
-          .low = in_deviations(n.range.low) + (n.range.above_low ? clear : 0.0),
-          .high = in_deviations(n.range.high)};
+          .low = in_deviations(p.range.low) + (p.range.above_low ? clear : 0.0),
+          .high = in_deviations(p.range.high)};
+}
+
+/// Its value at a coordinate, rounding kept out of what is refused.
+double value_at(const Parameter& p, double c) {
+  return std::clamp(p.value + p.deviation * c, p.range.low, p.range.high);
 }
 
 Unknown unknown_of(const Coordinate& c) {
@@ -84,7 +88,7 @@ EstimationProblem problem_of(const Trial& trial, const Ship& ship) {
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
   std::vector<double> values;
   for (std::size_t i = 0; i < trial.numbers.size(); ++i)
-    values.push_back(trial.numbers[i].value + trial.numbers[i].deviation * point[static_cast<Eigen::Index>(i)]);
+    values.push_back(value_at(trial.numbers[i], point[static_cast<Eigen::Index>(i)]));
   Ship ship = with_values(trial.ship, trial.numbers, values);
   Eigen::Index next = trial.baseline_size();
   if (trial.lift_loss && std::ranges::none_of(hypothesis, takes_lift)) {

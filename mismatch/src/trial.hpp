@@ -16,7 +16,7 @@ namespace swayaw {
 /// precision matrix.
 struct Trial {
   Ship ship;
-  std::vector<ShipNumber> numbers;      ///< of the baseline that may be a little wrong
+  std::vector<Parameter> numbers;       ///< of the baseline that may be a little wrong
   std::optional<EffectForm> lift_loss;  ///< of the rudder, part of the baseline
   Eigen::VectorXd mean;                 ///< of the baseline's coordinates
   Eigen::MatrixXd precision;
@@ -39,6 +39,9 @@ EstimationProblem problem_of(const Trial& trial, const Hypothesis& hypothesis);
 
 /// The same of a ship in which nothing is unknown, for likelihoods of her.
 EstimationProblem problem_of(const Trial& trial, const Ship& ship);
+
+/// The nearest point at which every coefficient of the baseline and every coordinate of the effects is in its range.
+Point in_range(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
 
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
 

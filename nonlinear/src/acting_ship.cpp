@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw {
@@ -15,22 +16,39 @@ std::string_view name_of(const PiShip<double>&) { return "pi"; }
 std::string_view name_of(const PuShip<double>&) { return "pu"; }
 std::string_view name_of(const AbkowitzShip<double>&) { return "abkowitz"; }
 
-/// Added forces that a polynomial without draught, beam, thrust or shaft speed has no numbers for.
-constexpr std::array<std::string_view, 4> not_of_abkowitz{CrossFlowDrag<>::id, PropellerSideForce<>::id,
-                                                          RollCoupling<>::id, ShaftSpeedDrop<>::id};
+/// Whether effects of that kind act on a model; its parameters apart.
+template <class Model, class Kind>
+bool acts_on(const Model& model, const Kind&) {
+  if constexpr (requires { Kind::acts_on(model); }) return Kind::acts_on(model);
+  else return true;
+}
+
+/// Changes the parameters of the model as the effect says; nothing for effects that act otherwise.
+/// @return  what the model has no place for, "" if it has: a key, or the effect itself
+template <class Model>
+std::string_view change_model(Model& model, const Effect& effect) {
+  const auto change_kind = [&]<class Kind>(const Kind& e) -> std::string_view {
+    if constexpr (requires { prepare(model, e); }) prepare(model, e);
+    if constexpr (puts_values<Kind>()) {
+      return put_values(model, e);
+    } else if constexpr (requires { change(model, e); }) {
+      change(model, e);
+      return {};
+    } else {
+      return ChangesModel<Kind> ? Kind::id : std::string_view{};
+    }
+  };
+  return std::visit(change_kind, effect);
+}
 
 template <class Model>
 std::string cannot_act_on(const Model& model, const Effect& effect) {
   auto changed = model;
-  const auto lacking = change_numbers(changed, effect);
+  const auto lacking = change_model(changed, effect);
   if (!lacking.empty() && lacking != id_of(effect))
     return fmt::format("{}: a ship of model \"{}\" has no {}", id_of(effect), name_of(model), lacking);
-  const bool no_force =
-      std::is_same_v<Model, AbkowitzShip<double>> && std::ranges::count(not_of_abkowitz, id_of(effect)) > 0;
-  const bool no_shaft = id_of(effect) == ShaftSpeedDrop<>::id && !takes_shaft_speed(model);
-  if (!lacking.empty() || no_force || no_shaft)
-    return fmt::format("{} cannot act on a ship of model \"{}\"", id_of(effect), name_of(model));
-  return {};
+  if (lacking.empty() && std::visit([&](const auto& e) { return acts_on(model, e); }, effect)) return {};
+  return fmt::format("{} cannot act on a ship of model \"{}\"", id_of(effect), name_of(model));
 }
 
 /// Velocity of the air as a vector to the north and the east.
@@ -45,16 +63,19 @@ struct WindVector {
   double speed() const { return std::hypot(north, east); }
 };
 
+template <class Kind>
+constexpr bool gives_steady_wind = GivesWind<Kind> && !BeginsAndEnds<Kind>;
+
 /// Wind that blows all the time, and those gusts that blow at that time.
 Surroundings<double> with_wind(Surroundings<double> around, const Ship& ship, double time) {
   std::vector<Wind<double>> winds;
   if (around.windy) winds.push_back(around.wind);
-  for (const auto& effect : ship.effects) {
-    if (is_null(effect)) continue;
-    if (const auto* steady = std::get_if<SteadyWind<>>(&effect)) winds.push_back({steady->speed, steady->from});
-    if (const auto* gust = std::get_if<Gust<>>(&effect); gust && gust->onset <= time && time < gust->end)
-      winds.push_back({gust->speed, gust->from});
-  }
+  const auto add = [&]<class Kind>(const Kind& e) {
+    if constexpr (GivesWind<Kind>)
+      if (acts_at(e, time)) winds.push_back(wind(e));
+  };
+  for (const auto& effect : ship.effects)
+    if (!is_null(effect)) std::visit(add, effect);
   if (winds.empty()) return around;
   around.windy = true;
   around.wind = winds.front();
@@ -65,28 +86,39 @@ Surroundings<double> with_wind(Surroundings<double> around, const Ship& ship, do
   return around;
 }
 
-Surroundings<double> with_current(Surroundings<double> around, const Ship& ship) {
-  const auto* stream = find<SteadyCurrent<>>(std::span<const Effect>(ship.effects));
-  if (!stream || stream->speed == 0.0) return around;
-  auto& c = around.current;
-  if (c.speed == 0.0) {
-    c = {stream->speed, stream->to};
-    return around;
-  }
+/// The sum of two streams.
+Current<double> both(const Current<double>& a, const Current<double>& b) {
+  if (b.speed == 0.0) return a;
+  if (a.speed == 0.0) return b;
   WindVector sum;
-  sum.add(-c.speed, c.to);
-  sum.add(-stream->speed, stream->to);
-  c = {sum.speed(), std::atan2(sum.east, sum.north)};
+  sum.add(-a.speed, a.to);
+  sum.add(-b.speed, b.to);
+  return {sum.speed(), std::atan2(sum.east, sum.north)};
+}
+
+Surroundings<double> with_current(Surroundings<double> around, const Ship& ship) {
+  const auto add = [&]<class Kind>(const Kind& e) {
+    if constexpr (GivesCurrent<Kind>) around.current = both(around.current, current(e));
+  };
+  for (const auto& effect : ship.effects) std::visit(add, effect);
   return around;
 }
 
-/// Numbers of the model as the effects change them.
+/// Parameters of the model as the effects change them.
 template <class Model>
-void change_model(Model& model, const Ship& ship) {
+void apply_effects(Model& model, const Ship& ship) {
   for (const auto& effect : ship.effects) {
     if (const auto why = cannot_act_on(model, effect); !why.empty()) throw Refusal(why);
-    if (!is_null(effect)) change_numbers(model, effect);
+    if (!is_null(effect)) change_model(model, effect);
   }
+}
+
+/// The ship without wind that comes and goes.
+Ship without_gusts(const Ship& ship) {
+  auto calm = ship;
+  const auto is_gust = []<class Kind>(const Kind&) { return GivesWind<Kind> && BeginsAndEnds<Kind>; };
+  std::erase_if(calm.effects, [&](const Effect& e) { return std::visit(is_gust, e); });
+  return calm;
 }
 
 /// The effects that do something.
@@ -94,11 +126,6 @@ std::vector<Effect> active(const Ship& ship) {
   std::vector<Effect> effects;
   std::ranges::copy_if(ship.effects, std::back_inserter(effects), [](const Effect& e) { return !is_null(e); });
   return effects;
-}
-
-bool unknown_acts(const Ship& ship, double time) {
-  const auto* unknown = find<UnknownForce<>>(std::span<const Effect>(ship.effects));
-  return unknown && !is_null(Effect(*unknown)) && unknown->onset <= time && time < unknown->end;
 }
 
 constexpr double before_all = -std::numeric_limits<double>::infinity();
@@ -113,34 +140,44 @@ Surroundings<double> surroundings_at(const Ship& ship, double time) {
   return with_current(with_wind(ship.surroundings, ship, time), ship);
 }
 
+std::uint32_t acting_at(std::span<const Effect> effects, double time) {
+  std::uint32_t acting = 0;
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    const auto take = [&]<class Kind>(std::size_t i, std::type_identity<Kind>) {
+      for (const auto& effect : effects)
+        if (const auto* e = std::get_if<Kind>(&effect); e && !is_null(effect) && acts_at(*e, time))
+          acting |= std::uint32_t{1} << i;
+    };
+    (take(I, std::type_identity<ActingKind<I>>{}), ...);
+  }
+  (std::make_index_sequence<acting_count>());
+  return acting;
+}
+
 std::vector<Change> changes_of(const Ship& ship) {
   std::vector<double> times;
-  for (const auto& effect : ship.effects) {
-    if (is_null(effect)) continue;
-    if (const auto* gust = std::get_if<Gust<>>(&effect)) times.insert(times.end(), {gust->onset, gust->end});
-    if (const auto* unknown = std::get_if<UnknownForce<>>(&effect))
-      times.insert(times.end(), {unknown->onset, unknown->end});
-  }
+  const auto add = [&]<class Kind>(const Kind& e) {
+    if constexpr (BeginsAndEnds<Kind>) times.insert(times.end(), {e.onset, e.end});
+  };
+  for (const auto& effect : ship.effects)
+    if (!is_null(effect)) std::visit(add, effect);
   std::erase_if(times, [](double time) { return !std::isfinite(time); });
   std::ranges::sort(times);
   std::vector<Change> changes;
   for (const double time : times) {
     const auto around = surroundings_at(ship, time);
-    changes.push_back({time, around.wind, around.windy, unknown_acts(ship, time)});
+    changes.push_back({time, around.wind, around.windy, acting_at(ship.effects, time)});
   }
   return changes;
 }
 
 RudderActuator rudder_actuator(const Ship& ship) {
-  RudderActuator a;
-  for (const auto& effect : ship.effects) {
-    if (const auto* play = std::get_if<SteeringGearBacklash<>>(&effect)) a.width = play->width;
-    if (const auto* lag = std::get_if<SteeringGearLag<>>(&effect)) a.lag = lag->lag, a.rate = lag->rate;
-    if (const auto* offset = std::get_if<RudderOffset<>>(&effect)) a.offset = offset->offset;
-    if (const auto* late = std::get_if<ChannelDelay<>>(&effect); late && late->channel == Channel::delta)
-      a.record_delay = late->delay;
-  }
-  return a;
+  RudderActuator actuator;
+  const auto add = [&]<class Kind>(const Kind& e) {
+    if constexpr (ActuatesRudder<Kind>) actuate(e, actuator);
+  };
+  for (const auto& effect : ship.effects) std::visit(add, effect);
+  return actuator;
 }
 
 Instruments<double> instruments_of(const Ship& ship) { return instruments_of(std::span<const Effect>(ship.effects)); }
@@ -150,12 +187,12 @@ ActingShip<Model> acting_ship(const Ship& ship, const Model& model) {
   ActingShip<Model> acting{
       .model = model, .surroundings = ship.surroundings, .changes = {}, .added = {}, .rudder = {}, .instruments = {}};
   if (ship.effects.empty()) return acting;
-  change_model(acting.model, ship);
+  apply_effects(acting.model, ship);
   acting.surroundings = surroundings_at(ship, before_all);
   acting.changes = changes_of(ship);
   const auto effects = active(ship);
-  acting.added = added_forces(acting.model, std::span<const Effect>(effects));
-  acting.added.mapped = unknown_acts(ship, before_all);
+  acting.added = acting_effects(acting.model, std::span<const Effect>(effects));
+  acting.added.acting = acting_at(effects, before_all);
   acting.rudder = rudder_actuator(ship);
   acting.instruments = instruments_of(ship);
   return acting;
@@ -168,12 +205,10 @@ template ActingShip<AbkowitzShip<double>> acting_ship(const Ship&, const Abkowit
 
 Ship with_effects_applied(const Ship& ship) {
   Ship result = ship;
-  std::visit([&](auto& model) { change_model(model, ship); }, result.model);
-  auto calm = ship;
-  std::erase_if(calm.effects, [](const Effect& e) { return std::holds_alternative<Gust<>>(e); });
-  result.surroundings = surroundings_at(calm, 0.0);
+  std::visit([&](auto& model) { apply_effects(model, ship); }, result.model);
+  result.surroundings = surroundings_at(without_gusts(ship), 0.0);
   const auto held = []<class Kind>(const Kind&) {
-    return changes_numbers<Kind>() || Kind::id == SteadyWind<>::id || Kind::id == SteadyCurrent<>::id;
+    return ChangesModel<Kind> || gives_steady_wind<Kind> || GivesCurrent<Kind>;
   };
   std::erase_if(result.effects, [&](const Effect& e) { return std::visit(held, e); });
   return result;
@@ -191,7 +226,7 @@ Ship with_effect(const Ship& ship, const Effect& effect) {
   return result;
 }
 
-// ---------------------------------------------------------------- numbers of effects, on a ship
+// ---------------------------------------------------------------- parameters of effects, on a ship
 
 namespace {
 
@@ -212,38 +247,53 @@ double one_of(ShipUnit unit, const Ship& ship, double own) {
   return own == 0.0 ? 1.0 : std::abs(own);
 }
 
-/// What a number of an effect is where the effect leaves it as it is; nothing where the model has no place for it.
-template <class Part>
-std::optional<double> own_number(const ShipModel& model, const AddedForces<double>& defaults,
-                                 const EffectParameter<Part, double>& p) {
-  if (p.key == "GM_m") return defaults.coupling.GM;
-  if (p.key == "lever_m") return defaults.coupling.lever;
+/// What a parameter of an effect is where the effect leaves it as it is; nothing where the model has no place for it.
+template <class Kind>
+std::optional<double> own_value(const ShipModel& model, const ParameterOf<Kind, double>& p) {
   return std::visit(
       [&](auto m) -> std::optional<double> {
+        if (p.table.empty()) return completed(Kind{}, ship_facts(m)).*p.member;
         const auto* place = replaced(m, p);
         return place ? std::optional(*place) : std::nullopt;
       },
       model);
 }
 
+/// A parameter of an effect on a ship; nothing where the model has no place for it.
+template <class Kind>
+std::optional<Parameter> parameter_of(const Ship& ship, const Kind& effect, std::size_t index) {
+  const auto& p = parameter_list<Kind>[index];
+  const bool of_ship = std::isnan(p.null) || !p.table.empty();
+  const auto own = of_ship ? own_value(ship.model, p) : 0.0;
+  if (!own) return std::nullopt;
+  const double one = one_of(p.scale, ship, *own), null = std::isnan(p.null) ? *own : p.null, value = effect.*p.member;
+  return Parameter{.name = std::string(p.key),
+                   .table = Kind::id,
+                   .key = p.key,
+                   .unit = p.unit,
+                   .index = index,
+                   .value = std::isnan(value) ? null : value,
+                   .range = p.range,
+                   .scope = Kind::scope,
+                   .null = null,
+                   .deviation = p.prior * one,
+                   .floor = p.floor * (p.scale == ShipUnit::wind ? service_speed(ship) : one),
+                   .law = p.law,
+                   .decides = p.decides,
+                   .direction = p.direction};
+}
+
 }  // namespace
 
-std::vector<EffectNumber> numbers_of(const Ship& ship, const Effect& effect) {
+std::vector<Parameter> parameters_of(const Ship& ship, const Effect& effect) {
   if (!cannot_act(ship.model, effect).empty()) return {};
-  const auto defaults =
-      std::visit([](const auto& m) { return added_forces(m, std::span<const Effect>{}); }, ship.model);
-  std::vector<EffectNumber> numbers;
-  std::size_t index = 0;
-  for_each_parameter(effect, [&](const auto& p, double value) {
-    const std::size_t place = index++;
-    std::optional<double> own = std::isnan(p.null) || !p.table.empty() ? own_number(ship.model, defaults, p) : 0.0;
-    if (!own) return;
-    const double one = one_of(p.scale, ship, *own), null = std::isnan(p.null) ? *own : p.null;
-    const double floor = p.scale == ShipUnit::wind ? p.floor * service_speed(ship) : p.floor * one;
-    numbers.push_back(
-        {p.key, place, p.range, std::isnan(value) ? null : value, null, p.prior * one, floor, p.law, p.decides});
-  });
-  return numbers;
+  std::vector<Parameter> parameters;
+  const auto add = [&]<class Kind>(const Kind& e) {
+    for (std::size_t i = 0; i < parameter_list<Kind>.size(); ++i)
+      if (auto p = parameter_of(ship, e, i)) parameters.push_back(*std::move(p));
+  };
+  std::visit(add, effect);
+  return parameters;
 }
 
 }  // namespace swayaw

@@ -87,7 +87,7 @@ struct Columns {
   std::vector<double> numbers, speed, rev, end;
 
   void add(const MmgShip<double>& ship, const Plan& plan) {
-    for_each_number(ship, [&](double number) { numbers.push_back(number); });
+    for_each_value(ship, [&](double number) { numbers.push_back(number); });
     speed.push_back(plan.speed);
     rev.push_back(plan.propulsion.rev);
     end.push_back(plan.end);

@@ -11,58 +11,60 @@
 namespace swayaw {
 namespace {
 
-ShipNumber ship_number(const FileNumber& n, std::size_t index, const Confidence& confidence) {
-  const double deviation = n.role == Role::coefficient ? std::abs(*n.value) * confidence.of(n.key) : 0.0;
-  return {.name = std::string(n.key),
-          .table = n.table,
-          .key = n.key,
+Parameter ship_parameter(const FileParameter& p, std::size_t index, const Confidence& confidence) {
+  return {.name = std::string(p.key),
+          .table = p.table,
+          .key = p.key,
+          .unit = p.unit,
           .index = index,
-          .value = *n.value,
-          .range = n.range,
-          .si = n.si,
-          .role = n.role,
-          .deviation = deviation};
+          .value = *p.value,
+          .range = scaled(p.range, p.si),
+          .si = p.si,
+          .role = p.role,
+          .null = *p.value,
+          .deviation = p.role == Role::coefficient ? std::abs(*p.value) * confidence.of(p.key) : 0.0};
 }
 
 /// "rudder.x_prime" where another table has that key too.
-void name_by_table(std::vector<ShipNumber>& numbers) {
-  for (auto& n : numbers)
-    if (std::ranges::count(numbers, n.key, &ShipNumber::key) > 1) n.name = fmt::format("{}.{}", n.table, n.key);
+void name_by_table(std::vector<Parameter>& parameters) {
+  for (auto& p : parameters)
+    if (std::ranges::count(parameters, p.key, &Parameter::key) > 1) p.name = fmt::format("{}.{}", p.table, p.key);
 }
 
 }  // namespace
 
-std::vector<ShipNumber> ship_numbers(const Ship& ship) {
-  std::vector<ShipNumber> numbers;
+std::vector<Parameter> parameters_of(const Ship& ship) {
+  std::vector<Parameter> parameters;
   const auto add = [&](auto model) {
-    for (const auto& n : file_numbers(model)) numbers.push_back(ship_number(n, numbers.size(), ship.confidence));
+    for (const auto& p : file_parameters(model))
+      parameters.push_back(ship_parameter(p, parameters.size(), ship.confidence));
   };
   std::visit(add, ship.model);
-  name_by_table(numbers);
-  return numbers;
+  name_by_table(parameters);
+  return parameters;
 }
 
-std::vector<ShipNumber> ship_numbers(const Ship& ship, std::span<const std::string> names) {
-  const auto all = ship_numbers(ship);
-  std::vector<ShipNumber> picked;
+std::vector<Parameter> parameters_of(const Ship& ship, std::span<const std::string> names) {
+  const auto all = parameters_of(ship);
+  std::vector<Parameter> picked;
   for (const auto& name : names) {
     const auto found = std::ranges::find_if(
-        all, [&](const ShipNumber& n) { return name == n.name || name == fmt::format("{}.{}", n.table, n.key); });
+        all, [&](const Parameter& p) { return name == p.name || name == fmt::format("{}.{}", p.table, p.key); });
     if (found == all.end()) throw Refusal(fmt::format("{}: her model has no number {}", ship.name, name));
     picked.push_back(*found);
   }
   return picked;
 }
 
-std::vector<ShipNumber> coefficients_of(const Ship& ship, std::string_view table) {
-  auto numbers = ship_numbers(ship);
-  std::erase_if(numbers, [&](const ShipNumber& n) { return n.table != table || n.role != Role::coefficient; });
-  return numbers;
+std::vector<Parameter> coefficients_of(const Ship& ship, std::string_view table) {
+  auto parameters = parameters_of(ship);
+  std::erase_if(parameters, [&](const Parameter& p) { return p.table != table || p.role != Role::coefficient; });
+  return parameters;
 }
 
-Ship with_values(const Ship& ship, std::span<const ShipNumber> numbers, std::span<const double> values) {
+Ship with_values(const Ship& ship, std::span<const Parameter> parameters, std::span<const double> values) {
   Ship result = ship;
-  std::visit([&](auto& model) { set_values(model, numbers, values); }, result.model);
+  std::visit([&](auto& model) { set_values(model, parameters, values); }, result.model);
   return result;
 }
 

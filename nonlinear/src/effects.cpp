@@ -18,6 +18,8 @@ std::array<Effect, sizeof...(I)> all_kinds(std::index_sequence<I...>) {
 
 template <std::size_t... I>
 constexpr std::array<std::string_view, sizeof...(I)> all_ids(std::index_sequence<I...>) {
+  static_assert(((ways_to_act<std::variant_alternative_t<I, Effect>> == 1) && ...),
+                "every effect acts in exactly one way");
   return {std::variant_alternative_t<I, Effect>::id...};
 }
 
@@ -42,6 +44,74 @@ std::optional<Effect> effect_named(std::string_view id) {
 Effect make_effect(std::string_view id) {
   if (const auto effect = effect_named(id)) return *effect;
   throw std::domain_error(fmt::format("{} is no effect (known: {})", id, fmt::join(ids, ", ")));
+}
+
+// ---------------------------------------------------------------- what some have
+
+std::optional<ActingTime> acting_time(const Effect& effect) {
+  return std::visit(
+      []<class Kind>(const Kind& e) -> std::optional<ActingTime> {
+        if constexpr (BeginsAndEnds<Kind>)
+          if (std::isfinite(e.onset)) return ActingTime{e.onset, e.end};
+        return std::nullopt;
+      },
+      effect);
+}
+
+bool begins_and_ends(const Effect& effect) {
+  return std::visit([]<class Kind>(const Kind&) { return BeginsAndEnds<Kind>; }, effect);
+}
+
+bool acts_at(const Effect& effect, double time) {
+  return std::visit([time](const auto& e) { return acts_at(e, time); }, effect);
+}
+
+Channel* channel_of(Effect& effect) {
+  return std::visit(
+      [](auto& e) -> Channel* {
+        if constexpr (requires { e.channel; }) return &e.channel;
+        else return nullptr;
+      },
+      effect);
+}
+
+const Channel* channel_of(const Effect& effect) { return channel_of(const_cast<Effect&>(effect)); }
+
+std::string_view shown_wrong(const Effect& effect) {
+  return std::visit(
+      [](const auto& e) -> std::string_view {
+        if constexpr (requires { e.shows_wrong(); }) return e.shows_wrong();
+        else return {};
+      },
+      effect);
+}
+
+bool takes_rudder_lift(std::string_view id) {
+  bool takes = false;
+  for_each_kind([&]<class Kind>() {
+    if constexpr (requires { Kind::takes_rudder_lift; }) takes = takes || Kind::id == id;
+  });
+  return takes;
+}
+
+bool is_ordinary(const Effect& effect, std::span<const Parameter> parameters) {
+  return std::visit(
+      [parameters](const auto& e) {
+        if constexpr (requires { is_of_every_ship(e, parameters); }) return is_of_every_ship(e, parameters);
+        else return false;
+      },
+      effect);
+}
+
+std::string_view never_steady(const Effect& effect) {
+  return std::visit(
+      []<class Kind>(const Kind& e) -> std::string_view {
+        if constexpr (requires { e.lets_turns_be_steady(); })
+          if (e.lets_turns_be_steady()) return {};
+        if constexpr (requires { Kind::never_steady; }) return Kind::never_steady;
+        else return GivesWind<Kind> ? "in wind" : "";
+      },
+      effect);
 }
 
 }  // namespace swayaw

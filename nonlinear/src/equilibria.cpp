@@ -52,7 +52,7 @@ class TurnEquations {
 
  private:
   decltype(cast<D>(std::declval<Model>())) ship_;
-  AddedForces<D> added_;
+  ActingEffects<D> added_;
   Controls<D> propulsion_;
   double U_, L_;
 };

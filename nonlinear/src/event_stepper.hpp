@@ -47,7 +47,7 @@ struct PropulsionLine {
   }
 };
 
-/// x, y, psi, u, v, r, and where effects need them phi, p, v_s, r_s.
+/// x, y, psi, u, v, r, and the hidden states of effects where there are some.
 template <std::size_t HiddenStates>
 using StepperState = std::array<double, 6 + HiddenStates>;
 
@@ -59,8 +59,12 @@ class ScaledError {
 
   ScaledError() = default;
   ScaledError(double tolerance, double L, double U) {
-    const std::array weight{1.0 / L, 1.0 / L, 1.0, 1.0 / U, 1.0 / U, L / U, 1.0, L / U, 1.0 / U, L / U};
-    for (std::size_t i = 0; i < weight_.size(); ++i) weight_[i] = weight[i] / tolerance;
+    const std::array of_motion{1.0 / L, 1.0 / L, 1.0, 1.0 / U, 1.0 / U, L / U};
+    const auto of_hidden = [&](ShipUnit scale) {
+      return scale == ShipUnit::speed ? 1.0 / U : scale == ShipUnit::yaw_rate ? L / U : 1.0;
+    };
+    for (std::size_t i = 0; i < weight_.size(); ++i)
+      weight_[i] = (i < 6 ? of_motion[i] : of_hidden(hidden_quantities[i - 6].scale)) / tolerance;
   }
 
   template <class Algebra>
@@ -80,7 +84,7 @@ struct Sample {
   ShipState<double> state;
   Controls<double> controls;
   double shown{};           ///< rudder angle as the indicator shows it [rad]
-  Hidden<double> hidden{};  ///< heel and memory
+  Hidden<double> hidden{};  ///< hidden states of effects
 };
 
 /// Moves a ship through time with Dormand–Prince steps.
@@ -90,7 +94,7 @@ struct Sample {
 /// ends. Any event time is the root of the dense output, and the state there comes from a step that ends there. Where
 /// the wind changes, the step ends too.
 ///
-/// A ship whose effects go on out of sight needs HiddenStates = 4; see with_stepper.
+/// A ship whose effects have hidden states needs HiddenStates = hidden_count; see with_stepper.
 template <class Model, std::size_t HiddenStates = 0>
 class EventStepper {
  public:
@@ -102,7 +106,7 @@ class EventStepper {
         surroundings_(acting.surroundings),
         changes_(acting.changes),
         added_(acting.added),
-        with_added_(acting.added.any() || std::ranges::any_of(acting.changes, &Change::mapped)),
+        with_added_(acting.added.any() || std::ranges::any_of(acting.changes, &Change::acting)),
         actuator_(acting.rudder),
         time_(start.time),
         state_(joined(start.state, steady_hidden(acting.added, start.state.motion))),
@@ -220,14 +224,16 @@ class EventStepper {
   static ShipState<double> visible(const State& s) { return {s[0], s[1], s[2], {s[3], s[4], s[5]}}; }
 
   static Hidden<double> hidden_of(const State& s) {
-    if constexpr (HiddenStates > 0) return {s[6], s[7], s[8], s[9]};
-    else return {};
+    Hidden<double> hidden{};
+    if constexpr (HiddenStates > 0) std::copy(s.begin() + 6, s.end(), hidden.begin());
+    return hidden;
   }
 
   static State joined(const ShipState<double>& state, const Hidden<double>& h) {
-    if constexpr (HiddenStates > 0)
-      return {state.x, state.y, state.psi, state.motion.u, state.motion.v, state.motion.r, h.phi, h.p, h.v, h.r};
-    else return vector_of(state);
+    State joined;
+    std::ranges::copy(vector_of(state), joined.begin());
+    if constexpr (HiddenStates > 0) std::ranges::copy(h, joined.begin() + 6);
+    return joined;
   }
 
   Controls<double> controls_at(double time) const { return propulsion_.at(time, rudder_.at(time)); }
@@ -431,7 +437,7 @@ class EventStepper {
   Model ship_;
   Surroundings<double> surroundings_;
   std::vector<Change> changes_;
-  AddedForces<double> added_;
+  ActingEffects<double> added_;
   bool with_added_;
   RudderActuator actuator_;
   double time_;
@@ -456,11 +462,12 @@ class EventStepper {
   std::vector<ManoeuvreStep> steps_;
 };
 
-/// What run(stepper) gives, with a stepper that follows what goes on out of sight where the ship needs it.
+/// What run(stepper) gives, with a stepper that follows hidden states of effects where the ship has some.
 template <class Model, class Run>
 auto with_stepper(const ActingShip<Model>& acting, const Sample& start, double tolerance, Run&& run) {
-  if (acting.added.hidden()) {
-    EventStepper<Model, 4> stepper(acting, start, tolerance);
+  const auto hides = [&](const Change& change) { return ActingEffects<>{.acting = change.acting}.hidden(); };
+  if (acting.added.hidden() || std::ranges::any_of(acting.changes, hides)) {
+    EventStepper<Model, hidden_count> stepper(acting, start, tolerance);
     return run(stepper);
   }
   EventStepper<Model> stepper(acting, start, tolerance);

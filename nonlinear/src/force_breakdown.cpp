@@ -7,8 +7,8 @@
 
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
-#include "swayaw/nonlinear/replay.hpp"
 #include "swayaw/nonlinear/instruments.hpp"
+#include "swayaw/nonlinear/replay.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 #include "swayaw/nonlinear/validity.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "swayaw/core/motion.hpp"
-#include "swayaw/nonlinear/added_forces.hpp"
+#include "swayaw/nonlinear/acting_effects.hpp"
 #include "swayaw/nonlinear/branch.hpp"
 #include "swayaw/nonlinear/simulator.hpp"
 
@@ -68,14 +68,10 @@ inline Controls<double> held(Controls<double> controls) {
 template <class Model>
 struct HeldModel {
   Model model;
-  AddedForces<double> drag;  ///< length, draught, density and C_D of the strips
+  ShipFacts<double> facts;  ///< the strips of the hull have her length and draught
 
-  explicit HeldModel(const Model& m) : model(m) {
-    drag.rho = m.water.rho;
-    drag.L = m.particulars.L;
-    drag.d = HeldRange::draught * drag.L;
-    if constexpr (requires { m.particulars.d; }) drag.d = m.particulars.d;
-    drag.drag.C_D = HeldRange::C_D;
+  explicit HeldModel(const Model& m) : model(m), facts(ship_facts(m)) {
+    if constexpr (!requires { m.particulars.d; }) facts.d = HeldRange::draught * facts.L;
   }
 
   double L() const { return model.particulars.L; }
@@ -85,9 +81,11 @@ struct HeldModel {
 /// D of a motion.
 template <class Model>
 PlanarForce<double> low_speed_drag(const HeldModel<Model>& ship, const PlanarMotion<double>& m) {
-  auto force = cross_flow_force(ship.drag, m);
-  force.X = -0.5 * ship.drag.rho * ship.drag.L * ship.drag.d * HeldRange::C_X * m.u * std::abs(m.u);
-  return force;
+  const ShipState<double> state{0.0, 0.0, 0.0, m};
+  const Controls<double> none{};
+  auto drag = force(CrossFlowDrag<>{HeldRange::C_D}, ship.model, {ship.facts, state, none, none, {}});
+  drag.X = -0.5 * ship.facts.rho * ship.facts.L * ship.facts.d * HeldRange::C_X * m.u * std::abs(m.u);
+  return drag;
 }
 
 inline PlanarForce<double> mixed(double a, const PlanarForce<double>& f, double b, const PlanarForce<double>& g) {
@@ -156,7 +154,7 @@ auto held_branch(const HeldModel<Model>& ship, const PlanarMotion<double>& m, co
 
 /// Effects of the ship and a force from outside, such as a tug's.
 struct HeldEffects {
-  AddedForces<double> effects;
+  ActingEffects<double> effects;
   PlanarForce<double> given{0.0, 0.0, 0.0};
   bool any;
 };

@@ -59,7 +59,7 @@ Controls<D> self_propelled(const Model<double>& model, const Model<D>& ship, con
 }
 
 template <template <class> class Model>
-Approach<Model> approach_of(const Model<double>& model, std::span<const ShipNumber> numbers,
+Approach<Model> approach_of(const Model<double>& model, std::span<const Parameter> numbers,
                             const ManoeuvreOptions& options, const Controls<double>& propulsion) {
   Approach<Model> a{seeded<lanes>(model, numbers), {}, {}};
   a.speed = options.speed ? D(*options.speed) : a.ship.particulars.U_0;
@@ -112,7 +112,7 @@ void put_steady(CircleIndices<S>& i, const PlanarMotion<S>& steady, double turn)
 template <template <class> class Model>
 CircleIndices<D> circle_in_duals(const Ship& ship, const Model<double>& model, const TurnOrder& order,
                                  const ManoeuvreOptions& options, const TurningCircle& circle,
-                                 std::span<const ShipNumber> numbers) {
+                                 std::span<const Parameter> numbers) {
   const auto start = approach_of(model, numbers, options, circle.propulsion);
   auto stepper = replay_of(start, ship, circle.steps);
   auto i = none_of<CircleIndices>();
@@ -138,7 +138,7 @@ CircleIndices<D> circle_in_duals(const Ship& ship, const Model<double>& model, c
 template <template <class> class Model>
 ZigzagIndices<D> zigzag_in_duals(const Ship& ship, const Model<double>& model, const ZigzagOrder& order,
                                  const ManoeuvreOptions& options, const Zigzag& zigzag,
-                                 std::span<const ShipNumber> numbers) {
+                                 std::span<const Parameter> numbers) {
   using I = ZigzagIndices<D>;
   constexpr std::array overshoots{&I::overshoot_1, &I::overshoot_2, &I::overshoot_3, &I::overshoot_4};
   auto stepper = replay_of(approach_of(model, numbers, options, zigzag.propulsion), ship, zigzag.steps);
@@ -183,7 +183,7 @@ void require_bare(const Ship& ship) {
 
 /// A chunk after the other.
 template <template <class> class Indices, class InDuals>
-Indices<Slopes> in_chunks(const Ship& ship, std::span<const ShipNumber> numbers, const InDuals& in_duals) {
+Indices<Slopes> in_chunks(const Ship& ship, std::span<const Parameter> numbers, const InDuals& in_duals) {
   require_calm(ship, "exact derivative");
   require_bare(ship);
   Indices<Slopes> slopes;
@@ -221,14 +221,14 @@ ZigzagIndices<> indices_of(const Zigzag& zigzag) {
 }
 
 CircleIndices<Slopes> index_slopes(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options,
-                                   const TurningCircle& circle, std::span<const ShipNumber> numbers) {
+                                   const TurningCircle& circle, std::span<const Parameter> numbers) {
   return in_chunks<CircleIndices>(ship, numbers, [&](const auto& model, auto chunk) {
     return circle_in_duals(ship, model, order, options, circle, chunk);
   });
 }
 
 ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options,
-                                   const Zigzag& zigzag, std::span<const ShipNumber> numbers) {
+                                   const Zigzag& zigzag, std::span<const Parameter> numbers) {
   return in_chunks<ZigzagIndices>(ship, numbers, [&](const auto& model, auto chunk) {
     return zigzag_in_duals(ship, model, order, options, zigzag, chunk);
   });

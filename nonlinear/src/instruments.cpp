@@ -14,7 +14,8 @@ double sample_or(const Recording& run, Channel channel, std::size_t i, double ot
 
 /// Velocity over ground as it was recorded: by its parts, or by speed and course.
 PlanarMotion<double> ground_of(const Recording& run, std::size_t i) {
-  if (run.has(Channel::u_ground)) return {sample_or(run, Channel::u_ground, i, 0.0), sample_or(run, Channel::v_ground, i, 0.0), 0.0};
+  if (run.has(Channel::u_ground))
+    return {sample_or(run, Channel::u_ground, i, 0.0), sample_or(run, Channel::v_ground, i, 0.0), 0.0};
   const double speed = sample_or(run, Channel::speed_over_ground, i, missing);
   const double angle = sample_or(run, Channel::course_over_ground, i, missing) - run[Channel::psi][i];
   return {speed * std::cos(angle), speed * std::sin(angle), 0.0};
@@ -23,7 +24,9 @@ PlanarMotion<double> ground_of(const Recording& run, std::size_t i) {
 /// What a sample tells; without a yaw rate she does not turn.
 Kinematics<double> kinematics_at(const Recording& run, std::size_t i) {
   const auto of = [&](Channel channel, double otherwise) { return sample_or(run, channel, i, otherwise); };
-  const ShipState<double> state{of(Channel::x, 0.0), of(Channel::y, 0.0), of(Channel::psi, missing),
+  const ShipState<double> state{of(Channel::x, 0.0),
+                                of(Channel::y, 0.0),
+                                of(Channel::psi, missing),
                                 {of(Channel::u, 0.0), of(Channel::v, 0.0), of(Channel::r, 0.0)}};
   return {state, ground_of(run, i), of(Channel::phi, 0.0)};
 }

@@ -36,8 +36,7 @@ template <class Model>
 std::vector<PartDerivatives> parts_on(const ActingShip<Model>& acting, const OperatingPoint& point, Side side) {
   const auto& model = acting.model;
   const auto ship = cast<D>(model);
-  auto added = cast<D>(acting.added);
-  added.waves = false;
+  const auto added = without_heading(cast<D>(acting.added));
   const auto& [m, c] = point;
   const PlanarMotion<D> motion{D(m.u, 0), D(m.v, 1), D(m.r, 2)}, held{D(m.u), D(m.v), D(m.r)};
   const auto controls = with_rudder(cast<D>(c), D(c.delta, 3));

@@ -87,7 +87,11 @@ Recording recording_of(const std::vector<Sample>& samples, const ActingShip<Mode
   if (!by_thrust && takes_shaft_speed(ship)) fill(Channel::rev, [](const Sample& m) { return m.controls.rev; });
   fill(Channel::thrust,
        [&](const Sample& m) { return thrust(ship, m.state.motion, driven(acting.added, m.state.motion, m.controls)); });
-  if (acting.added.roll) fill(Channel::phi, [](const Sample& m) { return m.hidden.phi; });
+  for_each_acting(acting.added, [&](auto i, const auto&) {
+    for (std::size_t k = hidden_place[i.value]; k < hidden_place[i.value + 1]; ++k)
+      if (const auto channel = hidden_quantities[k].channel)
+        fill(*channel, [k](const Sample& m) { return m.hidden[k]; });
+  });
   return as_recorded(std::move(run), acting.instruments);
 }
 

@@ -14,24 +14,15 @@
 /// Stepper until nothing changes but place and heading. Not installed.
 namespace swayaw {
 
-/// @throws Refusal  for a ship in wind or waves, whose turns never become steady
+/// @throws Refusal  for a ship with effects whose turns never become steady, as in wind or waves
 inline void require_calm(const Ship& ship, std::string_view manoeuvre) {
-  const auto blows = [](const Effect& e) { return place_of(e) == EffectPlace::air && !is_null(e); };
-  const auto drifts = [](const Effect& e) { return std::holds_alternative<WaveDrift<>>(e) && !is_null(e); };
-  const auto turns_with = [](const Effect& e) {
-    return std::holds_alternative<UnknownForce<>>(e) && std::get<UnknownForce<>>(e).goes_with_heading_or_time();
+  const auto refuse = [&](std::string_view where, std::string_view what) {
+    throw Refusal(fmt::format("no turn is steady {}, which the {} waits for; take {} out of the ship file", where,
+                              manoeuvre, what));
   };
-  if (std::ranges::any_of(ship.effects, turns_with))
-    throw Refusal(
-        fmt::format("no turn is steady under a force that goes with the heading or the time, which the {} waits for; "
-                    "take \"unknown\" out of the ship file",
-                    manoeuvre));
-  if (std::ranges::any_of(ship.effects, drifts))
-    throw Refusal(fmt::format(
-        "no turn is steady in waves, which the {} waits for; take wave_drift out of the ship file", manoeuvre));
-  if (ship.surroundings.windy || std::ranges::any_of(ship.effects, blows))
-    throw Refusal(fmt::format("no turn is steady in wind, which the {} waits for; take the wind out of the ship file",
-                              manoeuvre));
+  for (const auto& effect : ship.effects)
+    if (const auto where = never_steady(effect); !where.empty() && !is_null(effect)) refuse(where, id_of(effect));
+  if (ship.surroundings.windy) refuse("in wind", "the wind");
 }
 
 /// Largest acceleration over U²/L, of yaw over U²/L².

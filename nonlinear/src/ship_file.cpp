@@ -82,19 +82,19 @@ void read_numbers(Effect& effect, const FileEffect& given, const PartsReader& fi
 }
 
 void read_channel(Effect& effect, const FileEffect& given, const PartsReader& file) {
-  auto* delay = std::get_if<ChannelDelay<>>(&effect);
-  if (!delay && !given.channel.empty()) file.fail(given, fmt::format("{} has no channel", given.kind));
-  if (!delay) return;
-  if (given.channel.empty()) file.fail(given, "channel_delay needs channel");
+  auto* place = channel_of(effect);
+  if (!place && !given.channel.empty()) file.fail(given, fmt::format("{} has no channel", given.kind));
+  if (!place) return;
+  if (given.channel.empty()) file.fail(given, fmt::format("{} needs channel", given.kind));
   const auto channel = channel_named(given.channel);
   if (!channel) file.fail(given, fmt::format("channel \"{}\" is not known", given.channel));
-  delay->channel = *channel == Channel::y ? Channel::x : *channel;
+  *place = *channel == Channel::y ? Channel::x : *channel;
 }
 
 /// Whether two effects cannot stand in one file.
 bool same_kind(const Effect& a, const Effect& b) {
-  const auto *late = std::get_if<ChannelDelay<>>(&a), *other = std::get_if<ChannelDelay<>>(&b);
-  return a.index() == b.index() && (!late || late->channel == other->channel);
+  const auto *of_a = channel_of(a), *of_b = channel_of(b);
+  return a.index() == b.index() && (!of_a || *of_a == *of_b);
 }
 
 Effect read_effect(const FileEffect& given, const PartsReader& file) {
@@ -135,7 +135,7 @@ constexpr auto windage_types = [] {
 }();
 
 void add_keys(FileKeys& keys, WindageTable& table) {
-  add_numbers(keys.numbers, "windage", table.windage);
+  add_parameters(keys.parameters, "windage", table.windage);
   keys.choices.push_back({"windage", "type", windage_types, &table.type});
   keys.lists.push_back({"windage", "angle_deg", radians(1.0), &table.angle});
   keys.lists.push_back({"windage", "C_X", 1.0, &table.C_X});
@@ -252,7 +252,7 @@ bool same_numbers(const Windage<double>& a, const Windage<double>& b) {
 /// @throws std::domain_error  if a number is not finite or not in its range
 FileEffect written(const Effect& effect) {
   FileEffect result{.kind = std::string(id_of(effect)), .numbers = {}, .line = 0, .column = 0, .channel = {}};
-  if (const auto* late = std::get_if<ChannelDelay<>>(&effect)) result.channel = short_name(late->channel);
+  if (const auto* channel = channel_of(effect)) result.channel = short_name(*channel);
   for_each_parameter(effect, [&](const auto& p, double number) {
     const bool is_fallback = number == p.fallback || (std::isnan(number) && std::isnan(p.fallback));
     if (!p.required && is_fallback) return;

@@ -121,7 +121,7 @@ class GustyWind {
 struct TimedChange {
   double time;
   AirVelocity gust;
-  bool mapped;
+  std::uint32_t acting;  ///< which effects act from then on
 };
 
 }  // namespace
@@ -178,7 +178,7 @@ class Simulator::CoreOf : public Simulator::Core {
         effects_{.effects = acting.added, .any = acting.added.any()},
         instruments_(acting.instruments),
         longest_(longest_step * acting.model.particulars.L / acting.model.particulars.U_0) {
-    for (const auto& change : acting.changes) changes_.push_back({change.time, wind.gust_of(change), change.mapped});
+    for (const auto& change : acting.changes) changes_.push_back({change.time, wind.gust_of(change), change.acting});
     pass_changes();
     begin({0.0, 0.0, 0.0, {speed, 0.0, 0.0}});
   }
@@ -208,7 +208,7 @@ class Simulator::CoreOf : public Simulator::Core {
                           by_thrust ? given_one : std::nullopt);
   }
 
-  double heel() const override { return effects_.effects.roll ? hidden_.phi : 0.0; }
+  double heel() const override { return shown_by(hidden_, Channel::phi); }
 
   double thrust() const override {
     const auto c = held(driven(effects_, state.motion, controls()));
@@ -244,11 +244,10 @@ class Simulator::CoreOf : public Simulator::Core {
     const auto ago = [&](double delay) {
       const PlanarAcceleration<double> acceleration{rate[3], rate[4], rate[5]};
       return kinematics(moved_back(state, around.current, acceleration, delay), around.current,
-                        hidden_.phi - delay * rate[6]);
+                        shown_by(hidden_, Channel::phi) - delay * shown_by(hidden_of(rate), Channel::phi));
     };
     for (const auto channel : motion_channels())
-      if (channel != Channel::phi || effects_.effects.roll)
-        shown[index_of(channel)] = observe(channel, instruments_, ago);
+      if (channel != Channel::phi || rolls()) shown[index_of(channel)] = observe(channel, instruments_, ago);
     const auto put = [&](Channel channel, double value, double change) {
       const auto& error = instruments_[channel];
       shown[index_of(channel)] = error.reading(value - error.delay * change);
@@ -262,14 +261,31 @@ class Simulator::CoreOf : public Simulator::Core {
   }
 
  private:
-  /// x, y, psi, u, v, r, phi, p, v_s, r_s.
-  using State = std::array<double, 10>;
+  /// x, y, psi, u, v, r, and the hidden states of effects.
+  using State = std::array<double, 6 + hidden_count>;
   using ShipBranch = Branch<double, Model::branch_count>;
 
   static ShipState<double> visible(const State& s) { return {s[0], s[1], s[2], {s[3], s[4], s[5]}}; }
-  static Hidden<double> hidden_of(const State& s) { return {s[6], s[7], s[8], s[9]}; }
-  static State joined(const ShipState<double>& s, const Hidden<double>& h) {
-    return {s.x, s.y, s.psi, s.motion.u, s.motion.v, s.motion.r, h.phi, h.p, h.v, h.r};
+
+  static Hidden<double> hidden_of(const State& s) {
+    Hidden<double> hidden;
+    std::copy_n(s.begin() + 6, hidden_count, hidden.begin());
+    return hidden;
+  }
+
+  static State joined(const ShipState<double>& s, const Hidden<double>& hidden) {
+    State state{s.x, s.y, s.psi, s.motion.u, s.motion.v, s.motion.r};
+    std::ranges::copy(hidden, state.begin() + 6);
+    return state;
+  }
+
+  bool rolls() const {
+    bool rolls = false;
+    for_each_acting(effects_.effects, [&](auto i, const auto&) {
+      for (std::size_t k = hidden_place[i.value]; k < hidden_place[i.value + 1]; ++k)
+        rolls = rolls || hidden_quantities[k].channel == Channel::phi;
+    });
+    return rolls;
   }
 
   State rates(const State& s, const Controls<double>& c, const ShipBranch& branch) const {
@@ -277,7 +293,7 @@ class Simulator::CoreOf : public Simulator::Core {
     const auto hidden = hidden_of(s);
     const auto rate = rates_of(ship_, around, effects_, now, hidden, c, branch);
     const auto h = effects_.effects.hidden() ? hidden_rates(effects_.effects, now.motion, hidden) : Hidden<double>{};
-    return {rate[0], rate[1], rate[2], rate[3], rate[4], rate[5], h.phi, h.p, h.v, h.r};
+    return joined(state_of(rate), h);
   }
 
   void take_step(double from, double to) {
@@ -303,7 +319,7 @@ class Simulator::CoreOf : public Simulator::Core {
   void pass_changes() {
     for (; next_ < changes_.size() && changes_[next_].time <= time; ++next_) {
       gust = changes_[next_].gust;
-      effects_.effects.mapped = changes_[next_].mapped;
+      effects_.effects.acting = changes_[next_].acting;
       effects_.any = effects_.effects.any();
       blow();
     }

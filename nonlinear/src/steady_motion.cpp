@@ -24,7 +24,7 @@ struct Balance {
 };
 
 template <class Model>
-Balance balance_at(const Model& ship, const AddedForces<Dual<3>>& added, const Controls<double>& controls,
+Balance balance_at(const Model& ship, const ActingEffects<Dual<3>>& added, const Controls<double>& controls,
                    const Vector& motion) {
   using D = Dual<3>;
   const PlanarMotion<D> m{D(motion[0], 0), D(motion[1], 1), D(motion[2], 2)};

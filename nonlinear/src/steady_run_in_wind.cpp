@@ -97,7 +97,7 @@ class StraightRun {
   }
 
   decltype(cast<D>(std::declval<Model>())) ship_;
-  AddedForces<D> added_;
+  ActingEffects<D> added_;
   Windage<D> windage_;
   Current<double> current_;
   Wind<double> wind_;

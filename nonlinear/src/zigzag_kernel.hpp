@@ -13,7 +13,7 @@ enum class Left : unsigned char { complete, time_over, unbounded };
 
 /// Ships in, reversals out, [reversal · rows + row of the ship].
 struct ZigzagJob {
-  const double* numbers;   ///< of one ship after the other, as for_each_number visits them
+  const double* numbers;   ///< of one ship after the other, as for_each_value visits them
   const double* speed;     ///< of approach [m/s]
   const double* rev;       ///< shaft speed [1/s]
   const double* end;       ///< when to stop at the latest [s]

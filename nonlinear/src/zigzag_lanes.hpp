@@ -65,7 +65,7 @@ class ZigzagLanes {
 
  private:
   static constexpr std::size_t lanes = P::size, branches = MmgShip<P>::branch_count,
-                               numbers = number_count<MmgShip<P>>();
+                               numbers = parameter_count<MmgShip<P>>();
   static constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
   static constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -110,7 +110,7 @@ class ZigzagLanes {
 
   void read_numbers() {
     std::size_t n = 0;
-    for_each_number(ship_, [&](P& number) { number = P::load_aligned(number_[n++].data()); });
+    for_each_value(ship_, [&](P& number) { number = P::load_aligned(number_[n++].data()); });
     rev_ = P::load_aligned(rev_of_.data());
     end_ = P::load_aligned(end_of_.data());
   }

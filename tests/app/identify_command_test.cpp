@@ -44,7 +44,7 @@ std::string recordings_of(const Ship& ship, const Scratch& scratch, double noise
 
 /// Her file with hull derivatives that are a fifth off.
 std::string start_file(const Ship& ship, const Scratch& scratch, const std::vector<std::string>& names) {
-  const auto numbers = ship_numbers(ship, names);
+  const auto numbers = parameters_of(ship, names);
   std::vector<double> values;
   for (const auto& n : numbers) values.push_back(1.2 * n.value);
   write_ship(scratch / "start.toml", with_values(ship, numbers, values));
@@ -64,7 +64,7 @@ TEST_CASE("identify finds the hull of a simulated ship from noisy zigzags and wr
                " --model mmg --find Y_v,Y_r,N_v,N_r --out " + out);
   CHECK(json["schema"] == "swayaw.identification/1");
   CHECK(json["method"] == "trajectories");
-  const auto found = ship_numbers(read_ship(out), linear_hull), known = ship_numbers(truth, linear_hull);
+  const auto found = parameters_of(read_ship(out), linear_hull), known = parameters_of(truth, linear_hull);
   REQUIRE(json["coefficients"].size() == linear_hull.size());
   for (std::size_t i = 0; i < known.size(); ++i) {
     INFO(known[i].name);

@@ -36,7 +36,7 @@ Ship with_derivatives(const Ship& ship, const nlohmann::json& derivatives) {
   auto result = with_values(ship, hull, std::vector<double>(hull.size(), 0.0));
   for (const auto& [name, value] : derivatives.items())
     if (name.find("delta") == std::string::npos)
-      result = with_values(result, ship_numbers(result, std::array{key_of(name)}), std::array{value.get<double>()});
+      result = with_values(result, parameters_of(result, std::array{key_of(name)}), std::array{value.get<double>()});
   return result;
 }
 
@@ -68,7 +68,7 @@ Ship with_inputs(Ship ship, const nlohmann::json& inputs) {
                                      {"x_H", "x_H"},
                                      {"C_2_beta_p_pos", "wake_C2_positive"},
                                      {"C_2_beta_p_neg", "wake_C2_negative"}})
-    ship = with_values(ship, ship_numbers(ship, std::array<std::string, 1>{ours}),
+    ship = with_values(ship, parameters_of(ship, std::array<std::string, 1>{ours}),
                        std::array{inputs[theirs].get<double>()});
   return ship;
 }

@@ -151,7 +151,7 @@ class Basin {
 Ship blank(const Ship& ship, const CaptivePlan& plan) {
   std::vector<std::string> names;
   for (const auto& step : plan.steps) names.insert(names.end(), step.coefficients.begin(), step.coefficients.end());
-  return with_values(ship, ship_numbers(ship, names), std::vector<double>(names.size(), 0.7));
+  return with_values(ship, parameters_of(ship, names), std::vector<double>(names.size(), 0.7));
 }
 
 template <class Model>
@@ -164,7 +164,7 @@ void require_recovered(RandomModels& random, std::size_t least) {
   for (const auto& step : fit.steps) {
     for (const auto& c : step.fit.coefficients) {
       INFO(c.name << " from " << step.step.points.tests.front());
-      const double value = ship_numbers(truth, std::array{c.name})[0].value;
+      const double value = parameters_of(truth, std::array{c.name})[0].value;
       REQUIRE_THAT(c.estimate.value, WithinAbs(value, 1e-7 * std::max(std::abs(value), 1e-4)));
       ++found;
     }

@@ -47,8 +47,8 @@ TEMPLATE_TEST_CASE("derivatives of a trajectory by its start and by all coeffici
   for (int i = 0; i < 3; ++i) {
     auto [ship, runs] = test::steerable<TestType>(random, {20.0}, 15.0, 0.05);
     ship.surroundings.current = {0.1 * service_speed(ship), 1.0};
-    auto numbers = ship_numbers(ship);
-    std::erase_if(numbers, [](const ShipNumber& n) { return n.role != Role::coefficient || n.value == 0.0; });
+    auto numbers = parameters_of(ship);
+    std::erase_if(numbers, [](const Parameter& n) { return n.role != Role::coefficient || n.value == 0.0; });
     const auto sailor = std::visit(
         [&, &ship = ship](const auto& model) { return sailor_of(model, ship.surroundings, numbers); }, ship.model);
     const auto run = course_run(ship, runs.front());

@@ -44,7 +44,7 @@ Recording measured(const Recording& truth, const Ship& ship, double size, std::m
 /// The ship with other numbers to begin with.
 Ship shaken(const Ship& ship, const std::vector<std::string>& names, std::mt19937_64& engine) {
   std::normal_distribution<double> normal;
-  const auto numbers = ship_numbers(ship, names);
+  const auto numbers = parameters_of(ship, names);
   std::vector<double> values;
   for (const auto& n : numbers) values.push_back(n.value * (1.0 + 0.2 * normal(engine)));
   return with_values(ship, numbers, values);
@@ -69,17 +69,17 @@ TEST_CASE("coefficients come back from the forces of recorded zigzags, whatever 
     std::vector<Recording> runs;
     for (const auto& truth : zigzags(ship)) runs.push_back(measured(truth, ship, 1.0, engine));
     std::vector<std::string> names;
-    for (const auto& n : ship_numbers(ship, linear_hull))
+    for (const auto& n : parameters_of(ship, linear_hull))
       if (n.value != 0.0) names.push_back(n.name);
     const auto fit = fit_forces(shaken(ship, names, engine), runs, {.numbers = names});
-    for (const auto& n : ship_numbers(ship, names)) {
+    for (const auto& n : parameters_of(ship, names)) {
       INFO(name << " " << n.name);
       const auto& c = coefficient(fit, n.name);
       CHECK(std::abs(c.estimate.value - n.value) <
-            0.04 * std::abs(n.value) + 0.02 * std::abs(ship_numbers(ship, std::array{std::string("N_v")})[0].value));
+            0.04 * std::abs(n.value) + 0.02 * std::abs(parameters_of(ship, std::array{std::string("N_v")})[0].value));
       CHECK(n.value >= c.low);
       CHECK(n.value <= c.high);
-      CHECK(ship_numbers(fit.ship, std::array{n.name})[0].value == c.estimate.value);
+      CHECK(parameters_of(fit.ship, std::array{n.name})[0].value == c.estimate.value);
     }
   }
 }

@@ -23,7 +23,7 @@ std::vector<Recording> recordings(const std::filesystem::path& folder, std::init
 const auto of_the_paper = {"10_10_port", "10_10_stbd", "20_10_port", "20_10_stbd"};
 
 double thousandths(const ForceFit& fit, const std::string& name) {
-  return 1e3 * ship_numbers(fit.ship, std::array{name})[0].value;
+  return 1e3 * parameters_of(fit.ship, std::array{name})[0].value;
 }
 
 const Regression& equation(const ForceFit& fit, ForceComponent component) {

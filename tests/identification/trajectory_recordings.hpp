@@ -56,9 +56,9 @@ inline bool is_zigzag(const Recording& run) {
 template <class Model>
 Model nearer(Model ship, Model other, double way) {
   std::vector<double> goal;
-  for_each_number(other, [&](double x) { goal.push_back(x); });
+  for_each_value(other, [&](double x) { goal.push_back(x); });
   std::size_t i = 0;
-  for_each_number(ship, [&](double& x) {
+  for_each_value(ship, [&](double& x) {
     const double to = goal[i++];
     x = to == 0.0 ? 0.05 * x : to + way * (x - to);
   });
@@ -99,7 +99,7 @@ std::pair<Ship, std::vector<Recording>> steerable(RandomModels& random, const st
 
 /// The ship with these numbers off by a tenth, up and down by turns.
 inline Ship a_tenth_off(const Ship& ship, const std::vector<std::string>& names) {
-  const auto numbers = ship_numbers(ship, names);
+  const auto numbers = parameters_of(ship, names);
   std::vector<double> values;
   for (const auto& n : numbers) values.push_back(n.value * (values.size() % 2 == 0 ? 1.1 : 0.9));
   return with_values(ship, numbers, values);
@@ -124,7 +124,7 @@ inline void add_noise(Recording& run, const Ship& ship, unsigned seed) {
 
 inline std::vector<double> values_of(const Ship& ship, const std::vector<std::string>& names) {
   std::vector<double> values;
-  for (const auto& n : ship_numbers(ship, names)) values.push_back(n.value);
+  for (const auto& n : parameters_of(ship, names)) values.push_back(n.value);
   return values;
 }
 

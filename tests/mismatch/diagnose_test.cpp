@@ -74,7 +74,7 @@ bool is_of_earth(std::string_view key) { return key.ends_with("from_rad") || key
 /// Value of a number less the truth, in standard errors.
 double error_of(const Diagnosis& d, std::string_view key, double truth) {
   const auto& list = d.effects.front().parameters;
-  const auto p = std::ranges::find(list, key, &EffectParameterEstimate::key);
+  const auto p = std::ranges::find(list, key, &ParameterEstimate::key);
   REQUIRE(p != list.end());
   const double error = is_of_earth(key) ? wrapped(p->value - truth) : p->value - truth;
   return error / p->standard_error;
@@ -143,8 +143,8 @@ TEST_CASE("numbers that are less well known than the ship file says are no missi
   for (const unsigned seed : {31u, 32u, 33u}) {
     std::mt19937_64 engine(seed);
     std::normal_distribution normal;
-    auto numbers = ship_numbers(ship);
-    std::erase_if(numbers, [](const ShipNumber& n) { return n.role != Role::coefficient || !(n.deviation > 0.0); });
+    auto numbers = parameters_of(ship);
+    std::erase_if(numbers, [](const Parameter& n) { return n.role != Role::coefficient || !(n.deviation > 0.0); });
     std::vector<double> values;
     for (const auto& n : numbers) values.push_back(n.value + 3.0 * n.deviation * normal(engine));
     const auto real = with_values(ship, numbers, values);

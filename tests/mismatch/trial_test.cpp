@@ -128,8 +128,8 @@ TEST_CASE("numbers of an effect change with its coordinates as their slopes say"
       const auto& k = form.coordinates[static_cast<std::size_t>(i)];
       c[i] = std::clamp(k.centre + 0.3 * k.deviation, k.low, k.high);
     }
-    const auto at = [&](const Point& p) { return numbers_of(ship, form.at({p.data(), form.coordinates.size()})); };
-    const auto slopes = number_slopes(ship, form, c);
+    const auto at = [&](const Point& p) { return parameters_of(ship, form.at({p.data(), form.coordinates.size()})); };
+    const auto slopes = parameter_slopes(ship, form, c);
     for (Eigen::Index i = 0; i < c.size(); ++i) {
       Point moved = c;
       moved[i] += 1e-6;
@@ -151,10 +151,10 @@ TEST_CASE("speed and direction of a wind change with its parts as a point does o
   const std::vector<Channel> channels{Channel::psi};
   const auto forms = effect_forms(ship, channels, 90.0);
   const auto& wind = *std::ranges::find(forms, "steady_wind", &EffectForm::id);
-  const double unit = numbers_of(ship, make_effect("steady_wind")).front().prior;
+  const double unit = parameters_of(ship, make_effect("steady_wind")).front().deviation;
   for (const double from : {0.0, 0.5 * pi, 2.0, -pi, pi}) {
     const double size = 0.7, n = std::cos(from), e = std::sin(from);
-    const auto slopes = number_slopes(ship, wind, Eigen::Vector2d(size * n, size * e));
+    const auto slopes = parameter_slopes(ship, wind, Eigen::Vector2d(size * n, size * e));
     CHECK(slopes(0, 0) == Approx(unit * n).margin(1e-6 * unit));
     CHECK(slopes(0, 1) == Approx(unit * e).margin(1e-6 * unit));
     CHECK(slopes(1, 0) == Approx(-e / size).margin(1e-6));

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<double> values_of(const Ship& ship) {
   std::vector<double> values;
-  for (const auto& n : ship_numbers(ship)) values.push_back(n.value);
+  for (const auto& n : parameters_of(ship)) values.push_back(n.value);
   return values;
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("a number out of its range is not written", "[nonlinear][refusal]") {
 TEST_CASE("numbers are known by the key of the file, with the table where two have it", "[nonlinear]") {
   const auto ship = published_ship("kvlcc2_l7");
   const std::vector<std::string> names{"N_v", "rudder.x_prime", "hull.Y_r", "kt[1]"};
-  const auto numbers = ship_numbers(ship, names);
+  const auto numbers = parameters_of(ship, names);
   const auto& model = std::get<MmgShip<double>>(ship.model);
   CHECK(numbers[0].value == model.hull.N_v);
   CHECK(numbers[1].value == model.rudder.x_R);
@@ -112,15 +112,15 @@ TEST_CASE("numbers are known by the key of the file, with the table where two ha
   CHECK(numbers[3].value == model.propeller.k_1);
   CHECK(numbers[0].deviation == Approx(std::abs(model.hull.N_v) * ship.confidence.of("N_v")));
   const std::vector<std::string> ambiguous{"x_prime"}, unknown{"N_x"};
-  CHECK_THROWS_AS(ship_numbers(ship, ambiguous), Refusal);
-  CHECK_THROWS_WITH(ship_numbers(ship, unknown), ship.name + ": her model has no number N_x");
+  CHECK_THROWS_AS(parameters_of(ship, ambiguous), Refusal);
+  CHECK_THROWS_WITH(parameters_of(ship, unknown), ship.name + ": her model has no number N_x");
   CHECK(coefficients_of(ship, "hull").size() == 17);
 }
 
 TEST_CASE("values set by name arrive, and nothing else changes", "[nonlinear]") {
   const auto ship = published_ship("wpcc_pi");
   const std::vector<std::string> names{"N_v", "Y_v"};
-  const auto numbers = ship_numbers(ship, names);
+  const auto numbers = parameters_of(ship, names);
   const auto changed = with_values(ship, numbers, std::vector{-1.0, -2.0});
   const auto& model = std::get<PiShip<double>>(changed.model);
   CHECK(model.hull.N_v == -1.0);

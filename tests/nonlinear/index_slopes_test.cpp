@@ -28,7 +28,7 @@ struct ZigzagTrial {
 
 /// Central differences, a step of 2e-5 of the number, or of 1 where it is 0.
 template <class Trial>
-auto difference(const Ship& ship, const Trial& trial, const ManoeuvreOptions& options, const ShipNumber& n) {
+auto difference(const Ship& ship, const Trial& trial, const ManoeuvreOptions& options, const Parameter& n) {
   const double step = 2e-5 * (n.value == 0.0 ? 1.0 : std::abs(n.value));
   const auto at = [&](double value) {
     return trial.indices(trial.sail(with_values(ship, std::span(&n, 1), std::array{value}), options));
@@ -42,7 +42,7 @@ auto difference(const Ship& ship, const Trial& trial, const ManoeuvreOptions& op
 /// Largest difference of the two derivatives, as a change of the index by 100 % of the number, over the index.
 template <class Trial>
 double disagreement(const Ship& ship, const Trial& trial, const ManoeuvreOptions& options,
-                    std::span<const ShipNumber> numbers) {
+                    std::span<const Parameter> numbers) {
   const auto result = trial.sail(ship, options);
   const auto indices = trial.indices(result);
   const auto slopes = index_slopes(ship, trial.order, options, result, numbers);
@@ -96,8 +96,8 @@ TEST_CASE("derivatives of indices hold for every number of an MMG ship, also whe
         .rate = 0.08, .max_angle = 0.7, .lag = i == 0 ? 0.0 : 1.5, .dead_band = i == 0 ? 0.0 : 0.002};
     model.particulars.A_front = model.particulars.A_lateral = 0.0;
     const Ship ship = test::ship_of(model);
-    auto numbers = ship_numbers(ship);
-    std::erase_if(numbers, [](const ShipNumber& n) { return n.value == 0.0 || n.key == "max_angle_deg"; });
+    auto numbers = parameters_of(ship);
+    std::erase_if(numbers, [](const Parameter& n) { return n.value == 0.0 || n.key == "max_angle_deg"; });
     CHECK(disagreement(ship, Turn{{0.5, Side::port}}, precise, numbers) < 1e-5);
     CHECK(disagreement(ship, ZigzagTrial{{0.35, 0.35, Side::starboard}}, precise, numbers) < 1e-5);
   }
@@ -108,7 +108,7 @@ TEST_CASE("derivatives of indices hold for every published ship, way made includ
     INFO(name);
     const Ship ship = published_ship(name);
     auto numbers = coefficients_of(ship, "hull");
-    std::erase_if(numbers, [](const ShipNumber& n) { return n.value == 0.0; });
+    std::erase_if(numbers, [](const Parameter& n) { return n.value == 0.0; });
     const ManoeuvreOptions options{.tolerance = 1e-11, .traced = true};
     CHECK(disagreement(ship, Turn{{radians(20), Side::starboard}}, options, numbers) < 1e-5);
     CHECK(disagreement(ship, ZigzagTrial{{radians(10), radians(10), Side::port}}, options, numbers) < 1e-5);

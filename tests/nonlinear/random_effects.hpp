@@ -27,16 +27,15 @@ class RandomEffects {
   /// Some way off null, in every number that the model has; nothing if the effect cannot act on it.
   std::optional<Effect> of_kind(std::string_view id, const Ship& ship) {
     Effect effect = make_effect(id);
-    if (id == ShallowWater<>::id) number_of(effect, 0) = uniform(1.3, 3.0);
-    if (id == RudderStall<>::id) number_of(effect, 0) = uniform(0.1, 0.3);
+    if (id == ShallowWater<>::id) parameter_value(effect, 0) = uniform(1.3, 3.0);
+    if (id == RudderStall<>::id) parameter_value(effect, 0) = uniform(0.1, 0.3);
     if (!cannot_act(ship.model, effect).empty()) return std::nullopt;
     if (id == ShallowWater<>::id || id == RudderStall<>::id) return effect;
-    const auto numbers = numbers_of(ship, effect);
+    const auto numbers = parameters_of(ship, effect);
     if (numbers.empty()) return std::nullopt;
-    for (const auto& n : numbers) number_of(effect, n.index) = off_null(n);
+    for (const auto& n : numbers) parameter_value(effect, n.index) = off_null(n);
     if (id == HullLinearDerivatives<>::id || id == HullNonlinearDamping<>::id) keep_damped(effect, numbers);
-    if (id == Gust<>::id) set_window(std::get<Gust<>>(effect), ship);
-    if (id == UnknownForce<>::id) set_window(std::get<UnknownForce<>>(effect), ship);
+    std::visit([&](auto& e) { set_window(e, ship); }, effect);
     if (auto* gap = std::get_if<RudderGap<>>(&effect)) gap->delta_lim = uniform(0.04, 0.08);  // opens in any zigzag
     if (auto* gear = std::get_if<SteeringGearLag<>>(&effect)) gear->rate = 0.5 * steering_gear(ship).rate;
     return effect;
@@ -44,21 +43,25 @@ class RandomEffects {
 
  private:
   /// Other derivatives may leave a ship without any bounded motion: more of each is safe.
-  static void keep_damped(Effect& effect, std::span<const EffectNumber> numbers) {
-    for (const auto& n : numbers) number_of(effect, n.index) = n.null;
+  static void keep_damped(Effect& effect, std::span<const Parameter> numbers) {
+    for (const auto& n : numbers) parameter_value(effect, n.index) = n.null;
     for (const auto& n : numbers)
       if (n.key == "N_r" || n.key == "Y_v" || n.key == "N_rrr" || n.key == "Y_vvv")
-        number_of(effect, n.index) = n.null - 0.2 * std::abs(n.null) - (n.null == 0.0 ? 0.01 : 0.0);
+        parameter_value(effect, n.index) = n.null - 0.2 * std::abs(n.null) - (n.null == 0.0 ? 0.01 : 0.0);
   }
 
-  double off_null(const EffectNumber& n) {
-    const double sign = uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0, size = uniform(0.2, 0.4) * n.prior;
+  double off_null(const Parameter& n) {
+    const double sign = uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0, size = uniform(0.2, 0.4) * n.deviation;
     const double base = std::isfinite(n.null) ? n.null : 0.0;
     const double value = base + sign * size;
     return n.range.contains(value) ? value : base - sign * size;
   }
 
-  void set_window(auto& effect, const Ship& ship) {
+  template <class Kind>
+  void set_window(Kind&, const Ship&) {}
+
+  template <BeginsAndEnds Kind>
+  void set_window(Kind& effect, const Ship& ship) {
     const double time_unit = length(ship) / service_speed(ship);
     effect.onset = uniform(1.0, 4.0) * time_unit;
     effect.end = effect.onset + uniform(1.0, 4.0) * time_unit;

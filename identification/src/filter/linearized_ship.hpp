@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <span>
 
 #include "swayaw/core/dual.hpp"
@@ -25,8 +26,10 @@ inline ShipState<Dual<4>> in_duals(const ShipState<double>& s) {
 }
 
 template <class S>
-Hidden<S> cast(const Hidden<double>& h) {
-  return {S(h.phi), S(h.p), S(h.v), S(h.r)};
+Hidden<S> hidden_in(const Hidden<double>& hidden) {
+  Hidden<S> result;
+  std::ranges::transform(hidden, result.begin(), [](double x) { return S(x); });
+  return result;
 }
 
 /// Compiled in a file of its own for each model, where the compiler finds room to inline the dual numbers.
@@ -76,8 +79,8 @@ class LinearizedShip {
   decltype(cast<D>(std::declval<Model>())) dual_;
   Surroundings<double> around_;
   Surroundings<D> dual_around_;
-  AddedForces<double> added_;
-  AddedForces<D> dual_added_;
+  ActingEffects<double> added_;
+  ActingEffects<D> dual_added_;
 };
 
 template <class Model>
@@ -92,7 +95,7 @@ template <class Model>
 auto LinearizedShip<Model>::with_effects(const ShipState<double>& state, const Hidden<double>& hidden,
                                          const Controls<double>& controls) const -> StateVector<D> {
   const auto branch = branch_at(ship_, state.motion, driven(added_, state.motion, controls));
-  return rates_of(dual_, dual_around_, dual_added_, in_duals(state), cast<D>(hidden), cast<D>(controls), branch);
+  return rates_of(dual_, dual_around_, dual_added_, in_duals(state), hidden_in<D>(hidden), cast<D>(controls), branch);
 }
 
 template <class Model>

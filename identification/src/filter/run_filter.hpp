@@ -227,7 +227,7 @@ class RunFilter {
   }
 
   Sight sight_of(const FilterVector<N>& x) const {
-    return {ship_state<N>(x), {0.0, 0.0, 0.0}, predictor_.hidden().phi};
+    return {ship_state<N>(x), {0.0, 0.0, 0.0}, shown_by(predictor_.hidden(), Channel::phi)};
   }
 
   /// With the accelerations that a late channel needs.
@@ -235,7 +235,7 @@ class RunFilter {
     const auto rate = predictor_.rates(x, at_samples_[k]);
     PlanarAcceleration<double> a{rate[3], rate[4], rate[5]};
     if constexpr (N == 9) a = {a.u + x[6], a.v + x[7], a.r + x[8]};
-    return {ship_state<N>(x), a, predictor_.hidden().phi};
+    return {ship_state<N>(x), a, shown_by(predictor_.hidden(), Channel::phi)};
   }
 
   static void add_slope(FilterNoise& slope, const FilterNoise& noise, double share, const Smoother<N>& smoother) {

@@ -81,7 +81,7 @@ inline Controls<double> between(const Controls<double>& a, const Controls<double
 
 /// Predicts a ship with effects between samples.
 ///
-/// Heel and memory follow the predicted motion; they are no states of the filter and have no covariance.
+/// Hidden states of effects follow the predicted motion; they are no states of the filter and have no covariance.
 template <class Model, int N>
 class ShipPredictor {
  public:
@@ -160,7 +160,7 @@ class ShipPredictor {
   }
 
  private:
-  /// x⁺ = x + h f + Psi (h f), f with the unmodelled accelerations; these fade. Heel and memory follow.
+  /// x⁺ = x + h f + Psi (h f), f with the unmodelled accelerations; these fade. Hidden states follow.
   void move(FilterVector<N>& x, const Transition<N>& t, const Eigen::Matrix<double, 6, 1>& rate) {
     const double h = t.to - t.from, fading = h / tau_;
     const auto before = ship_state<N>(x).motion;
@@ -175,27 +175,27 @@ class ShipPredictor {
     if (ship_.hides_states()) hidden_ = followed(before, ship_state<N>(x).motion, h);
   }
 
-  static Hidden<double> moved(const Hidden<double>& h, const Hidden<double>& rate, double t) {
-    return {h.phi + t * rate.phi, h.p + t * rate.p, h.v + t * rate.v, h.r + t * rate.r};
+  static Hidden<double> moved(Hidden<double> hidden, const Hidden<double>& rate, double t) {
+    for (std::size_t i = 0; i < hidden_count; ++i) hidden[i] += t * rate[i];
+    return hidden;
   }
 
-  /// Heel and memory in the middle of a step.
+  /// Hidden states in the middle of a step.
   Hidden<double> half_way(const PlanarMotion<double>& motion, double h) const {
     if (!ship_.hides_states()) return hidden_;
     return moved(hidden_, ship_.rates_of_hidden(motion, hidden_), 0.5 * h);
   }
 
-  /// Heel and memory behind a motion that changes evenly, by the classical Runge–Kutta step.
+  /// Hidden states behind a motion that changes evenly, by the classical Runge–Kutta step.
   Hidden<double> followed(const PlanarMotion<double>& a, const PlanarMotion<double>& b, double h) const {
     const PlanarMotion<double> middle{0.5 * (a.u + b.u), 0.5 * (a.v + b.v), 0.5 * (a.r + b.r)};
     const auto k1 = ship_.rates_of_hidden(a, hidden_);
     const auto k2 = ship_.rates_of_hidden(middle, moved(hidden_, k1, 0.5 * h));
     const auto k3 = ship_.rates_of_hidden(middle, moved(hidden_, k2, 0.5 * h));
     const auto k4 = ship_.rates_of_hidden(b, moved(hidden_, k3, h));
-    const auto mean = [&](double Hidden<double>::*q) { return (k1.*q + 2.0 * (k2.*q + k3.*q) + k4.*q) / 6.0; };
-    return moved(
-        hidden_,
-        {mean(&Hidden<double>::phi), mean(&Hidden<double>::p), mean(&Hidden<double>::v), mean(&Hidden<double>::r)}, h);
+    Hidden<double> mean;
+    for (std::size_t i = 0; i < hidden_count; ++i) mean[i] = (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]) / 6.0;
+    return moved(hidden_, mean, h);
   }
 
   /// Calls part(weight) for each part of a time in which the same wind blows and the same forces act.

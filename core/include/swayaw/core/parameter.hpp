@@ -3,11 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
-/// A part is a small struct of numbers. Its list of parameters is written once, beside the struct;
+/// A part is a small struct of parameters. Its list of parameters is written once, beside the struct;
 /// ship files, confidence, fits and reports read that list.
 namespace swayaw {
 
@@ -29,21 +31,82 @@ inline constexpr Range non_negative{.low = 0.0};
 inline constexpr Range not_zero{.not_zero = true};
 inline constexpr Range fraction{.low = 0.0, .high = 1.0};
 
-/// What a number is: a coefficient can be uncertain and be fitted, a fact cannot.
+/// What a parameter is: a coefficient can be uncertain and be fitted, a fact cannot.
 enum class Role { fact, coefficient };
 
-/// One number of a part.
+/// How far one value of a parameter reaches: all runs of the ship, runs of the same day and loading, one run.
+enum class Scope { ship, group, run };
+
+/// "ship" for Scope::ship, alike.
+constexpr std::string_view name_of(Scope scope) {
+  return scope == Scope::ship ? "ship" : scope == Scope::group ? "group" : "run";
+}
+
+/// What a prior or a floor is counted in: sizes that grow with the ship.
+enum class ShipUnit {
+  one,       ///< the unit of the parameter itself
+  speed,     ///< service speed U
+  wind,      ///< sqrt(U² + 0.1 gL): what blows where ships of that size sail; a floor counts U alone
+  time,      ///< L/U
+  length,    ///< L
+  yaw_rate,  ///< U/L
+  force,     ///< resistance-like force, 1e-3 ½ρL²U²
+  own,       ///< size of the parameter of the ship that the effect replaces
+};
+
+/// Stands for a parameter that an effect leaves as the ship has it.
+inline constexpr double unchanged = std::numeric_limits<double>::quiet_NaN();
+
+/// A parameter of a part, of a ship or of an effect, as the part declares it.
 template <class Part, class Scalar>
-struct Parameter {
-  std::string_view key;   ///< name in ship files; "kt[0]" is the first number of a list
-  Scalar Part::*member;   ///< where it is kept, in SI
-  std::string_view unit;  ///< unit in ship files, "-" for none
-  Range range;            ///< accepted values, in that unit
+struct ParameterOf {
+  std::string_view key;         ///< name in ship files; "kt[0]" is the first of a list
+  Scalar Part::*member;         ///< where it is kept, in SI
+  std::string_view unit = "-";  ///< unit in ship files, "-" for none
+  Range range = any_number;     ///< accepted values, in that unit
   Role role = Role::fact;
   double si = 1.0;        ///< SI value of one unit
   bool required = true;   ///< whether a ship file must give it
-  double fallback = 0.0;  ///< value of an optional number that is not given, in SI
+  double fallback = 0.0;  ///< value of an optional parameter that is not given, in SI
+
+  // of an effect, what is known before any recording is looked at
+  double null = 0.0;   ///< where the effect does nothing; `unchanged`: at the ship's own value
+  double prior = 0.0;  ///< standard deviation before any data, in `scale`
+  double floor = 0.0;  ///< a smaller departure from null is a trace, in `scale`
+  double law = 0.03;   ///< what its law is worth: standard deviation over departure from null, of directions in radians
+  ShipUnit scale = ShipUnit::one;
+  bool decides = true;     ///< the effect is off while every parameter that decides has its null value
+  bool direction = false;  ///< on the earth, clockwise from north
+  std::string_view
+      table{};  ///< where the model keeps the parameter that this one replaces; empty where it replaces none
+  std::array<std::string_view, 2> replaces{};  ///< its key there; models may name it differently
 };
+
+/// A parameter with its value, of a ship or of an effect on her: what a fit moves, a prior knows and a report names.
+struct Parameter {
+  std::string name;        ///< key of the ship file, "N_v", or "rudder.x_prime" where two tables have that key
+  std::string_view table;  ///< of the ship file; of an effect its id
+  std::string_view key;
+  std::string_view unit;  ///< in ship files, "-" for none
+  std::size_t index;      ///< place among the parameters of the model or the effect
+  double value;           ///< SI
+  Range range;            ///< accepted values, SI
+  double si = 1.0;        ///< SI value of one unit
+  Role role = Role::coefficient;
+  Scope scope = Scope::ship;
+  double null = 0.0;       ///< mean before any data: the value of the ship file, or where the effect does nothing
+  double deviation = 0.0;  ///< standard deviation about null before any data, SI; 0 for a fact
+  double floor = 0.0;      ///< a smaller departure from null is a trace, SI
+  double law = 0.0;        ///< what the law of an effect is worth: standard deviation over departure from null
+  bool decides = true;     ///< its departure from null is the effect
+  bool direction = false;  ///< on the earth, clockwise from north
+};
+
+/// The range in another unit: an SI range from one in units of `si`.
+constexpr Range scaled(Range range, double si) {
+  range.low *= si, range.high *= si;
+  return range;
+}
 
 /// Which of several forms of the physics a part takes. It is the same for all lanes of a pack.
 struct Selection {
@@ -72,18 +135,22 @@ struct Section {
   Part Ship::*part;
 };
 
-/// How many numbers the sections of a ship list.
+/// The list of a part, made once.
+template <class Part>
+inline constexpr auto parameter_list = Part::parameters();
+
+/// How many parameters the sections of a ship list.
 template <class Ship>
-constexpr std::size_t number_count() {
+constexpr std::size_t parameter_count() {
   const auto count = []<class Part>(const Section<Ship, Part>&) { return Part::parameters().size(); };
   return std::apply([&](const auto&... section) { return (count(section) + ...); }, Ship::sections());
 }
 
-/// Calls visit(number) for every number of a ship, in the order of its sections.
+/// Calls visit(value) for the value of every parameter of a ship, in the order of her sections.
 template <class Ship, class Visit>
-void for_each_number(Ship& ship, Visit&& visit) {
+void for_each_value(Ship& ship, Visit&& visit) {
   const auto visit_part = [&](auto& part) {
-    for (const auto& parameter : part.parameters()) visit(part.*parameter.member);
+    for (const auto& parameter : parameter_list<std::remove_cvref_t<decltype(part)>>) visit(part.*parameter.member);
   };
   std::apply([&](const auto&... section) { (visit_part(ship.*section.part), ...); }, Ship::sections());
 }

@@ -21,11 +21,12 @@ namespace swayaw {
 /// Models of the ship files that this version understands.
 inline constexpr std::array<std::string_view, 5> ship_models{"linear", "mmg", "pi", "pu", "abkowitz"};
 
-/// A number of a ship file and where it goes.
-struct FileNumber {
+/// A parameter of a ship file and where it goes.
+struct FileParameter {
   std::string_view table;
-  std::string_view key;  ///< "kt[0]" is the first number of the list kt
-  Range range;           ///< in the unit of the file
+  std::string_view key;  ///< "kt[0]" is the first of the list kt
+  std::string_view unit;
+  Range range;  ///< in the unit of the file
   Role role;
   double si;  ///< SI value of one unit
   bool required;
@@ -51,7 +52,7 @@ struct FileList {
 
 /// What a ship file may hold besides its head.
 struct FileKeys {
-  std::vector<FileNumber> numbers;
+  std::vector<FileParameter> parameters;
   std::vector<FileChoice> choices;
   std::vector<FileList> lists;
 };
@@ -65,20 +66,20 @@ struct FileEffect {
   std::string channel{};  ///< name of a channel, where one is given
 };
 
-/// The numbers of a part that stands in that table.
+/// The parameters of a part that stands in that table.
 template <class Part>
-void add_numbers(std::vector<FileNumber>& numbers, std::string_view table, Part& part) {
+void add_parameters(std::vector<FileParameter>& parameters, std::string_view table, Part& part) {
   for (const auto& p : part.parameters())
-    numbers.push_back({table, p.key, p.range, p.role, p.si, p.required, p.fallback, &(part.*p.member)});
+    parameters.push_back({table, p.key, p.unit, p.range, p.role, p.si, p.required, p.fallback, &(part.*p.member)});
 }
 
-/// All numbers of a model, in the order of its lists.
+/// All parameters of a model, in the order of its lists.
 template <class Model>
-std::vector<FileNumber> file_numbers(Model& model) {
-  std::vector<FileNumber> numbers;
-  std::apply([&](const auto&... section) { (add_numbers(numbers, section.table, model.*section.part), ...); },
+std::vector<FileParameter> file_parameters(Model& model) {
+  std::vector<FileParameter> parameters;
+  std::apply([&](const auto&... section) { (add_parameters(parameters, section.table, model.*section.part), ...); },
              Model::sections());
-  return numbers;
+  return parameters;
 }
 
 /// All choices of a model.
@@ -93,10 +94,10 @@ std::vector<FileChoice> file_choices(Model& model) {
   return choices;
 }
 
-/// Numbers and choices of a model.
+/// Parameters and choices of a model.
 template <class Model>
 FileKeys file_keys(Model& model) {
-  return {file_numbers(model), file_choices(model), {}};
+  return {file_parameters(model), file_choices(model), {}};
 }
 
 /// What every ship file says besides its numbers.
@@ -127,7 +128,7 @@ class PartsReader {
   /// Whether the table has that key.
   bool has(std::string_view table, std::string_view key) const;
 
-  /// Sets numbers, choices and lists. A table of which no number is required may be missing.
+  /// Sets parameters, choices and lists. A table of which no number is required may be missing.
   /// @throws FileError  naming the key that is missing, not known or out of range
   ShipFileHead read(const FileKeys& keys) const;
 

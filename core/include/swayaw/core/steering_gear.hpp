@@ -21,7 +21,7 @@ struct SteeringGear {
   S dead_band;  ///< b [rad], 0 for none
 
   static constexpr auto parameters() {
-    using P = Parameter<SteeringGear, S>;
+    using P = ParameterOf<SteeringGear, S>;
     constexpr double degree = pi / 180.0;
     return std::array{
         P{.key = "rate_deg_s", .member = &SteeringGear::rate, .unit = "deg/s", .range = positive, .si = degree},

@@ -17,7 +17,7 @@ namespace swayaw {
 
 /// How the forces are explained.
 struct ForceFitOptions {
-  std::vector<std::string> numbers;  ///< to be found, by name as in ship_numbers: "N_v"
+  std::vector<std::string> numbers;  ///< to be found, by name as in parameters_of: "N_v"
   EstimationOptions states = {.channels = {},
                               .noise = {},
                               .imperfection = {},

@@ -32,7 +32,7 @@ struct IndexSensitivity {
 
 /// @throws Refusal  as `tune` does
 IndexSensitivity index_sensitivity(const Ship& ship, const MeasuredIndices& measured,
-                                   const std::vector<ShipNumber>& numbers);
+                                   const std::vector<Parameter>& numbers);
 
 // ---------------------------------------------------------------- what the indices determine
 
@@ -87,10 +87,10 @@ struct TuningOptions {
 
 /// A number that was tuned.
 struct TunedNumber {
-  ShipNumber number;  ///< as it was
-  double value;       ///< as it is [SI]
-  double prior;       ///< relative standard deviation before; infinity for none
-  double deviation;   ///< and after
+  Parameter number;  ///< as it was
+  double value;      ///< as it is [SI]
+  double prior;      ///< relative standard deviation before; infinity for none
+  double deviation;  ///< and after
   double told;  ///< share of it, in squares, that lies in determined combinations: 1 for a number that the indices tell
   bool at_bound;  ///< held by most_change or the range of the ship file
 
@@ -133,6 +133,6 @@ Tuning tune(const Ship& ship, const MeasuredIndices& measured, const TuningOptio
 
 /// The numbers that `tune` changes.
 /// @throws Refusal  as `tune` does
-std::vector<ShipNumber> tuned_numbers(const Ship& ship, const TuningOptions& options);
+std::vector<Parameter> tuned_numbers(const Ship& ship, const TuningOptions& options);
 
 }  // namespace swayaw

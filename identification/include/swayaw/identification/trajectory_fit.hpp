@@ -24,7 +24,7 @@ struct TrajectoryProgress {
 };
 
 struct TrajectoryFitOptions {
-  std::vector<std::string> numbers;    ///< to be fitted, by name as in ship_numbers: "N_v", "rudder.x_prime"
+  std::vector<std::string> numbers;    ///< to be fitted, by name as in parameters_of: "N_v", "rudder.x_prime"
   std::vector<Channel> channels = {};  ///< to fit to, of measured_channels; empty: all that a run has
   MeasurementNoise noise = {};         ///< known noise; otherwise estimated
   double segment = 0.5;  ///< length of the segments in which the runs are sailed [ship lengths], shorter where the ship

@@ -25,7 +25,7 @@ struct SteeringIndices {
 
   static constexpr auto parameters() {
     constexpr auto index = [](std::string_view key, S SteeringIndices::*member, const Range& range = any_number) {
-      return Parameter<SteeringIndices, S>{key, member, "-", range, Role::coefficient};
+      return ParameterOf<SteeringIndices, S>{key, member, "-", range, Role::coefficient};
     };
     return std::array{
         index("T1T2", &SteeringIndices::T1T2, not_zero),

@@ -21,7 +21,7 @@ struct LinearParticulars {
   S U_0;  ///< service speed [m/s]
 
   static constexpr auto parameters() {
-    using P = Parameter<LinearParticulars, S>;
+    using P = ParameterOf<LinearParticulars, S>;
     return std::array{
         P{"length_m", &LinearParticulars::L, "m", positive},
         P{"service_speed_m_s", &LinearParticulars::U_0, "m/s", positive},

@@ -26,7 +26,7 @@ struct LinearHull {
   S N_w;       ///< yaw moment by omega', ½ρL²TV²
 
   static constexpr auto parameters() {
-    using P = Parameter<LinearHull, S>;
+    using P = ParameterOf<LinearHull, S>;
     constexpr auto coefficient = Role::coefficient;
     return std::array{
         P{"length_over_beam", &LinearHull::L_over_B, "-", positive},
@@ -55,7 +55,7 @@ struct LinearRudder {
   S x_Reff;      ///< where the rudder force acts, forward of midship over length
 
   static constexpr auto parameters() {
-    using P = Parameter<LinearRudder, S>;
+    using P = ParameterOf<LinearRudder, S>;
     constexpr auto coefficient = Role::coefficient;
     return std::array{
         P{"area_ratio", &LinearRudder::area_ratio, "-", positive},

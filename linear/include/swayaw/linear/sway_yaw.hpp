@@ -21,7 +21,7 @@ struct SwayYawCoefficients {
 
   static constexpr auto parameters() {
     constexpr auto coefficient = [](std::string_view key, S SwayYawCoefficients::*member) {
-      return Parameter<SwayYawCoefficients, S>{key, member, "-", any_number, Role::coefficient};
+      return ParameterOf<SwayYawCoefficients, S>{key, member, "-", any_number, Role::coefficient};
     };
     return std::array{
         coefficient("a1", &SwayYawCoefficients::a1), coefficient("b1", &SwayYawCoefficients::b1),

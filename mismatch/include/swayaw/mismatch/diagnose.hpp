@@ -32,8 +32,8 @@ enum class DiagnosisVerdict { missing_physics, nothing_missing, unexplained };
 /// "missing_physics"
 std::string_view name_of(DiagnosisVerdict verdict);
 
-/// A number of an effect with its standard error.
-struct EffectParameterEstimate {
+/// A parameter of an effect with its standard error.
+struct ParameterEstimate {
   std::string key;
   double value;
   double standard_error;
@@ -45,7 +45,7 @@ struct FoundEffect {
   double probability;
   std::optional<double> onset;  ///< [s]
   std::optional<double> end;    ///< [s]
-  std::vector<EffectParameterEstimate> parameters;
+  std::vector<ParameterEstimate> parameters;
   std::vector<std::string> indistinguishable_from;  ///< effects that explain the runs as well
 };
 

@@ -32,7 +32,7 @@ struct AbkowitzParticulars {
   Selection prime_speed;
 
   static constexpr auto parameters() {
-    using P = Parameter<AbkowitzParticulars, S>;
+    using P = ParameterOf<AbkowitzParticulars, S>;
     return std::array{
         P{"length_m", &AbkowitzParticulars::L, "m", positive},
         P{"service_speed_m_s", &AbkowitzParticulars::U_0, "m/s", positive},
@@ -75,7 +75,7 @@ struct AbkowitzInertia {
   Selection centripetal;
 
   static constexpr auto parameters() {
-    using P = Parameter<AbkowitzInertia, S>;
+    using P = ParameterOf<AbkowitzInertia, S>;
     constexpr Range not_positive{.high = 0.0};
     constexpr auto coefficient = Role::coefficient;
     return std::array{
@@ -107,7 +107,7 @@ struct AbkowitzHull {
 
   static constexpr auto parameters() {
     using H = AbkowitzHull;
-    using P = Parameter<AbkowitzHull, S>;
+    using P = ParameterOf<AbkowitzHull, S>;
     constexpr auto first = [](std::string_view key, S H::*member) {
       return P{key, member, "-", any_number, Role::coefficient};
     };
@@ -138,7 +138,7 @@ struct AbkowitzRudder {
 
   static constexpr auto parameters() {
     using R = AbkowitzRudder;
-    using P = Parameter<AbkowitzRudder, S>;
+    using P = ParameterOf<AbkowitzRudder, S>;
     constexpr auto first = [](std::string_view key, S R::*member) {
       return P{key, member, "-", any_number, Role::coefficient};
     };

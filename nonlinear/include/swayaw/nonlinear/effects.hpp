@@ -6,26 +6,17 @@
 #include <span>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "swayaw/core/scalar.hpp"
-#include "swayaw/nonlinear/force_effects.hpp"
-#include "swayaw/nonlinear/instrument_effects.hpp"
-#include "swayaw/nonlinear/number_effects.hpp"
+#include "swayaw/nonlinear/effects/effect_list.hpp"
+#include "swayaw/nonlinear/effects/instrument.hpp"
+#include "swayaw/nonlinear/effects/other_values.hpp"
 
 /// What a model left out, as values: added to a ship, written to her file, simulated and fitted.
 namespace swayaw {
-
-/// Every effect that can be simulated, in the order of the table of docs/effects.md.
-template <class S>
-using EffectIn =
-    std::variant<SteadyWind<S>, Gust<S>, SteadyCurrent<S>, WaveDrift<S>, ShallowWater<S>, HullLinearDerivatives<S>,
-                 HullNonlinearDamping<S>, CrossFlowDrag<S>, AddedResistance<S>, SpeedLossInTurn<S>, AddedMass<S>,
-                 RudderEffectiveness<S>, RudderHullInteraction<S>, RudderStall<S>, RudderGap<S>, FlowStraightening<S>,
-                 RaceOnRudder<S>, PropellerSideForce<S>, WakeChange<S>, ShaftSpeedDrop<S>, RudderOffset<S>,
-                 SteeringGearLag<S>, SteeringGearBacklash<S>, RollCoupling<S>, FluidMemory<S>, HeadingBias<S>,
-                 GyroBias<S>, LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>, UnknownForce<S>>;
 
 using Effect = EffectIn<double>;
 
@@ -41,6 +32,60 @@ std::optional<Effect> effect_named(std::string_view id);
 /// @throws std::domain_error  if there is none of that name
 Effect make_effect(std::string_view id);
 
+// ---------------------------------------------------------------- what a kind does, told by its functions
+
+template <class Kind>
+concept ChangesModel = puts_values<Kind>() || requires(MmgShip<double>& model, const Kind& e) {
+  change(model, e);
+};
+
+template <class Kind>
+concept AddsForce = requires(const MmgShip<double>& model, const Kind& e, const Circumstances<double>& now) {
+  force(e, model, now);
+};
+
+template <class Kind>
+concept DrivesEngine = requires(const Kind& e, const ShipFacts<double>& ship, const PlanarMotion<double>& m,
+                                Controls<double>& controls) {
+  drive(e, ship, m, controls);
+};
+
+template <class Kind>
+concept GivesWind = requires(const Kind& e) {
+  wind(e);
+};
+
+template <class Kind>
+concept GivesCurrent = requires(const Kind& e) {
+  current(e);
+};
+
+template <class Kind>
+concept ActuatesRudder = requires(const Kind& e, RudderActuator& actuator) {
+  actuate(e, actuator);
+};
+
+template <class Kind>
+concept IsInstrument = requires(Instruments<double>& instruments, const Kind& e) {
+  put_on(instruments, e);
+};
+
+/// In how many ways effects of a kind act; an instrument may be of the rudder besides.
+template <class Kind>
+constexpr int ways_to_act = ChangesModel<Kind> + AddsForce<Kind> + DrivesEngine<Kind> + GivesWind<Kind> +
+                            GivesCurrent<Kind> + (ActuatesRudder<Kind> && !IsInstrument<Kind>)+IsInstrument<Kind>;
+
+/// Calls visit.operator()<Kind>() for every kind.
+template <class Visit>
+constexpr void for_each_kind(Visit&& visit) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (visit.template operator()<std::variant_alternative_t<I, Effect>>(), ...);
+  }
+  (std::make_index_sequence<effect_count>());
+}
+
+// ---------------------------------------------------------------- one effect
+
 template <class S>
 std::string_view id_of(const EffectIn<S>& effect) {
   return std::visit([](const auto& e) { return e.id; }, effect);
@@ -51,38 +96,48 @@ EffectPlace place_of(const EffectIn<S>& effect) {
   return std::visit([](const auto& e) { return e.place; }, effect);
 }
 
-/// Calls visit(parameter, number) for every number of an effect, in the order of its list.
+inline Scope scope_of(const Effect& effect) {
+  return std::visit([](const auto& e) { return e.scope; }, effect);
+}
+
+inline const EffectText& text_of(const Effect& effect) {
+  return std::visit([](const auto& e) -> const EffectText& { return e.text; }, effect);
+}
+
+/// Calls visit(parameter, value) for every parameter of an effect, in the order of its list.
 template <class E, class Visit>
 void for_each_parameter(E& effect, Visit&& visit) {
   const auto visit_kind = [&](auto& e) {
-    for (const auto& parameter : e.parameters()) visit(parameter, e.*parameter.member);
+    for (const auto& parameter : parameter_list<std::remove_cvref_t<decltype(e)>>)
+      visit(parameter, e.*parameter.member);
   };
   std::visit(visit_kind, effect);
 }
 
-/// How many numbers an effect has.
+/// How many parameters an effect has.
 template <class S>
-std::size_t number_count(const EffectIn<S>& effect) {
+std::size_t parameter_count(const EffectIn<S>& effect) {
   return std::visit([](const auto& e) { return e.parameters().size(); }, effect);
 }
 
-/// A number of an effect by its place in the list.
+/// A parameter of an effect by its place in the list.
 template <class S>
-S& number_of(EffectIn<S>& effect, std::size_t index) {
-  return std::visit([&](auto& e) -> S& { return e.*(e.parameters()[index].member); }, effect);
+S& parameter_value(EffectIn<S>& effect, std::size_t index) {
+  return std::visit([&](auto& e) -> S& { return e.*parameter_list<std::remove_cvref_t<decltype(e)>>[index].member; },
+                    effect);
 }
 
 template <class S>
-const S& number_of(const EffectIn<S>& effect, std::size_t index) {
-  return number_of(const_cast<EffectIn<S>&>(effect), index);
+const S& parameter_value(const EffectIn<S>& effect, std::size_t index) {
+  return parameter_value(const_cast<EffectIn<S>&>(effect), index);
 }
 
-/// Whether an effect of that kind does nothing: every number that decides has its null value.
+/// Whether an effect of that kind does nothing: every parameter that decides has its null value.
 template <class S>
 bool is_null(const EffectIn<S>& effect) {
   bool null = true;
-  for_each_parameter(effect, [&](const auto& p, const S& number) {
-    const bool same = value_of(number) == p.null || (std::isnan(p.null) && std::isnan(value_of(number)));
+  for_each_parameter(effect, [&](const auto& p, const S& value) {
+    const bool same = value_of(value) == p.null || (std::isnan(p.null) && std::isnan(value_of(value)));
     null = null && (same || !p.decides);
   });
   return null;
@@ -104,5 +159,37 @@ EffectIn<To> cast(const EffectIn<From>& effect) {
   };
   return std::visit(cast_kind, effect);
 }
+
+// ---------------------------------------------------------------- what some have
+
+/// From when to when an effect acts [s].
+struct ActingTime {
+  double onset, end;
+};
+
+/// Nothing for an effect that acts all the time.
+std::optional<ActingTime> acting_time(const Effect& effect);
+
+/// Whether effects of that kind begin and end.
+bool begins_and_ends(const Effect& effect);
+
+/// Whether an effect acts at a time.
+bool acts_at(const Effect& effect, double time);
+
+/// The channel that an effect is of, or nullptr.
+Channel* channel_of(Effect& effect);
+const Channel* channel_of(const Effect& effect);
+
+/// The quantity that a wrong instrument shows wrong; nothing for forces.
+std::string_view shown_wrong(const Effect& effect);
+
+/// Whether it is a loss of lift of the rudder.
+bool takes_rudder_lift(std::string_view id);
+
+/// Whether it is no more than what every ship has. @param parameters  of the effect on the ship
+bool is_ordinary(const Effect& effect, std::span<const Parameter> parameters);
+
+/// Why no turn is ever steady with it, in words: "in wind"; empty where turns are.
+std::string_view never_steady(const Effect& effect);
 
 }  // namespace swayaw

@@ -7,7 +7,7 @@
 
 /// The right-hand side of the equations of motion, once for every stepper: docs/decisions/006 tells which there are.
 ///
-/// Effects that add forces or slow the shaft (added_forces.hpp) come as an argument, and so does what surrounds the
+/// Effects that add forces or slow the shaft (acting_effects.hpp) come as an argument, and so does what surrounds the
 /// ship. Where there are none, NoEffects and StillSurroundings leave nothing to compute and nothing to ask.
 namespace swayaw {
 

@@ -27,7 +27,7 @@ struct CircleIndices {
 
   static constexpr auto parameters() {
     using I = CircleIndices;
-    using P = Parameter<I, S>;
+    using P = ParameterOf<I, S>;
     return std::array{
         P{"final_u", &I::u, "m/s", positive},
         P{"final_v", &I::v, "m/s", not_zero},
@@ -54,7 +54,7 @@ struct ZigzagIndices {
 
   static constexpr auto parameters() {
     using I = ZigzagIndices;
-    using P = Parameter<I, S>;
+    using P = ParameterOf<I, S>;
     return std::array{
         P{"overshoot[0]", &I::overshoot_1, "rad", positive},
         P{"overshoot[1]", &I::overshoot_2, "rad", positive},
@@ -88,11 +88,11 @@ using Slopes = std::vector<double>;
 /// @param numbers  every slopes_at_once of them cost one more pass
 /// @throws Refusal  for a ship in wind, or with effects other than a current
 CircleIndices<Slopes> index_slopes(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options,
-                                   const TurningCircle& circle, std::span<const ShipNumber> numbers);
+                                   const TurningCircle& circle, std::span<const Parameter> numbers);
 
 /// The same of a zigzag.
 ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions& options,
-                                   const Zigzag& zigzag, std::span<const ShipNumber> numbers);
+                                   const Zigzag& zigzag, std::span<const Parameter> numbers);
 
 /// How many numbers one more pass takes.
 inline constexpr std::size_t slopes_at_once = 19;

@@ -11,62 +11,6 @@
 /// What the instruments make of a motion: the same law in simulation, filter and fit. docs/effects.md tells signs.
 namespace swayaw {
 
-/// What an instrument makes of a quantity q: it shows scale q(t − delay) + bias at the time t.
-template <class S = double>
-struct ChannelError {
-  S scale{1.0};
-  S bias{};
-  S delay{};  ///< [s], negative where the record is early
-
-  S reading(const S& q) const { return scale * q + bias; }
-  S truth(const S& shown) const { return (shown - bias) / scale; }
-
-  bool operator==(const ChannelError&) const = default;
-};
-
-/// The instruments of a ship; perfect ones at first.
-template <class S = double>
-struct Instruments {
-  std::array<ChannelError<S>, channel_count> channels{};
-  S antenna_x{};  ///< where position and velocity over ground are measured, forward of midship [m]
-  S antenna_y{};  ///< to starboard [m]
-
-  ChannelError<S>& operator[](Channel channel) { return channels[index_of(channel)]; }
-  const ChannelError<S>& operator[](Channel channel) const { return channels[index_of(channel)]; }
-
-  bool operator==(const Instruments&) const = default;
-};
-
-// ---------------------------------------------------------------- errors of instruments
-
-template <class S>
-void put_on(Instruments<S>& instruments, const HeadingBias<S>& e) {
-  instruments[Channel::psi].bias = e.bias;
-}
-
-template <class S>
-void put_on(Instruments<S>& instruments, const GyroBias<S>& e) {
-  instruments[Channel::r].bias = e.bias;
-}
-
-template <class S>
-void put_on(Instruments<S>& instruments, const LogScale<S>& e) {
-  instruments[Channel::u].scale = instruments[Channel::speed_through_water].scale = e.scale;
-}
-
-template <class S>
-void put_on(Instruments<S>& instruments, const AntennaLeverArm<S>& e) {
-  instruments.antenna_x = e.x;
-  instruments.antenna_y = e.y;
-}
-
-/// The two coordinates of a position are of one receiver.
-template <class S>
-void put_on(Instruments<S>& instruments, const ChannelDelay<S>& e) {
-  instruments[e.channel].delay = e.delay;
-  if (e.channel == Channel::x) instruments[Channel::y].delay = e.delay;
-}
-
 /// The instruments as the effects make them; effects of other kinds are passed over.
 template <class S>
 Instruments<S> instruments_of(std::span<const EffectIn<S>> effects) {
@@ -76,19 +20,6 @@ Instruments<S> instruments_of(std::span<const EffectIn<S>> effects) {
   };
   for (const auto& effect : effects) std::visit(put, effect);
   return instruments;
-}
-
-/// The same with another scalar.
-template <class To, class From>
-Instruments<To> cast(const Instruments<From>& from) {
-  Instruments<To> to;
-  for (std::size_t i = 0; i < channel_count; ++i) {
-    const auto& e = from.channels[i];
-    to.channels[i] = {To(e.scale), To(e.bias), To(e.delay)};
-  }
-  to.antenna_x = To(from.antenna_x);
-  to.antenna_y = To(from.antenna_y);
-  return to;
 }
 
 // ---------------------------------------------------------------- observation

@@ -51,7 +51,7 @@ struct LiftingLineRudder {
 
   static constexpr auto parameters() {
     using R = LiftingLineRudder;
-    using P = Parameter<R, S>;
+    using P = ParameterOf<R, S>;
     constexpr auto fact = [](std::string_view key, S R::*member, Range range, std::string_view unit = "m") {
       return P{.key = key, .member = member, .unit = unit, .range = range};
     };

@@ -21,7 +21,7 @@ struct MathematicalRudder {
   static constexpr auto parameters() {
     using R = MathematicalRudder;
     constexpr auto term = [](std::string_view key, S R::*member) {
-      return Parameter<R, S>{
+      return ParameterOf<R, S>{
           .key = key, .member = member, .unit = "-", .range = any_number, .role = Role::coefficient, .required = false};
     };
     return std::array{

@@ -36,7 +36,7 @@ constexpr std::string_view meant_by(std::string_view key) {
 template <class S>
 S MmgHull<S>::*hull_number(std::string_view key) {
   static constexpr auto list = MmgHull<S>::parameters();
-  return std::ranges::find(list, key, &Parameter<MmgHull<S>, S>::key)->member;
+  return std::ranges::find(list, key, &ParameterOf<MmgHull<S>, S>::key)->member;
 }
 
 /// The hull with every number under its own name, and `labels` back to "standard".

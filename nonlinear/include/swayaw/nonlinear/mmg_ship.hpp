@@ -22,7 +22,7 @@ struct Water {
   S rho;  ///< density [kg/m^3]
 
   static constexpr auto parameters() {
-    return std::array{Parameter<Water, S>{"density_kg_m3", &Water::rho, "kg/m3", positive}};
+    return std::array{ParameterOf<Water, S>{"density_kg_m3", &Water::rho, "kg/m3", positive}};
   }
 };
 
@@ -39,7 +39,7 @@ struct MmgParticulars {
   S A_lateral;  ///< lateral windage area [m^2], 0 if not known
 
   static constexpr auto parameters() {
-    using P = Parameter<MmgParticulars, S>;
+    using P = ParameterOf<MmgParticulars, S>;
     return std::array{
         P{"length_m", &MmgParticulars::L, "m", positive},
         P{"beam_m", &MmgParticulars::B, "m", positive},
@@ -70,7 +70,7 @@ struct MmgAddedMass {
   Selection surge_coupling;  ///< what v r accelerates in surge: m + m_y as in the standard, or m alone
 
   static constexpr auto parameters() {
-    using P = Parameter<MmgAddedMass, S>;
+    using P = ParameterOf<MmgAddedMass, S>;
     return std::array{
         P{"m_x", &MmgAddedMass::m_x, "-", non_negative, Role::coefficient},
         P{"m_y", &MmgAddedMass::m_y, "-", non_negative, Role::coefficient},
@@ -93,10 +93,10 @@ struct MmgHull {
 
   static constexpr auto parameters() {
     constexpr auto derivative = [](std::string_view key, S MmgHull::*member) {
-      return Parameter<MmgHull, S>{key, member, "-", any_number, Role::coefficient};
+      return ParameterOf<MmgHull, S>{key, member, "-", any_number, Role::coefficient};
     };
     return std::array{
-        Parameter<MmgHull, S>{"R_0", &MmgHull::R_0, "-", non_negative, Role::coefficient},
+        ParameterOf<MmgHull, S>{"R_0", &MmgHull::R_0, "-", non_negative, Role::coefficient},
         derivative("X_vv", &MmgHull::X_vv),
         derivative("X_vr", &MmgHull::X_vr),
         derivative("X_rr", &MmgHull::X_rr),
@@ -134,7 +134,7 @@ struct MmgPropeller {
   S q_0, q_1, q_2;  ///< K_Q = q_0 + q_1 J + q_2 J^2; 0 if not known
 
   static constexpr auto parameters() {
-    using P = Parameter<MmgPropeller, S>;
+    using P = ParameterOf<MmgPropeller, S>;
     constexpr auto coefficient = Role::coefficient;
     return std::array{
         P{"diameter_m", &MmgPropeller::D, "m", positive},
@@ -178,12 +178,12 @@ struct Engine {
   bool torque_limited() const { return kind.index == 1; }
 
   static constexpr auto parameters() {
-    return std::array{Parameter<Engine, S>{.key = "torque_limit_kN_m",
-                                           .member = &Engine::Q_max,
-                                           .unit = "kN m",
-                                           .range = positive,
-                                           .si = 1e3,
-                                           .required = false}};
+    return std::array{ParameterOf<Engine, S>{.key = "torque_limit_kN_m",
+                                             .member = &Engine::Q_max,
+                                             .unit = "kN m",
+                                             .range = positive,
+                                             .si = 1e3,
+                                             .required = false}};
   }
 
   static constexpr auto choices() {
@@ -214,7 +214,7 @@ struct MmgRudder {
   Stall<S> stall() const { return {alpha_s, stall_depth, stall_width}; }
 
   static constexpr auto parameters() {
-    using P = Parameter<MmgRudder, S>;
+    using P = ParameterOf<MmgRudder, S>;
     constexpr auto coefficient = Role::coefficient;
     return std::array{
         P{"area_m2", &MmgRudder::A_R, "m2", positive},

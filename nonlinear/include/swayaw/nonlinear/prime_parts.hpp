@@ -20,7 +20,7 @@ struct ViscousWater {
   S nu;   ///< kinematic viscosity [m^2/s]
 
   static constexpr auto parameters() {
-    using P = Parameter<ViscousWater, S>;
+    using P = ParameterOf<ViscousWater, S>;
     return std::array{
         P{"density_kg_m3", &ViscousWater::rho, "kg/m3", positive},
         P{"kinematic_viscosity_m2_s", &ViscousWater::nu, "m2/s", positive},
@@ -43,7 +43,7 @@ struct PrimeParticulars {
   S A_lateral;  ///< lateral windage area [m^2], 0 if not known
 
   static constexpr auto parameters() {
-    using P = Parameter<PrimeParticulars, S>;
+    using P = ParameterOf<PrimeParticulars, S>;
     using Q = PrimeParticulars;
     return std::array{
         P{"length_m", &Q::L, "m", positive},
@@ -74,7 +74,7 @@ struct PrimeAddedMass {
 
   static constexpr auto parameters() {
     constexpr auto derivative = [](std::string_view key, S PrimeAddedMass::*member) {
-      return Parameter<PrimeAddedMass, S>{key, member, "-", any_number, Role::coefficient};
+      return ParameterOf<PrimeAddedMass, S>{key, member, "-", any_number, Role::coefficient};
     };
     return std::array{
         derivative("X_udot", &PrimeAddedMass::X_udot), derivative("Y_vdot", &PrimeAddedMass::Y_vdot),
@@ -94,7 +94,7 @@ struct PrimeHull {
   static constexpr auto parameters() {
     using H = PrimeHull;
     constexpr auto term = [](std::string_view key, S H::*member) {
-      return Parameter<H, S>{
+      return ParameterOf<H, S>{
           .key = key, .member = member, .unit = "-", .range = any_number, .role = Role::coefficient, .required = false};
     };
     return std::array{
@@ -128,7 +128,7 @@ struct PrimePropeller {
   bool has_open_water_curve() const { return first_lane(k_0) > 0.0; }
 
   static constexpr auto parameters() {
-    using P = Parameter<PrimePropeller, S>;
+    using P = ParameterOf<PrimePropeller, S>;
     using Q = PrimePropeller;
     constexpr auto coefficient = Role::coefficient;
     constexpr auto optional = [](std::string_view key, S Q::*member, const char* unit, Range range, Role role,

@@ -12,6 +12,9 @@ S logistic(const S& x) {
   return select(x < S(0.0), S(e / (1.0 + e)), S(1.0 / (1.0 + e)));
 }
 
+/// A rudder that loses less than this share of its lift at 35 deg does what every rudder does.
+inline constexpr double ordinary_lift_loss_at_35_deg = 0.1;
+
 /// A rudder that stalls: alpha_s is the angle of attack where half of what it loses is lost.
 template <class S = double>
 struct Stall {

@@ -42,7 +42,7 @@ struct Windage {
   std::variant<std::monostate, WindSeries<S>, WindSpline> given{};
 
   static constexpr auto parameters() {
-    using P = Parameter<Windage, S>;
+    using P = ParameterOf<Windage, S>;
     constexpr auto drag = [](std::string_view key, S Windage::*member, Range range, double fallback) {
       return P{.key = key,
                .member = member,

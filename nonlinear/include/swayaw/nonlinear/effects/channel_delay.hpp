@@ -1,0 +1,56 @@
+#pragma once
+
+#include "swayaw/nonlinear/effects/instrument.hpp"
+
+namespace swayaw {
+
+/// A channel is recorded late, recorded(t) = true(t − delay). The two coordinates of a position are of one receiver: x
+/// stands for both.
+template <class S = double>
+struct ChannelDelay {
+  Channel channel = Channel::delta;
+  S delay{};  ///< [s], negative where the record is early
+
+  static constexpr std::string_view id = "channel_delay";
+  static constexpr EffectPlace place = EffectPlace::sensor;
+  static constexpr Scope scope = Scope::group;  ///< a receiver is as late all day
+  static constexpr EffectText text{
+      .phrase = "a channel that is late",
+      .label = "late channel",
+      .law = "recorded(t) = true(t − delay), straight lines between samples; `x` delays both coordinates",
+      .confused_with = "steering gear lag"};
+
+  static constexpr auto parameters() {
+    return std::array{ParameterOf<ChannelDelay, S>{.key = "delay_s",
+                                                   .member = &ChannelDelay::delay,
+                                                   .unit = "s",
+                                                   .prior = 0.1,
+                                                   .floor = 0.01,
+                                                   .scale = ShipUnit::time}};
+  }
+
+  /// The quantity that it shows wrong; none where the rudder is late.
+  std::string_view shows_wrong() const {
+    switch (channel) {
+      case Channel::x:
+      case Channel::y: return "position";
+      case Channel::psi: return "heading";
+      case Channel::r: return "yaw_rate";
+      case Channel::delta: return {};
+      default: return "speed";
+    }
+  }
+};
+
+template <class S>
+void put_on(Instruments<S>& instruments, const ChannelDelay<S>& e) {
+  instruments[e.channel].delay = e.delay;
+  if (e.channel == Channel::x) instruments[Channel::y].delay = e.delay;
+}
+
+/// A rudder angle that is recorded late is known no better than what lies behind it.
+inline void actuate(const ChannelDelay<>& e, RudderActuator& actuator) {
+  if (e.channel == Channel::delta) actuator.record_delay = e.delay;
+}
+
+}  // namespace swayaw

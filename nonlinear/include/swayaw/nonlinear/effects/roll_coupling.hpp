@@ -1,0 +1,128 @@
+#pragma once
+
+#include "swayaw/core/scalar.hpp"
+#include "swayaw/nonlinear/effects/search_form.hpp"
+
+namespace swayaw {
+
+/// Heel that changes sway force and yaw moment. The ship heels as the centrifugal force of a turn makes her.
+///
+///     Y = ½ρLdU² Y_phi phi,   N = ½ρL²dU² N_phi phi
+///     d²phi/dt² + 2 zeta omega d(phi)/dt + omega² phi = −lever u r/k_xx²,   omega² = g GM/k_xx²
+///
+/// Y_phi and N_phi where a file gives neither: the container ship of [Son1982]. k_xx = 0.4 B, GM and the lever are
+/// customary guesses.
+template <class S = double>
+struct RollCoupling {
+  S GM{unchanged};     ///< metacentric height [m]; 0.05 B unless given
+  S Y_phi{};           ///< sway force by heel over ½ρLdU²
+  S N_phi{};           ///< yaw moment by heel over ½ρL²dU²
+  S zeta{0.1};         ///< damping over critical
+  S lever{unchanged};  ///< height of the centre of gravity over the point where the water holds the hull [m]; d/2
+                       ///< unless given
+
+  static constexpr std::string_view id = "roll_coupling";
+  static constexpr EffectPlace place = EffectPlace::force;
+  static constexpr Scope scope = Scope::group;  ///< GM is of a loading
+  static constexpr EffectText text{
+      .phrase = "heel that acts on sway and yaw",
+      .label = "roll coupling",
+      .law =
+          "Y = ½ρLdU² Y_φ φ, N = ½ρL²dU² N_φ φ, φ'' + 2ζω φ' + ω² φ = −lever u r/k_xx², ω² = g GM/k_xx², k_xx = 0.4 "
+          "B; GM is 0.05 B and the lever d/2 unless given, one parameter at least is",
+      .confused_with = "fluid memory → resonance at ω"};
+
+  /// Heel, starboard side down [rad], and its rate.
+  static constexpr std::array hidden{HiddenQuantity{"phi", ShipUnit::one, Channel::phi},
+                                     HiddenQuantity{"p", ShipUnit::yaw_rate}};
+
+  static constexpr auto parameters() {
+    using P = ParameterOf<RollCoupling, S>;
+    // container ship of [Son1982], −0.000063 and −0.0001424 in ½ρL²U², L/d = 20.6
+    constexpr double Y_phi = -0.000063 * 175.0 / 8.5, N_phi = -0.0001424 * 175.0 / 8.5;
+    return std::array{P{.key = "GM_m",
+                        .member = &RollCoupling::GM,
+                        .unit = "m",
+                        .range = positive,
+                        .required = false,
+                        .fallback = unchanged,
+                        .null = unchanged,
+                        .prior = 0.5,
+                        .scale = ShipUnit::own,
+                        .decides = false},
+                      P{.key = "Y_phi",
+                        .member = &RollCoupling::Y_phi,
+                        .required = false,
+                        .fallback = Y_phi,
+                        .prior = 0.02,
+                        .floor = 0.001},
+                      P{.key = "N_phi",
+                        .member = &RollCoupling::N_phi,
+                        .required = false,
+                        .fallback = N_phi,
+                        .prior = 0.02,
+                        .floor = 0.001},
+                      P{.key = "zeta",
+                        .member = &RollCoupling::zeta,
+                        .range = non_negative,
+                        .required = false,
+                        .fallback = 0.1,
+                        .null = 0.1,
+                        .prior = 0.05,
+                        .decides = false},
+                      P{.key = "lever_m",
+                        .member = &RollCoupling::lever,
+                        .unit = "m",
+                        .required = false,
+                        .fallback = unchanged,
+                        .null = unchanged,
+                        .prior = 0.5,
+                        .scale = ShipUnit::own,
+                        .decides = false}};
+  }
+
+  /// It needs beam and draught.
+  template <class Model>
+  static bool acts_on(const Model&) {
+    return requires(const Model& m) { m.particulars.B; };
+  }
+
+  /// All parameters known.
+  RollCoupling completed(const ShipFacts<S>& ship) const {
+    auto e = *this;
+    if (std::isnan(value_of(e.GM))) e.GM = 0.05 * ship.B;
+    if (std::isnan(value_of(e.lever))) e.lever = 0.5 * ship.d;
+    return e;
+  }
+};
+
+template <class Model, class S>
+PlanarForce<S> force(const RollCoupling<S>& e, const Model&, const Circumstances<S>& now) {
+  const auto& m = now.state.motion;
+  const S q = 0.5 * now.ship.rho * now.ship.L * now.ship.d * (m.u * m.u + m.v * m.v) * now.hidden[0];
+  return {.X = S(0.0), .Y = q * e.Y_phi, .N = q * now.ship.L * e.N_phi};
+}
+
+template <class S>
+std::array<S, 2> hidden_rates(const RollCoupling<S>& e, const ShipFacts<S>& ship, const PlanarMotion<S>& m,
+                              std::span<const S> hidden) {
+  const S over_kk = 1.0 / (ship.k_xx * ship.k_xx), omega = sqrt(effect_gravity * e.GM * over_kk);
+  return {hidden[1], -e.lever * m.u * m.r * over_kk - omega * (2.0 * e.zeta * hidden[1] + omega * hidden[0])};
+}
+
+/// phi = −lever u r/(g GM)
+template <class S>
+std::array<S, 2> steady_hidden(const RollCoupling<S>& e, const ShipFacts<S>&, const PlanarMotion<S>& m) {
+  return {-e.lever * m.u * m.r / (effect_gravity * e.GM), S(0.0)};
+}
+
+/// Moment and damping of the heel are known but for factors, the lever counts with GM alone. A heel that is recorded is
+/// explained by rolling alone; it acts where sway force or yaw moment show it.
+inline SearchForm<RollCoupling<>> search_form(const RollCoupling<>& null, const SearchContext& context) {
+  auto Y = from_null(context["Y_phi"]), N = from_null(context["N_phi"]);
+  Y.coordinate.acts = N.coordinate.acts = true;
+  return by_moves(null, {by_factor(context["GM_m"], 1.0), std::move(Y), std::move(N), by_factor(context["zeta"], 0.7)},
+                  {{0.0, 0.1, -0.1, 0.0}, {-1.2, 0.1, -0.1, 0.0}});
+}
+
+}  // namespace swayaw
