@@ -9,6 +9,8 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/identification/map_fit.hpp"
 #include "swayaw/identification/state_estimate.hpp"
+#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw {
 namespace {

@@ -66,7 +66,7 @@ std::vector<Job> worth_more(const std::vector<Job>& first) {
       if (std::isfinite(job->promise.gain)) of_form.push_back(&*job);
     std::ranges::stable_sort(of_form, std::greater{}, [](const Job* j) { return j->promise.gain; });
     for (std::size_t i = 0; i < std::min<std::size_t>(2, of_form.size()); ++i)
-      chosen.push_back({of_form[i]->form, of_form[i]->promise.coordinates, 4});
+      chosen.push_back({of_form[i]->form, of_form[i]->promise.values, 4});
   }
   return chosen;
 }
@@ -240,7 +240,7 @@ std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, con
     const auto& form = *candidates[i].form;
     const auto hypothesis = with(accepted, form);
     try {
-      const auto found = fit_beside(trial, hypothesis, now, linear, candidates[i].promise.coordinates);
+      const auto found = fit_beside(trial, hypothesis, now, linear, candidates[i].promise.values);
       const double gain = found.log_evidence - now.log_evidence;
       if (!std::isfinite(gain)) return;
       const auto effect = last_effect(hypothesis, found.point);
@@ -437,12 +437,12 @@ void map_unknown(const Trial& trial, const Trial& unused, Search& s, double need
   const auto linear = linearized(trial, before, s.now);
   const auto guess = promise(trial, before, linear, whole, nothing);
   const auto terms =
-      pruned(whole, Eigen::Map<const Eigen::VectorXd>(guess.coordinates.data(), std::ssize(guess.coordinates)),
+      pruned(whole, Eigen::Map<const Eigen::VectorXd>(guess.values.data(), std::ssize(guess.values)),
              guess.covariance)
           .kept;
   s.reduced.push_back(whole.with_terms(terms));
   Screened start{&s.reduced.back(), {}};
-  for (const auto i : terms) start.promise.coordinates.push_back(guess.coordinates[i]);
+  for (const auto i : terms) start.promise.values.push_back(guess.values[i]);
   const auto tried = confirmed(trial, before, s.now, linear, {start}, 1);
   if (tried.empty() || !(tried.front().gain > needed)) return;
   auto map = reduced(trial, before, tried.front(), s.reduced);

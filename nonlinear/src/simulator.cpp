@@ -8,6 +8,7 @@
 
 #include "held_forces.hpp"
 #include "rudder_follower.hpp"
+#include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/equations_of_motion.hpp"
 #include "swayaw/nonlinear/instruments.hpp"

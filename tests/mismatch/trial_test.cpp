@@ -69,7 +69,7 @@ TEST_CASE("a screening promises what the converged fit gains", "[mismatch][secon
     const auto& form = f.form(id_of(hidden));
     const auto promised = promise(f.trial, {}, linearized(f.trial, {}, f.null), form, form.starts.front());
     const Hypothesis hypothesis{&form};
-    const auto converged = fit(f.trial, hypothesis, with_start(f.null.point, promised.coordinates), f.null.noise);
+    const auto converged = fit(f.trial, hypothesis, with_start(f.null.point, promised.values), f.null.noise);
     const double gain = converged.log_evidence - f.null.log_evidence;
     CHECK(gain > 15.0);
     CHECK(promised.gain > 0.2 * gain);  // beside the imperfection that the baseline alone needs

@@ -23,7 +23,8 @@ double log_likelihood(const EstimationProblem& problem, const Point& point, cons
 std::vector<std::vector<double>> log_likelihoods(const EstimationProblem& problem, const Point& point,
                                                  const Noise& noise) {
   std::vector<std::vector<double>> runs;
-  for (const auto& run : filtered(problem, point, noise)->runs) {
+  const auto passes = filtered(problem, point, noise);
+  for (const auto& run : passes->runs) {
     double before = 0.0;
     auto& samples = runs.emplace_back();
     for (const auto& passed : run.passed)

@@ -132,11 +132,12 @@ class RunFilter {
     std::size_t step = 0, row = 0;
     for (std::size_t k = 0; k < pass.passed.size(); ++k) {
       require_motion(x, k);
-      for (; step < pass.passed[k].steps; ++step) predictor_.repeat(x, pass.steps[step]);
+      for (; step < pass.passed[k].steps; ++step)
+        predictor_.repeat(x, controls_in_step(k, pass.steps[step].from, pass.steps[step].to), pass.steps[step]);
       const auto sight = observer_.late() ? late_sight(x, k) : sight_of(x);
       for (; row < pass.passed[k].innovations; ++row) {
         const auto& now = pass.innovations[row];
-        const double e = compared(now.channel, run_[now.channel][k], expected(now, x, sight));
+        const double e = compared(now.channel, run_[now.channel][k], expected(now.channel, x, sight));
         out[static_cast<Eigen::Index>(row)] = e / std::sqrt(now.variance);
         x += now.K * e;
       }
@@ -173,10 +174,11 @@ class RunFilter {
       throw Refusal(fmt::format("{}: the ship loses her way at {:.6g} s", run_.name, run_.time[k]));
   }
 
-  /// Controls in the middle of step i of `count` from sample k − 1 to k; a rudder with a motion of its own is asked.
-  Controls<double> controls_in_step(std::size_t k, double from, double to, double share) const {
-    if (controls_.track()) return controls_.at(0.5 * (from + to));
-    return between(at_samples_[k - 1], at_samples_[k], share);
+  /// Controls in the middle of a step between samples k − 1 and k; a rudder with a motion of its own is asked for it.
+  Controls<double> controls_in_step(std::size_t k, double from, double to) const {
+    const double middle = 0.5 * (from + to);
+    if (controls_.track()) return controls_.at(middle);
+    return between(at_samples_[k - 1], at_samples_[k], (middle - run_.time[k - 1]) / (run_.time[k] - run_.time[k - 1]));
   }
 
   /// To sample k, in steps that are short for the ship.
@@ -186,7 +188,7 @@ class RunFilter {
     const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), h);
     for (int i = 0; i < count; ++i) {
       const double from = begin + h * i / count, to = i + 1 == count ? run_.time[k] : begin + h * (i + 1) / count;
-      const auto controls = controls_in_step(k, from, to, (i + 0.5) / count);
+      const auto controls = controls_in_step(k, from, to);
       const auto& t = pass.steps.emplace_back(predictor_.step(estimate.mean, controls, from, to));
       estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
       estimate.P = carried<N>(estimate.P, t);
@@ -220,10 +222,9 @@ class RunFilter {
     return updated<N>(estimate, channel, expected, value, R, pass.slopes.emplace_back());
   }
 
-  double expected(const Innovation<N>& now, const FilterVector<N>& x, const Sight& sight) const {
-    if (now.state >= 0) return x[now.state] + observer_.bias(now.channel);
-    const ShipState<double> state = ship_state<N>(x);
-    return observer_.value(now.channel, {state, sight.acceleration, sight.phi});
+  double expected(Channel channel, const FilterVector<N>& x, const Sight& sight) const {
+    if (const auto state = observer_.state_alone(channel)) return x[*state] + observer_.bias(channel);
+    return observer_.value(channel, {ship_state<N>(x), sight.acceleration, sight.phi});
   }
 
   Sight sight_of(const FilterVector<N>& x) const {

@@ -27,7 +27,6 @@ ShipState<double> ship_state(const FilterVector<N>& s) {
 template <int N>
 struct Transition {
   double from, to;  ///< [s]
-  Controls<double> controls;
   Eigen::Matrix<double, 6, N - 2> B;
   Eigen::Matrix<double, 6, N - 2> Psi;  ///< the step is h f + Psi (h f), f the rates of all states
   double keep;
@@ -116,7 +115,7 @@ class ShipPredictor {
   ///
   /// the exponential method of Rosenbrock and Euler, of second order; exact to third where f is linear.
   Transition<N> step(FilterVector<N>& x, const Controls<double>& controls, double from, double to) {
-    Transition<N> t{.from = from, .to = to, .controls = controls, .B = {}, .Psi = {}, .keep = 1.0, .share = 0.0};
+    Transition<N> t{.from = from, .to = to, .B = {}, .Psi = {}, .keep = 1.0, .share = 0.0};
     const double h = to - from, fading = h / tau_;
     const auto state = ship_state<N>(x);
     const auto middle = half_way(state.motion, h);
@@ -148,12 +147,12 @@ class ShipPredictor {
   }
 
   /// Moves another state over the same step, its derivatives as they were for the first: equal for equal states.
-  void repeat(FilterVector<N>& x, const Transition<N>& t) {
+  void repeat(FilterVector<N>& x, const Controls<double>& controls, const Transition<N>& t) {
     const auto state = ship_state<N>(x);
     const auto middle = half_way(state.motion, t.to - t.from);
     Eigen::Matrix<double, 6, 1> rate = Eigen::Matrix<double, 6, 1>::Zero();
     with_changes(t.from, t.to, [&](double weight) {
-      const auto part = ship_.rates(state, middle, t.controls);
+      const auto part = ship_.rates(state, middle, controls);
       rate += weight * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(part.data());
     });
     move(x, t, rate);

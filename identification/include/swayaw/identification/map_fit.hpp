@@ -139,7 +139,7 @@ double linear_evidence(const EstimationProblem& problem, const LinearizedFit& fi
 /// What further unknowns promise, gains and slopes of the first ones as they are.
 struct Promise {
   double gain = -HUGE_VAL;  ///< in log evidence
-  std::vector<double> further;
+  std::vector<double> values;
   Eigen::MatrixXd covariance;  ///< of the further unknowns
 };
 
