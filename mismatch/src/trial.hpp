@@ -40,9 +40,6 @@ EstimationProblem problem_of(const Trial& trial, const Hypothesis& hypothesis);
 /// The same of a ship in which nothing is unknown, for likelihoods of her.
 EstimationProblem problem_of(const Trial& trial, const Ship& ship);
 
-/// The nearest point at which every coefficient of the baseline and every coordinate of the effects is in its range.
-Point in_range(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
-
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
 
 /// A point with the coordinates of one more effect.

@@ -6,6 +6,7 @@
 #include "swayaw/core/angle.hpp"
 #include "swayaw/identification/state_estimate.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
 
 /// The filter with every effect, beside simulations of the same ship, which step otherwise.
 namespace swayaw {
@@ -22,7 +23,7 @@ Ship sailing_ship() {
 Recording zigzag_of(const Ship& ship) {
   const double time_unit = length(ship) / service_speed(ship);
   return zigzag(ship, {.rudder = radians(20), .heading = radians(20)},
-                {.duration = 12.0 * time_unit, .step = 0.05 * time_unit})
+                {.duration = 12.0 * time_unit, .step = 0.01 * time_unit})
       .run;
 }
 
@@ -56,7 +57,9 @@ TEMPLATE_TEST_CASE("the filter knows every effect that simulations know", "[iden
     const auto options = strict(bare);
     const auto known = estimate_states(ship, run, options), unknown = estimate_states(bare, run, options);
     CHECK(largest_innovation(known) < 0.25);
-    CHECK(known.noise.log_likelihood > unknown.noise.log_likelihood + 1.0);
+    // a thrust that is recorded tells what the wake did
+    const bool told = id == WakeChange<>::id && !takes_shaft_speed(bare);
+    if (!told) CHECK(known.noise.log_likelihood > unknown.noise.log_likelihood + 1.0);
   }
 }
 

@@ -68,7 +68,8 @@ TEST_CASE("wherever a search goes, the coefficients of the ship are in their ran
     ship.confidence.coefficients = 0.3;
     const auto trial = trial_of(ship, {}, channels);
     for (const double far : {-20.0, -3.0, 3.0, 20.0}) {
-      const auto there = ship_at(trial, {}, in_range(trial, {}, Point::Constant(trial.baseline_size(), far)));
+      const auto there = ship_at(
+          trial, {}, problem_of(trial, Hypothesis{}).within_bounds(Point::Constant(trial.baseline_size(), far)));
       INFO(ship.name << " " << far);
       const auto parameters = parameters_of(there);
       for (const auto& moved : trial.numbers) {
@@ -79,7 +80,7 @@ TEST_CASE("wherever a search goes, the coefficients of the ship are in their ran
       CHECK_NOTHROW(ship_text(there));
     }
     const Point ordinary = Point::Constant(trial.baseline_size(), 0.5);
-    CHECK(in_range(trial, {}, ordinary) == ordinary);
+    CHECK(problem_of(trial, Hypothesis{}).within_bounds(ordinary) == ordinary);
   }
 }
 
