@@ -437,8 +437,7 @@ void map_unknown(const Trial& trial, const Trial& unused, Search& s, double need
   const auto linear = linearized(trial, before, s.now);
   const auto guess = promise(trial, before, linear, whole, nothing);
   const auto terms =
-      pruned(whole, Eigen::Map<const Eigen::VectorXd>(guess.values.data(), std::ssize(guess.values)),
-             guess.covariance)
+      pruned(whole, Eigen::Map<const Eigen::VectorXd>(guess.values.data(), std::ssize(guess.values)), guess.covariance)
           .kept;
   s.reduced.push_back(whole.with_terms(terms));
   Screened start{&s.reduced.back(), {}};

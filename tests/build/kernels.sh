@@ -4,7 +4,7 @@
 #   tests/build/kernels.sh OBJECT…     all objects of the library
 set -euo pipefail
 
-defined_in() { nm -C --defined-only "$@" 2>/dev/null | sed -nE 's/^[0-9a-f]+ [TWu] //p' | sort -u; }
+defined_in() { nm -C --defined-only "$@" 2>/dev/null | sed -nE 's/^[0-9a-f]+ [TW] //p' | sort -u; }
 
 failed=0 kernels=0
 for kernel in "$@"; do
