@@ -162,6 +162,17 @@ TEST_CASE("a late channel shows what was true a while ago", "[nonlinear][limit]"
   }
 }
 
+TEST_CASE("a gyro with a zero and a factor shows factor times yaw rate plus zero", "[nonlinear][second-route]") {
+  RandomSights random(6);
+  const std::vector<Effect> gyro{GyroScale<>{1.02}, GyroBias<>{0.001}};
+  const auto truth = true_run(random);
+  const auto recorded = as_recorded(truth, instruments_of(std::span<const Effect>(gyro)));
+  for (std::size_t i = 0; i < truth.samples(); ++i) {
+    CHECK(recorded[Channel::r][i] == Approx(1.02 * truth[Channel::r][i] + 0.001));
+    CHECK(recorded[Channel::psi][i] == truth[Channel::psi][i]);
+  }
+}
+
 TEST_CASE("a run put right again is the run", "[nonlinear][round-trip]") {
   RandomSights random(5);
   for (int k = 0; k < 10; ++k) {

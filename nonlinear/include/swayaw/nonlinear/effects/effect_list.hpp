@@ -11,6 +11,7 @@
 #include "swayaw/nonlinear/effects/fluid_memory.hpp"
 #include "swayaw/nonlinear/effects/gust.hpp"
 #include "swayaw/nonlinear/effects/gyro_bias.hpp"
+#include "swayaw/nonlinear/effects/gyro_scale.hpp"
 #include "swayaw/nonlinear/effects/heading_bias.hpp"
 #include "swayaw/nonlinear/effects/hull_linear_derivatives.hpp"
 #include "swayaw/nonlinear/effects/hull_nonlinear_damping.hpp"
@@ -45,6 +46,6 @@ using EffectIn =
                  RudderEffectiveness<S>, RudderHullInteraction<S>, RudderStall<S>, RudderGap<S>, FlowStraightening<S>,
                  RaceOnRudder<S>, PropellerSideForce<S>, WakeChange<S>, ShaftSpeedDrop<S>, RudderOffset<S>,
                  SteeringGearLag<S>, SteeringGearBacklash<S>, RollCoupling<S>, FluidMemory<S>, HeadingBias<S>,
-                 GyroBias<S>, LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>, UnknownForce<S>>;
+                 GyroBias<S>, GyroScale<S>, LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>, UnknownForce<S>>;
 
 }  // namespace swayaw
