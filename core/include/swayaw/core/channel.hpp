@@ -28,9 +28,10 @@ enum class Channel : std::size_t {
   phi,                  ///< roll, starboard side down positive [rad]
   wind_speed,           ///< true wind [m/s]
   wind_from,            ///< direction the true wind comes from [rad]
+  depth,                ///< water depth at the sounder [m]
 };
 
-inline constexpr std::size_t channel_count = 19;
+inline constexpr std::size_t channel_count = 20;
 
 constexpr std::size_t index_of(Channel channel) { return static_cast<std::size_t>(channel); }
 

@@ -85,6 +85,7 @@ inline constexpr std::tuple channel_table{
     row(Channel::phi, "phi", Dimension::angle, {{"phi_rad"}, {"phi_deg", degree}}, [](const auto& k) { return k.phi; }),
     row(Channel::wind_speed, "wind_speed", Dimension::speed, {{"wind_speed_m_s"}, {"wind_speed_kn", knot}}),
     row(Channel::wind_from, "wind_from", Dimension::bearing, {{"wind_from_rad"}, {"wind_from_deg", degree}}),
+    row(Channel::depth, "depth", Dimension::length, {{"depth_m"}}),
 };
 
 static_assert(std::tuple_size_v<decltype(channel_table)> == channel_count);
