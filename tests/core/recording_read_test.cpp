@@ -77,6 +77,7 @@ const UnitCase units[] = {
     {"wind_speed_kn", Channel::wind_speed, knots_3},
     {"wind_from_rad", Channel::wind_from, 3.0},
     {"wind_from_deg", Channel::wind_from, degrees_3},
+    {"depth_m", Channel::depth, 3.0},
 };
 
 /// A recording of one sample with the column, and a heading and a rudder in any case.
