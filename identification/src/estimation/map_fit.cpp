@@ -131,26 +131,21 @@ Promise promise(const EstimationProblem& problem, const LinearizedFit& before, s
   here.residuals = residuals(problem, here.point, *before.passes);
   here.cost = cost(here.point, here.residuals);
   Eigen::MatrixXd slopes(problem.rows(), problem.size()), A = Eigen::MatrixXd::Identity(size, size);
+  // the step is of the further unknowns alone
   const auto renew = [&](const Descent& at, int) {
     difference(problem, at.point, *before.passes, at.residuals, base, slopes);
     const Eigen::MatrixXd J = slopes.rightCols(size);
     A = J.transpose() * before.projected(J) + Lambda;
-    return NormalEquations{A, -J.transpose() * before.answered(at.residuals) - Lambda * (at.point.tail(size) - mean)};
+    NormalEquations normal{Eigen::MatrixXd::Identity(problem.size(), problem.size()),
+                           Eigen::VectorXd::Zero(problem.size())};
+    normal.A.bottomRightCorner(size, size) = A;
+    normal.b.tail(size) = -J.transpose() * before.answered(at.residuals) - Lambda * (at.point.tail(size) - mean);
+    return normal;
   };
   const auto kept = [&](const Point& p) { return problem.within_bounds(p); };
-  // steps are of the further unknowns alone
-  const auto renew_all = [&](const Descent& at, int iteration) {
-    const auto normal = renew(at, iteration);
-    NormalEquations all{Eigen::MatrixXd::Identity(problem.size(), problem.size()),
-                        Eigen::VectorXd::Zero(problem.size())};
-    all.A.bottomRightCorner(size, size) = normal.A;
-    all.b.tail(size) = normal.b;
-    return all;
-  };
   const double at_first = before.cost(before.residuals);
   descend(
-      here, options, renew_all, [&](const Point& p) { return residuals_if_any(problem, p, *before.passes); }, cost,
-      kept);
+      here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *before.passes); }, cost, kept);
   const double occam = 0.5 * (log_determinant(Lambda) - log_determinant(A));
   const Eigen::VectorXd found = here.point.tail(size);
   return {0.5 * (at_first - here.cost) + occam, {found.begin(), found.end()}, A.inverse()};
