@@ -214,12 +214,6 @@ Ship with_effects_applied(const Ship& ship) {
   return result;
 }
 
-Ship without_sensor_effects(const Ship& ship) {
-  Ship result = ship;
-  std::erase_if(result.effects, [](const Effect& e) { return place_of(e) == EffectPlace::sensor; });
-  return result;
-}
-
 Ship with_effect(const Ship& ship, const Effect& effect) {
   Ship result = ship;
   result.effects.push_back(effect);

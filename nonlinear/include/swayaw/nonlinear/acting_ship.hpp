@@ -80,9 +80,6 @@ decltype(auto) visit_acting(const Ship& ship, F&& f) {
 /// @throws Refusal  as cannot_act tells
 Ship with_effects_applied(const Ship& ship);
 
-/// The same without effects of her instruments, for a run that as_it_was has put right.
-Ship without_sensor_effects(const Ship& ship);
-
 /// The ship with one more effect.
 Ship with_effect(const Ship& ship, const Effect& effect);
 
