@@ -46,6 +46,46 @@ Effect make_effect(std::string_view id) {
   throw std::domain_error(fmt::format("{} is no effect (known: {})", id, fmt::join(ids, ", ")));
 }
 
+// ---------------------------------------------------------------- one effect
+
+std::string_view id_of(const Effect& effect) {
+  return std::visit([](const auto& e) { return e.id; }, effect);
+}
+
+EffectPlace place_of(const Effect& effect) {
+  return std::visit([](const auto& e) { return e.place; }, effect);
+}
+
+Scope scope_of(const Effect& effect) {
+  return std::visit([](const auto& e) { return e.scope; }, effect);
+}
+
+const EffectText& text_of(const Effect& effect) {
+  return std::visit([](const auto& e) -> const EffectText& { return e.text; }, effect);
+}
+
+std::size_t parameter_count(const Effect& effect) {
+  return std::visit([](const auto& e) { return e.parameters().size(); }, effect);
+}
+
+double& parameter_value(Effect& effect, std::size_t index) {
+  return std::visit(
+      [&](auto& e) -> double& { return e.*parameter_list<std::remove_cvref_t<decltype(e)>>[index].member; }, effect);
+}
+
+const double& parameter_value(const Effect& effect, std::size_t index) {
+  return parameter_value(const_cast<Effect&>(effect), index);
+}
+
+bool is_null(const Effect& effect) {
+  bool null = true;
+  for_each_parameter(effect, [&](const auto& p, double value) {
+    const bool same = value == p.null || (std::isnan(p.null) && std::isnan(value));
+    null = null && (same || !p.decides);
+  });
+  return null;
+}
+
 // ---------------------------------------------------------------- what some have
 
 std::optional<ActingTime> acting_time(const Effect& effect) {

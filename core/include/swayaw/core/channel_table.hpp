@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -43,62 +42,74 @@ struct UnitColumns {
   UnitColumn first{}, second{}, third{};
 };
 
-template <class Observer>
+template <Channel Which, class Observer>
 struct ChannelRow {
-  Channel channel;
+  static constexpr Channel channel = Which;
   std::string_view name;
   Dimension dimension;
   UnitColumns columns;
   Observer observer;
 };
 
-template <class Observer = NoMotion>
-constexpr ChannelRow<Observer> row(Channel channel, std::string_view name, Dimension dimension, UnitColumns columns,
-                                   Observer observer = {}) {
-  return {channel, name, dimension, columns, observer};
+template <Channel Which, class Observer = NoMotion>
+constexpr ChannelRow<Which, Observer> row(std::string_view name, Dimension dimension, UnitColumns columns,
+                                          Observer observer = {}) {
+  return {name, dimension, columns, observer};
 }
 
-inline constexpr std::tuple channel_table{
-    row(Channel::x, "x", Dimension::length, {{"x_m"}}, [](const auto& k) { return k.state.x; }),
-    row(Channel::y, "y", Dimension::length, {{"y_m"}}, [](const auto& k) { return k.state.y; }),
-    row(Channel::psi, "psi", Dimension::bearing, {{"psi_rad"}, {"psi_deg", degree}},
-        [](const auto& k) { return k.state.psi; }),
-    row(Channel::u, "u", Dimension::speed, {{"u_m_s"}, {"u_kn", knot}}, [](const auto& k) { return k.state.motion.u; }),
-    row(Channel::v, "v", Dimension::speed, {{"v_m_s"}, {"v_kn", knot}}, [](const auto& k) { return k.state.motion.v; }),
-    row(Channel::u_ground, "ug", Dimension::speed, {{"ug_m_s"}, {"ug_kn", knot}},
-        [](const auto& k) { return k.ground.u; }),
-    row(Channel::v_ground, "vg", Dimension::speed, {{"vg_m_s"}, {"vg_kn", knot}},
-        [](const auto& k) { return k.ground.v; }),
-    row(Channel::speed_through_water, "stw", Dimension::speed, {{"stw_m_s"}, {"stw_kn", knot}},
-        [](const auto& k) { return k.state.motion.u; }),
-    row(Channel::speed_over_ground, "sog", Dimension::speed, {{"sog_m_s"}, {"sog_kn", knot}},
-        [](const auto& k) { return speed(k.ground); }),
-    row(Channel::course_over_ground, "cog", Dimension::bearing, {{"cog_rad"}, {"cog_deg", degree}},
-        [](const auto& k) { return k.state.psi + angle_of(k.ground.v, k.ground.u); }),
-    row(Channel::r, "r", Dimension::yaw_rate, {{"r_rad_s"}, {"r_deg_s", degree}, {"r_deg_min", degree / 60.0}},
-        [](const auto& k) { return k.state.motion.r; }),
-    row(Channel::delta, "delta", Dimension::angle, {{"delta_rad"}, {"delta_deg", degree}}),
-    row(Channel::delta_order, "delta_order", Dimension::angle, {{"delta_order_rad"}, {"delta_order_deg", degree}}),
-    row(Channel::rev, "rev", Dimension::other, {{"rev_s"}, {"rev_rpm", 1.0 / 60.0}}),
-    row(Channel::thrust, "thrust", Dimension::other, {{"thrust_N"}, {"thrust_kN", 1000.0}}),
-    row(Channel::torque, "torque", Dimension::other, {{"torque_N_m"}, {"torque_kN_m", 1000.0}}),
-    row(Channel::phi, "phi", Dimension::angle, {{"phi_rad"}, {"phi_deg", degree}}, [](const auto& k) { return k.phi; }),
-    row(Channel::wind_speed, "wind_speed", Dimension::speed, {{"wind_speed_m_s"}, {"wind_speed_kn", knot}}),
-    row(Channel::wind_from, "wind_from", Dimension::bearing, {{"wind_from_rad"}, {"wind_from_deg", degree}}),
-    row(Channel::depth, "depth", Dimension::length, {{"depth_m"}}),
+/// Rows, one after the other; std::tuple would take the compiler half a second wherever a ship is.
+template <class... Row>
+struct ChannelRows : Row... {};
+
+template <class... Row>
+ChannelRows(Row...) -> ChannelRows<Row...>;
+
+inline constexpr ChannelRows channel_table{
+    row<Channel::x>("x", Dimension::length, {{"x_m"}}, [](const auto& k) { return k.state.x; }),
+    row<Channel::y>("y", Dimension::length, {{"y_m"}}, [](const auto& k) { return k.state.y; }),
+    row<Channel::psi>("psi", Dimension::bearing, {{"psi_rad"}, {"psi_deg", degree}},
+                      [](const auto& k) { return k.state.psi; }),
+    row<Channel::u>("u", Dimension::speed, {{"u_m_s"}, {"u_kn", knot}}, [](const auto& k) { return k.state.motion.u; }),
+    row<Channel::v>("v", Dimension::speed, {{"v_m_s"}, {"v_kn", knot}}, [](const auto& k) { return k.state.motion.v; }),
+    row<Channel::u_ground>("ug", Dimension::speed, {{"ug_m_s"}, {"ug_kn", knot}},
+                           [](const auto& k) { return k.ground.u; }),
+    row<Channel::v_ground>("vg", Dimension::speed, {{"vg_m_s"}, {"vg_kn", knot}},
+                           [](const auto& k) { return k.ground.v; }),
+    row<Channel::speed_through_water>("stw", Dimension::speed, {{"stw_m_s"}, {"stw_kn", knot}},
+                                      [](const auto& k) { return k.state.motion.u; }),
+    row<Channel::speed_over_ground>("sog", Dimension::speed, {{"sog_m_s"}, {"sog_kn", knot}},
+                                    [](const auto& k) { return speed(k.ground); }),
+    row<Channel::course_over_ground>("cog", Dimension::bearing, {{"cog_rad"}, {"cog_deg", degree}},
+                                     [](const auto& k) { return k.state.psi + angle_of(k.ground.v, k.ground.u); }),
+    row<Channel::r>("r", Dimension::yaw_rate, {{"r_rad_s"}, {"r_deg_s", degree}, {"r_deg_min", degree / 60.0}},
+                    [](const auto& k) { return k.state.motion.r; }),
+    row<Channel::delta>("delta", Dimension::angle, {{"delta_rad"}, {"delta_deg", degree}}),
+    row<Channel::delta_order>("delta_order", Dimension::angle, {{"delta_order_rad"}, {"delta_order_deg", degree}}),
+    row<Channel::rev>("rev", Dimension::other, {{"rev_s"}, {"rev_rpm", 1.0 / 60.0}}),
+    row<Channel::thrust>("thrust", Dimension::other, {{"thrust_N"}, {"thrust_kN", 1000.0}}),
+    row<Channel::torque>("torque", Dimension::other, {{"torque_N_m"}, {"torque_kN_m", 1000.0}}),
+    row<Channel::phi>("phi", Dimension::angle, {{"phi_rad"}, {"phi_deg", degree}}, [](const auto& k) { return k.phi; }),
+    row<Channel::wind_speed>("wind_speed", Dimension::speed, {{"wind_speed_m_s"}, {"wind_speed_kn", knot}}),
+    row<Channel::wind_from>("wind_from", Dimension::bearing, {{"wind_from_rad"}, {"wind_from_deg", degree}}),
+    row<Channel::depth>("depth", Dimension::length, {{"depth_m"}}),
 };
 
-static_assert(std::tuple_size_v<decltype(channel_table)> == channel_count);
-static_assert(
-    []<std::size_t... I>(std::index_sequence<I...>) {
-      return ((std::get<I>(channel_table).channel == static_cast<Channel>(I)) && ...);
-    }(std::make_index_sequence<channel_count>()),
-    "rows stand in the order of the enumerators");
+template <class... Row>
+constexpr bool are_in_order(const ChannelRows<Row...>&) {
+  constexpr std::array channels{Row::channel...};
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    if (channels[i] != static_cast<Channel>(i)) return false;
+  return channels.size() == channel_count;
+}
+
+static_assert(are_in_order(channel_table), "one row for each enumerator, in their order");
 
 /// f(row of the channel), for each channel in an array.
 template <class F>
 constexpr auto of_each_channel(F&& f) {
-  return std::apply([&](const auto&... row) { return std::array{f(row)...}; }, channel_table);
+  return [&]<class... Row>(const ChannelRows<Row...>& rows) {
+    return std::array{f(static_cast<const Row&>(rows))...};
+  }(channel_table);
 }
 
 template <class S>

@@ -86,23 +86,13 @@ constexpr void for_each_kind(Visit&& visit) {
 
 // ---------------------------------------------------------------- one effect
 
-template <class S>
-std::string_view id_of(const EffectIn<S>& effect) {
-  return std::visit([](const auto& e) { return e.id; }, effect);
-}
+std::string_view id_of(const Effect& effect);
 
-template <class S>
-EffectPlace place_of(const EffectIn<S>& effect) {
-  return std::visit([](const auto& e) { return e.place; }, effect);
-}
+EffectPlace place_of(const Effect& effect);
 
-inline Scope scope_of(const Effect& effect) {
-  return std::visit([](const auto& e) { return e.scope; }, effect);
-}
+Scope scope_of(const Effect& effect);
 
-inline const EffectText& text_of(const Effect& effect) {
-  return std::visit([](const auto& e) -> const EffectText& { return e.text; }, effect);
-}
+const EffectText& text_of(const Effect& effect);
 
 /// Calls visit(parameter, value) for every parameter of an effect, in the order of its list.
 template <class E, class Visit>
@@ -115,33 +105,14 @@ void for_each_parameter(E& effect, Visit&& visit) {
 }
 
 /// How many parameters an effect has.
-template <class S>
-std::size_t parameter_count(const EffectIn<S>& effect) {
-  return std::visit([](const auto& e) { return e.parameters().size(); }, effect);
-}
+std::size_t parameter_count(const Effect& effect);
 
 /// A parameter of an effect by its place in the list.
-template <class S>
-S& parameter_value(EffectIn<S>& effect, std::size_t index) {
-  return std::visit([&](auto& e) -> S& { return e.*parameter_list<std::remove_cvref_t<decltype(e)>>[index].member; },
-                    effect);
-}
-
-template <class S>
-const S& parameter_value(const EffectIn<S>& effect, std::size_t index) {
-  return parameter_value(const_cast<EffectIn<S>&>(effect), index);
-}
+double& parameter_value(Effect& effect, std::size_t index);
+const double& parameter_value(const Effect& effect, std::size_t index);
 
 /// Whether an effect of that kind does nothing: every parameter that decides has its null value.
-template <class S>
-bool is_null(const EffectIn<S>& effect) {
-  bool null = true;
-  for_each_parameter(effect, [&](const auto& p, const S& value) {
-    const bool same = value_of(value) == p.null || (std::isnan(p.null) && std::isnan(value_of(value)));
-    null = null && (same || !p.decides);
-  });
-  return null;
-}
+bool is_null(const Effect& effect);
 
 /// The effect of that kind in a list, or nullptr.
 template <class Kind, class S>

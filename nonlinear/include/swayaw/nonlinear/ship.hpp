@@ -24,19 +24,12 @@ struct Ship {
 };
 
 /// Length between perpendiculars [m].
-inline double length(const Ship& ship) {
-  return std::visit([](const auto& model) { return model.particulars.L; }, ship.model);
-}
+double length(const Ship& ship);
 
 /// Speed at which the ship approaches a manoeuvre unless told otherwise [m/s].
-inline double service_speed(const Ship& ship) {
-  return std::visit([](const auto& model) { return model.particulars.U_0; }, ship.model);
-}
+double service_speed(const Ship& ship);
 
 /// What the steering gear can do.
-inline const SteeringGear<double>& steering_gear(const Ship& ship) {
-  return std::visit(
-      [](const auto& model) -> const auto& { return model.steering_gear; }, ship.model);
-}
+const SteeringGear<double>& steering_gear(const Ship& ship);
 
 }  // namespace swayaw
