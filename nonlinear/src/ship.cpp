@@ -11,7 +11,8 @@ double service_speed(const Ship& ship) {
 }
 
 const SteeringGear<double>& steering_gear(const Ship& ship) {
-  return std::visit([](const auto& model) -> const auto& { return model.steering_gear; }, ship.model);
+  return std::visit(
+      [](const auto& model) -> const auto& { return model.steering_gear; }, ship.model);
 }
 
 }  // namespace swayaw
