@@ -1,20 +1,16 @@
 #include "swayaw/nonlinear/equilibria.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "swayaw/core/dual.hpp"
+#include "small_matrices.hpp"
+#include "steady_balance.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
 
 namespace swayaw {
 namespace {
 
 using Point = Eigen::Vector4d;  ///< u/U, v/U, rL/U, delta
-using D = Dual<4>;
 
 /// Accelerations over U²/L and their derivatives by a point.
 struct Balance {
@@ -22,50 +18,38 @@ struct Balance {
   Eigen::Matrix<double, 3, 4> jacobian;
 };
 
-template <class Model>
 class TurnEquations {
  public:
-  TurnEquations(const ActingShip<Model>& acting, const Controls<double>& propulsion, double U)
-      : ship_(cast<D>(acting.model)),
-        added_(cast<D>(acting.added)),
-        propulsion_(cast<D>(propulsion)),
-        U_(U),
-        L_(acting.model.particulars.L) {}
+  TurnEquations(const Ship& ship, const Controls<double>& propulsion, double U)
+      : equations_(ship, propulsion), U_(U), L_(equations_.L()) {}
 
   Balance at(const Point& p) const {
-    const PlanarMotion<D> m{U_ * D(p[0], 0), U_ * D(p[1], 1), U_ / L_ * D(p[2], 2)};
-    const auto c = with_rudder(propulsion_, D(p[3], 3));
-    const auto a = acceleration(ship_, m, steady_force(ship_, added_, m, c));
-    const D scaled[] = {a.u * (L_ / (U_ * U_)), a.v * (L_ / (U_ * U_)), a.r * (L_ * L_ / (U_ * U_))};
-    Balance b;
-    for (int i = 0; i < 3; ++i) {
-      b.residual[i] = scaled[i].a;
-      b.jacobian.row(i) = scaled[i].v.transpose();
-    }
-    return b;
+    const auto b = equations_.at(motion_at(p), p[3]);
+    const Eigen::Vector3d accelerations(L_ / (U_ * U_), L_ / (U_ * U_), L_ * L_ / (U_ * U_));
+    const Eigen::Vector4d units(U_, U_, U_ / L_, 1.0);
+    return {b.acceleration.cwiseProduct(accelerations), accelerations.asDiagonal() * b.jacobian * units.asDiagonal()};
   }
 
   SteadyTurn turn_at(const Point& p) const {
-    const Eigen::Matrix3d J = at(p).jacobian.leftCols(3);
-    return {p[3], {U_ * p[0], U_ * p[1], U_ / L_ * p[2]}, (J.eigenvalues().real().array() < 0.0).all()};
+    const Eigen::Matrix3d J = at(p).jacobian.leftCols<3>();
+    return {p[3], motion_at(p), is_stable(J)};
   }
 
  private:
-  decltype(cast<D>(std::declval<Model>())) ship_;
-  ActingEffects<D> added_;
-  Controls<D> propulsion_;
+  PlanarMotion<double> motion_at(const Point& p) const { return {U_ * p[0], U_ * p[1], U_ / L_ * p[2]}; }
+
+  SteadyEquations equations_;
   double U_, L_;
 };
 
 /// Unit vector along the curve, on the side of `before`.
 Point tangent(const Balance& b, const Point& before) {
-  const Point t = b.jacobian.fullPivLu().kernel().col(0).normalized();
+  const Point t = kernel(b.jacobian);
   return t.dot(before) < 0.0 ? Point(-t) : t;
 }
 
 /// Newton's method on the plane through `p` across `t`. @return whether it came to a point of the curve
-template <class Equations>
-bool correct(const Equations& equations, Point& p, const Point& t) {
+bool correct(const TurnEquations& equations, Point& p, const Point& t) {
   const Point plane = p;
   for (int iteration = 0; iteration < 12; ++iteration) {
     const Balance b = equations.at(p);
@@ -73,7 +57,7 @@ bool correct(const Equations& equations, Point& p, const Point& t) {
     J << b.jacobian, t.transpose();
     Eigen::Vector4d residual;
     residual << b.residual, t.dot(p - plane);
-    const Point change = J.partialPivLu().solve(-residual);
+    const Point change = solve(J, Point(-residual));
     p += change;
     const double size = change.cwiseAbs().maxCoeff();
     if (!(size < 1.0)) return false;
@@ -86,8 +70,7 @@ bool correct(const Equations& equations, Point& p, const Point& t) {
 constexpr double slowest = 0.05;  // u/U at which a curve is left
 
 /// The curve from `start` on, in the direction of `along`, without its first point.
-template <class Equations>
-std::vector<Point> follow(const Equations& equations, const Point& start, const Point& along, double largest,
+std::vector<Point> follow(const TurnEquations& equations, const Point& start, const Point& along, double largest,
                           double longest) {
   constexpr std::size_t most = 20000;
   std::vector<Point> curve;
@@ -108,8 +91,7 @@ std::vector<Point> follow(const Equations& equations, const Point& start, const 
   return curve;
 }
 
-template <class Model>
-std::vector<Point> curve_points(const TurnEquations<Model>& equations, double largest, double step) {
+std::vector<Point> curve_points(const TurnEquations& equations, double largest, double step) {
   Point straight(1.0, 0.0, 0.0, 0.0);
   const Point across = Point::Unit(3);  // at amidships rudder
   if (!correct(equations, straight, across)) return {};
@@ -124,8 +106,7 @@ std::vector<Point> curve_points(const TurnEquations<Model>& equations, double la
 
 /// Newton's method at the yaw rate that lies between two turns of a curve, from the place of a straight line between
 /// them.
-template <class Model>
-std::optional<SteadyTurn> turn_between(const TurnEquations<Model>& equations, const SteadyTurn& a, const SteadyTurn& b,
+std::optional<SteadyTurn> turn_between(const TurnEquations& equations, const SteadyTurn& a, const SteadyTurn& b,
                                        double yaw_rate, double U, double L) {
   const auto point = [&](const SteadyTurn& s) {
     return Point(s.motion.u / U, s.motion.v / U, s.motion.r * L / U, s.delta);
@@ -142,16 +123,6 @@ double straight_speed(const Ship& ship, const Controls<double>& propulsion) {
   const auto steady = steady_motion(ship, with_rudder(propulsion, 0.0), {service_speed(ship), 0.0, 0.0});
   if (!steady) throw Refusal("the ship has no steady motion ahead near the straight course with this propulsion");
   return speed(steady->motion);
-}
-
-template <class Model>
-std::vector<SteadyTurn> curve_of(const ActingShip<Model>& acting, const Controls<double>& propulsion, double U,
-                                 double largest, double step) {
-  const TurnEquations<Model> equations(acting, propulsion, U);
-  std::vector<SteadyTurn> curve;
-  for (const auto& p : curve_points(equations, largest, step)) curve.push_back(equations.turn_at(p));
-  if (curve.size() > 1 && curve.front().delta > curve.back().delta) std::ranges::reverse(curve);
-  return curve;
 }
 
 void add_if_new(std::vector<SteadyMotion>& found, const std::optional<SteadyMotion>& steady, double U, double L) {
@@ -176,7 +147,11 @@ std::vector<std::size_t> folds(const std::vector<SteadyTurn>& curve) {
 std::vector<SteadyTurn> steady_turn_curve(const Ship& ship, const Controls<double>& propulsion, double largest,
                                           double step) {
   const double U = straight_speed(ship, propulsion);
-  return visit_acting(ship, [&](const auto& acting) { return curve_of(acting, propulsion, U, largest, step); });
+  const TurnEquations equations(ship, propulsion, U);
+  std::vector<SteadyTurn> curve;
+  for (const auto& p : curve_points(equations, largest, step)) curve.push_back(equations.turn_at(p));
+  if (curve.size() > 1 && curve.front().delta > curve.back().delta) std::ranges::reverse(curve);
+  return curve;
 }
 
 std::vector<SteadyMotion> steady_turns(const Ship& ship, const Controls<double>& controls) {
@@ -199,17 +174,14 @@ std::optional<SteadyTurn> turn_at_yaw_rate(const Ship& ship, const Controls<doub
                                            const std::vector<SteadyTurn>& curve, double yaw_rate, double largest) {
   const double L = length(ship), U = service_speed(ship);
   std::optional<SteadyTurn> nearest;
-  const auto search = [&](const auto& acting) {
-    const TurnEquations equations(acting, propulsion, U);
-    for (std::size_t i = 1; i < curve.size(); ++i) {
-      if ((curve[i - 1].motion.r - yaw_rate) * (curve[i].motion.r - yaw_rate) > 0.0) continue;
-      const auto turn = turn_between(equations, curve[i - 1], curve[i], yaw_rate, U, L);
-      if (turn && std::abs(turn->delta) <= largest * (1.0 + 1e-9) &&
-          (!nearest || std::abs(turn->delta) < std::abs(nearest->delta)))
-        nearest = turn;
-    }
-  };
-  visit_acting(ship, search);
+  const TurnEquations equations(ship, propulsion, U);
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    if ((curve[i - 1].motion.r - yaw_rate) * (curve[i].motion.r - yaw_rate) > 0.0) continue;
+    const auto turn = turn_between(equations, curve[i - 1], curve[i], yaw_rate, U, L);
+    if (turn && std::abs(turn->delta) <= largest * (1.0 + 1e-9) &&
+        (!nearest || std::abs(turn->delta) < std::abs(nearest->delta)))
+      nearest = turn;
+  }
   return nearest;
 }
 

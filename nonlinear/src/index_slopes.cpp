@@ -1,11 +1,10 @@
 #include "swayaw/nonlinear/index_slopes.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "settle.hpp"
+#include "small_matrices.hpp"
 #include "step_replay.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
@@ -93,7 +92,8 @@ PlanarMotion<D> steady_in_duals(const Model<double>& model, const Model<D>& ship
   J << by_m.u.v.transpose(), by_m.v.v.transpose(), by_m.r.v.transpose();
   Eigen::Matrix<double, 3, lanes> B;
   B << by_theta.u.v.transpose(), by_theta.v.v.transpose(), by_theta.r.v.transpose();
-  const Eigen::Matrix<double, 3, lanes> slopes = -J.partialPivLu().solve(B);
+  Eigen::Matrix<double, 3, lanes> slopes;
+  for (int k = 0; k < lanes; ++k) slopes.col(k) = -solve(J, Eigen::Vector3d(B.col(k)));
   return {D(m.u, slopes.row(0).transpose()), D(m.v, slopes.row(1).transpose()), D(m.r, slopes.row(2).transpose())};
 }
 

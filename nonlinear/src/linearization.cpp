@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "small_matrices.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
@@ -81,8 +80,7 @@ std::array<std::complex<double>, 3> poles_of(const AccelerationDerivatives& a) {
   Eigen::Matrix3d J;
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k) J(i, k) = a.d[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
-  const auto values = J.eigenvalues();
-  return {values[0], values[1], values[2]};
+  return eigenvalues(J);
 }
 
 /// Virtual masses of sway and yaw: the inverse of what unit force and moment accelerate, less the ship's own.

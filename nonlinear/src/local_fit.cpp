@@ -1,9 +1,9 @@
 #include "local_fit.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "small_matrices.hpp"
 
 namespace swayaw {
 
@@ -32,7 +32,7 @@ std::optional<ValueAndRate> local_fit(const Recording& run, Channel channel, dou
     A(i, i) = 1.0;
     b[i] = 0.0;
   }
-  const Eigen::Vector3d c = A.partialPivLu().solve(b);
+  const Eigen::Vector3d c = solve(A, b);
   return ValueAndRate{c[0], c[1] / scale};
 }
 

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <cmath>
 
-#include "swayaw/core/dual.hpp"
+#include "small_matrices.hpp"
+#include "steady_balance.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 
@@ -15,47 +13,21 @@ namespace swayaw {
 namespace {
 
 using Vector = Eigen::Vector3d;
-using Matrix = Eigen::Matrix3d;
 
-/// Acceleration and its derivatives by (u, v, r).
-struct Balance {
-  Vector acceleration;
-  Matrix jacobian;
-};
-
-template <class Model>
-Balance balance_at(const Model& ship, const ActingEffects<Dual<3>>& added, const Controls<double>& controls,
-                   const Vector& motion) {
-  using D = Dual<3>;
-  const PlanarMotion<D> m{D(motion[0], 0), D(motion[1], 1), D(motion[2], 2)};
-  const auto c = cast<D>(controls);
-  const auto a = acceleration(ship, m, steady_force(ship, added, m, c));
-  Balance balance{{a.u.a, a.v.a, a.r.a}, {}};
-  balance.jacobian << a.u.v.transpose(), a.v.v.transpose(), a.r.v.transpose();
-  return balance;
-}
-
-template <class Model>
-std::optional<SteadyMotion> newton(const ActingShip<Model>& acting, const Controls<double>& controls,
-                                   const PlanarMotion<double>& guess) {
-  const auto& model = acting.model;
-  const auto ship = cast<Dual<3>>(model);
-  const auto added = cast<Dual<3>>(acting.added);
-  const double L = model.particulars.L;
+/// Newton's method.
+std::optional<SteadyMotion> newton(const SteadyEquations& equations, double delta, const PlanarMotion<double>& guess) {
   const double U = speed(guess);
-  const Vector unit(U, U, U / L);
+  const Vector unit(U, U, U / equations.L());
   Vector motion(guess.u, guess.v, guess.r);
   for (int iteration = 0; iteration < 50; ++iteration) {
-    const Balance balance = balance_at(ship, added, controls, motion);
-    const Vector step = balance.jacobian.partialPivLu().solve(-balance.acceleration);
+    const SteadyBalance balance = equations.at({motion[0], motion[1], motion[2]}, delta);
+    const Eigen::Matrix3d J = balance.jacobian.leftCols<3>();
+    const Vector step = solve(J, Vector(-balance.acceleration));
     const double size = step.cwiseQuotient(unit).cwiseAbs().maxCoeff();
     if (!std::isfinite(size)) return std::nullopt;
     motion += step * std::min(1.0, 0.2 / size);
     if (motion[0] <= 0.0) return std::nullopt;
-    if (size < 1e-13) {
-      const bool stable = (balance.jacobian.eigenvalues().real().array() < 0.0).all();
-      return SteadyMotion{{motion[0], motion[1], motion[2]}, stable};
-    }
+    if (size < 1e-13) return SteadyMotion{{motion[0], motion[1], motion[2]}, is_stable(J)};
   }
   return std::nullopt;
 }
@@ -126,7 +98,7 @@ Controls<double> propulsion(const Ship& ship, double speed, const std::optional<
 
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,
                                           const PlanarMotion<double>& guess) {
-  return visit_acting(ship, [&](const auto& acting) { return newton(acting, controls, guess); });
+  return newton(SteadyEquations(ship, controls), controls.delta, guess);
 }
 
 }  // namespace swayaw

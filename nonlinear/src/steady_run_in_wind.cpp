@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "small_matrices.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
@@ -111,7 +110,7 @@ template <class Equations>
 bool correct(const Equations& equations, Point& p, double share) {
   for (int iteration = 0; iteration < 15; ++iteration) {
     const auto b = equations.at(p, share);
-    const Point change = b.jacobian.partialPivLu().solve(-b.residual);
+    const Point change = solve(b.jacobian, Point(-b.residual));
     const double size = change.cwiseAbs().maxCoeff();
     if (!(size < 0.5)) return false;
     p += change;

@@ -1,10 +1,10 @@
 #include "track_velocity.hpp"
 
-#include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "small_matrices.hpp"
 
 namespace swayaw {
 namespace {
@@ -72,7 +72,8 @@ std::optional<SurgeSway> velocity_from_track(const Recording& run, const Current
     b += rows.transpose() * (place - drift * (fixes.time[i] - time));
   }
   const int unknowns = 2 + 2 * std::min(degree, std::max(1, count - 2));
-  const Eigen::VectorXd c = A.topLeftCorner(unknowns, unknowns).partialPivLu().solve(b.head(unknowns));
+  const Eigen::VectorXd c =
+      solve(Eigen::MatrixXd(A.topLeftCorner(unknowns, unknowns)), Eigen::VectorXd(b.head(unknowns)));
   return SurgeSway{c[2], c[3]};
 }
 
