@@ -5,6 +5,7 @@
 
 #include "settle.hpp"
 #include "small_matrices.hpp"
+#include "steady_balance.hpp"
 #include "step_replay.hpp"
 #include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
@@ -50,8 +51,7 @@ Controls<S> driven(const Controls<double>& c, const S& factor) {
 template <template <class> class Model>
 Controls<D> self_propelled(const Model<double>& model, const Model<D>& ship, const D& speed,
                            const Controls<double>& controls) {
-  using T = Dual<1>;
-  const double by_factor = straight_acceleration(cast<T>(model), T(speed.a), driven(controls, T(1.0, 0))).v[0];
+  const double by_factor = straight_acceleration(cast<D>(model), D(speed.a), driven(controls, D(1.0, 0))).v[0];
   D factor(1.0);
   if (by_factor != 0.0) factor.v = -straight_acceleration(ship, speed, cast<D>(controls)).v / by_factor;
   return driven(controls, factor);
@@ -76,24 +76,16 @@ StepReplay<Model, lanes> replay_of(const Approach<Model>& a, const Ship& ship, s
 
 /// The steady motion in duals.
 template <template <class> class Model>
-PlanarMotion<D> steady_in_duals(const Model<double>& model, const Model<D>& ship, const PlanarMotion<double>& m,
+PlanarMotion<D> steady_in_duals(const Ship& bare, const Model<D>& ship, const PlanarMotion<double>& m,
                                 const Controls<D>& controls) {
-  using T = Dual<3>;
-  const auto here = cast<T>(model);
-  const PlanarMotion<T> by_motion{T(m.u, 0), T(m.v, 1), T(m.r, 2)};
-  const Controls<T> held{T(controls.delta.a),
-                         T(controls.rev.a),
-                         {T(controls.thrust.port.a), T(controls.thrust.starboard.a)},
-                         controls.by_thrust};
-  const auto by_m = acceleration(here, by_motion, forces(here, by_motion, held).total());
   const PlanarMotion<D> fixed{D(m.u), D(m.v), D(m.r)};
   const auto by_theta = acceleration(ship, fixed, forces(ship, fixed, controls).total());
-  Eigen::Matrix3d J;
-  J << by_m.u.v.transpose(), by_m.v.v.transpose(), by_m.r.v.transpose();
-  Eigen::Matrix<double, 3, lanes> B;
-  B << by_theta.u.v.transpose(), by_theta.v.v.transpose(), by_theta.r.v.transpose();
+  const Controls<double> held{
+      controls.delta.a, controls.rev.a, {controls.thrust.port.a, controls.thrust.starboard.a}, controls.by_thrust};
+  const Eigen::Matrix3d J = SteadyEquations(bare, held).at(m, held.delta).jacobian.leftCols<3>();
   Eigen::Matrix<double, 3, lanes> slopes;
-  for (int k = 0; k < lanes; ++k) slopes.col(k) = -solve(J, Eigen::Vector3d(B.col(k)));
+  for (int k = 0; k < lanes; ++k)
+    slopes.col(k) = -solve(J, Eigen::Vector3d(by_theta.u.v[k], by_theta.v.v[k], by_theta.r.v[k]));
   return {D(m.u, slopes.row(0).transpose()), D(m.v, slopes.row(1).transpose()), D(m.r, slopes.row(2).transpose())};
 }
 
@@ -130,7 +122,7 @@ CircleIndices<D> circle_in_duals(const Ship& ship, const Model<double>& model, c
     i.tactical_diameter = turn * stepper.state().y;
   }
   if (circle.steady)
-    put_steady(i, steady_in_duals(model, start.ship, *circle.steady, stepper.controls_at(D(circle.steps.back().to))),
+    put_steady(i, steady_in_duals(ship, start.ship, *circle.steady, stepper.controls_at(D(circle.steps.back().to))),
                turn);
   return i;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <boost/numeric/odeint/algebra/array_algebra.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <functional>
 #include <span>
 
 #include "swayaw/core/dual.hpp"
@@ -22,6 +23,7 @@ template <template <class> class Model, int N>
 class StepReplay {
  public:
   using S = Dual<N>;
+  using Watch = std::function<S(const ShipState<S>&)>;
 
   StepReplay(const Model<S>& ship, const Current<double>& current, const S& speed, const Controls<S>& propulsion,
              std::span<const ManoeuvreStep> steps)
@@ -47,7 +49,6 @@ class StepReplay {
   }
 
   /// Goes on until the watch of the simulation passed zero. @return whether it did
-  template <class Watch>
   bool advance(const Watch& watch) {
     while (!left_.empty()) {
       const auto& step = left_.front();
@@ -93,8 +94,7 @@ class StepReplay {
   }
 
   /// Moves the end of the last step to where g is 0 for all values of the numbers: dt = −(∂g/∂theta)/(dg/dt).
-  template <class G>
-  void meet(const G& g) {
+  void meet(const std::function<S(const State&, const S&)>& g) {
     State rate, moving = state_;
     rates(state_, rate, time_);
     for (std::size_t i = 0; i < moving.size(); ++i) moving[i].v[by_time] = rate[i].a;
