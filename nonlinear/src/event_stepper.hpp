@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "ship_stepper.hpp"
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/recording.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -78,15 +79,6 @@ class ScaledError {
   State weight_{};
 };
 
-/// Where the ship is at a time, and her controls: angle of the rudder, shaft speed as ordered.
-struct Sample {
-  double time;
-  ShipState<double> state;
-  Controls<double> controls;
-  double shown{};           ///< rudder angle as the indicator shows it [rad]
-  Hidden<double> hidden{};  ///< hidden states of effects
-};
-
 /// Moves a ship through time with Dormand–Prince steps.
 ///
 /// The rudder follows `steer` or `order`, the propulsion is linear in time between calls of `drive`. Within a step the
@@ -94,9 +86,10 @@ struct Sample {
 /// ends. Any event time is the root of the dense output, and the state there comes from a step that ends there. Where
 /// the wind changes, the step ends too.
 ///
-/// A ship whose effects have hidden states needs HiddenStates = hidden_count; see with_stepper.
+/// A ship whose effects have hidden states needs HiddenStates = hidden_count. Compiled once for each model
+/// (event_stepper_mmg.cpp and so on); all else asks for a ShipStepper.
 template <class Model, std::size_t HiddenStates = 0>
-class EventStepper {
+class EventStepper final : public ShipStepper {
  public:
   using State = StepperState<HiddenStates>;
 
@@ -126,56 +119,39 @@ class EventStepper {
     branch_ = branch_at(ship_, start.state.motion, driven(added_, start.state.motion, controls()));
   }
 
-  double time() const { return time_; }
-  ShipState<double> state() const { return visible(state_); }
-  Controls<double> controls() const { return controls_at(time_); }
-  Hidden<double> hidden() const { return hidden_of(state_); }
+  double time() const override { return time_; }
+  ShipState<double> state() const override { return visible(state_); }
+  Controls<double> controls() const override { return controls_at(time_); }
 
-  /// Rudder angle as the indicator shows it.
-  double shown() const { return shown_at(time_); }
+  double shown() const override { return shown_at(time_); }
 
-  /// Rates of change of x, y, psi, u, v, r now.
-  StateVector<double> rates_now() const {
+  StateVector<double> rates_now() const override {
     State rate;
     rates()(state_, rate, time_);
     return {rate[0], rate[1], rate[2], rate[3], rate[4], rate[5]};
   }
 
-  /// From now on the indicator shows an angle that moves at that rate [rad/s].
-  void steer(double rate) { show(RudderMotion<>::moving(time_, shown(), rate)); }
+  void steer(double rate) override { show(RudderMotion<>::moving(time_, shown(), rate)); }
 
-  /// From now on the rudder moves to that angle, as the steering gear can.
-  void order(double angle) { show(RudderMotion<>::ordered(ship_.steering_gear, time_, shown(), angle)); }
+  void order(double angle) override { show(RudderMotion<>::ordered(ship_.steering_gear, time_, shown(), angle)); }
 
-  /// The rudder follows that track, whatever the indicator shows.
-  void steer_along(const RudderTrack& track) {
+  void steer_along(const RudderTrack& track) override {
     track_ = track;
     next_motion_ = 0;
     while (next_motion_ < motions().size() && motions()[next_motion_].start() <= time_) ++next_motion_;
     follow(motions()[std::max<std::size_t>(next_motion_, 1) - 1]);
   }
 
-  /// The indicator shows that angle, whatever the rudder does.
-  void show_along(const Interpolant& angle) { shown_along_ = &angle; }
+  void show_along(const Interpolant& angle) override { shown_along_ = &angle; }
 
-  /// From now on the propulsion changes at that rate per second.
-  void drive(const Controls<double>& rate) {
+  void drive(const Controls<double>& rate) override {
     propulsion_ = {time_, controls(), rate};
     running_ = false;
   }
 
-  /// Times at which `samples()` grow as the stepper passes them; in order, none before now.
-  void sample_at(std::span<const double> times) { wanted_ = times; }
-  std::vector<Sample>& samples() { return samples_; }
+  using ShipStepper::advance;
 
-  /// From now on the steps are kept, if asked for.
-  void trace(bool wanted) { traced_ = wanted; }
-  std::vector<ManoeuvreStep>& steps() { return steps_; }
-
-  /// Integrates to `until`, or to the time at which `watch(state)` passes zero.
-  /// @return whether the watch ended it
-  template <class Watch>
-  bool advance(double until, Watch&& watch) {
+  bool advance(double until, const Watch& watch) override {
     const auto g = [&](const State& s, double) { return watch(visible(s)); };
     double before = g(state_, time_);
     while (time_ < until) {
@@ -200,10 +176,6 @@ class EventStepper {
       before = now;
     }
     return false;
-  }
-
-  void advance(double until) {
-    advance(until, [](const ShipState<double>&) { return 1.0; });
   }
 
  private:
@@ -456,22 +428,14 @@ class EventStepper {
   const Interpolant* shown_along_ = nullptr;
   RudderTrack track_;
   std::size_t next_motion_ = 0;
-  std::span<const double> wanted_;
-  std::vector<Sample> samples_;
-  bool traced_ = false;
-  std::vector<ManoeuvreStep> steps_;
 };
 
-/// What run(stepper) gives, with a stepper that follows hidden states of effects where the ship has some.
-template <class Model, class Run>
-auto with_stepper(const ActingShip<Model>& acting, const Sample& start, double tolerance, Run&& run) {
+template <class Model>
+std::unique_ptr<ShipStepper> make_stepper(const ActingShip<Model>& acting, const Sample& start, double tolerance) {
   const auto hides = [&](const Change& change) { return ActingEffects<>{.acting = change.acting}.hidden(); };
-  if (acting.added.hidden() || std::ranges::any_of(acting.changes, hides)) {
-    EventStepper<Model, hidden_count> stepper(acting, start, tolerance);
-    return run(stepper);
-  }
-  EventStepper<Model> stepper(acting, start, tolerance);
-  return run(stepper);
+  if (acting.added.hidden() || std::ranges::any_of(acting.changes, hides))
+    return std::make_unique<EventStepper<Model, hidden_count>>(acting, start, tolerance);
+  return std::make_unique<EventStepper<Model>>(acting, start, tolerance);
 }
 
 }  // namespace swayaw

@@ -63,24 +63,24 @@ PullOutSide run_pull_out(const Ship& ship, const ActingShip<Model>& acting, cons
   const auto& propulsion = planned.propulsion;
   const auto& times = planned.times;
   const double L = model.particulars.L;
-  return with_stepper(acting, approach(U, propulsion), options.tolerance, [&](auto& stepper) {
-    stepper.sample_at(times);
-    stepper.order(rudder_sign(order.side) * order.rudder);
-    PullOutSide result{};
-    result.turning_settled = settle(stepper, settling, L, U);
-    result.execute = stepper.time();
-    result.turning = stepper.state().motion.r;
-    stepper.order(0.0);
-    result.settled = settle(stepper, settling, L, U);
-    result.residual = stepper.state().motion.r;
-    measure_decay(result, stepper.samples());
-    result.T1 = linear_T1(ship, propulsion, order.side);
-    if (options.sampled) result.run = recording_of(stepper.samples(), acting);
-    result.run.name = ship.name;
-    result.run.facts.execute = 0.0;
-    result.run.facts.manoeuvre = fmt::format("pullout {:.6g} from {}", degrees(order.rudder), name_of(order.side));
-    return result;
-  });
+  const auto made = make_stepper(acting, approach(U, propulsion), options.tolerance);
+  ShipStepper& stepper = *made;
+  stepper.sample_at(times);
+  stepper.order(rudder_sign(order.side) * order.rudder);
+  PullOutSide result{};
+  result.turning_settled = settle(stepper, settling, L, U);
+  result.execute = stepper.time();
+  result.turning = stepper.state().motion.r;
+  stepper.order(0.0);
+  result.settled = settle(stepper, settling, L, U);
+  result.residual = stepper.state().motion.r;
+  measure_decay(result, stepper.samples());
+  result.T1 = linear_T1(ship, propulsion, order.side);
+  if (options.sampled) result.run = recording_of(stepper.samples(), acting);
+  result.run.name = ship.name;
+  result.run.facts.execute = 0.0;
+  result.run.facts.manoeuvre = fmt::format("pullout {:.6g} from {}", degrees(order.rudder), name_of(order.side));
+  return result;
 }
 
 }  // namespace

@@ -204,8 +204,8 @@ Controls<double> slope(const Controls<double>& from, const Controls<double>& to,
 }
 
 /// Integrates from knot to knot of the recorded controls.
-template <class Stepper>
-std::vector<Sample> integrate_along(Stepper& stepper, const RecordedControls& controls, std::span<const double> times) {
+std::vector<Sample> integrate_along(ShipStepper& stepper, const RecordedControls& controls,
+                                    std::span<const double> times) {
   const double begin = times.front(), end = times.back();
   stepper.sample_at(times);
   if (controls.track()) {
@@ -234,8 +234,8 @@ Recording replay_from(const Ship& ship, const RecordedControls& controls, const 
         fmt::format("{}: the recorded shaft turns astern at {:.6g} s", words_for(Validity::shaft_astern), *astern));
   return visit_acting(ship, [&](const auto& acting) {
     const Sample from{times.front(), start, with_rudder(controls.at(times.front()), controls.shown()(times.front()))};
-    return with_stepper(acting, from, options.tolerance,
-                        [&](auto& stepper) { return recording_of(integrate_along(stepper, controls, times), acting); });
+    const auto stepper = make_stepper(acting, from, options.tolerance);
+    return recording_of(integrate_along(*stepper, controls, times), acting);
   });
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "event_stepper.hpp"
+#include "ship_stepper.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/settling.hpp"
 #include "swayaw/nonlinear/ship.hpp"
@@ -33,8 +33,7 @@ inline double acceleration_size(const StateVector<double>& rate, double L, doubl
 /// Integrates one ship length after another until the motion is steady. @return whether it became so
 ///
 /// At the end of each length all three accelerations must be small, so the turning point of a swing does not count.
-template <class Stepper>
-bool settle(Stepper& stepper, const Settling& settling, double L, double U) {
+inline bool settle(ShipStepper& stepper, const Settling& settling, double L, double U) {
   const double end = stepper.time() + settling.longest * L / U;
   while (stepper.time() < end) {
     stepper.advance(std::min(end, stepper.time() + L / U));

@@ -28,8 +28,7 @@ std::optional<SpiralLoop> loop_of(const Spiral& s, double L) {
   return SpiralLoop{.width = highest - lowest, .height = height};
 }
 
-template <class Stepper>
-SpiralPoint hold(Stepper& stepper, double delta, const Settling& settling, double L, double U) {
+SpiralPoint hold(ShipStepper& stepper, double delta, const Settling& settling, double L, double U) {
   const double start = stepper.time();
   stepper.order(delta + 0.0);  // 0 rather than -0
   const bool settled = settle(stepper, settling, L, U);
@@ -49,23 +48,23 @@ Spiral run_spiral(const ActingShip<Model>& acting, const SpiralOrder& order, con
   const auto& propulsion = planned.propulsion;
   const auto& times = planned.times;
   const double L = model.particulars.L, sign = rudder_sign(order.first);
-  return with_stepper(acting, approach(U, propulsion), options.tolerance, [&](auto& stepper) {
-    stepper.sample_at(times);
-    Spiral result{.down = {},
-                  .up = {},
-                  .loop = {},
-                  .curve = {},
-                  .exact = {},
-                  .approach_speed = U,
-                  .propulsion = propulsion,
-                  .run = {}};
-    for (const double angle : angles) result.down.push_back(hold(stepper, sign * angle, order.settling, L, U));
-    result.up.push_back(result.down.back());
-    for (std::size_t i = angles.size() - 1; i-- > 0;)
-      result.up.push_back(hold(stepper, sign * angles[i], order.settling, L, U));
-    if (options.sampled) result.run = recording_of(stepper.samples(), acting);
-    return result;
-  });
+  const auto made = make_stepper(acting, approach(U, propulsion), options.tolerance);
+  ShipStepper& stepper = *made;
+  stepper.sample_at(times);
+  Spiral result{.down = {},
+                .up = {},
+                .loop = {},
+                .curve = {},
+                .exact = {},
+                .approach_speed = U,
+                .propulsion = propulsion,
+                .run = {}};
+  for (const double angle : angles) result.down.push_back(hold(stepper, sign * angle, order.settling, L, U));
+  result.up.push_back(result.down.back());
+  for (std::size_t i = angles.size() - 1; i-- > 0;)
+    result.up.push_back(hold(stepper, sign * angles[i], order.settling, L, U));
+  if (options.sampled) result.run = recording_of(stepper.samples(), acting);
+  return result;
 }
 
 /// Size of the yaw rate at the end of a curve, or at the largest rudder angle where the curve goes a little beyond.

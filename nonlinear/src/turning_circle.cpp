@@ -4,13 +4,11 @@ namespace swayaw {
 namespace {
 
 /// Goes on until the heading has changed by `angle` towards the side.
-template <class Stepper>
-bool turn_through(Stepper& stepper, double turn, double angle, double end) {
+bool turn_through(ShipStepper& stepper, double turn, double angle, double end) {
   return stepper.advance(end, [&](const auto& s) { return turn * s.psi - angle; });
 }
 
-template <class Stepper>
-void measure_first_half(Stepper& stepper, TurningCircle& circle, double turn, double end) {
+void measure_first_half(ShipStepper& stepper, TurningCircle& circle, double turn, double end) {
   if (!turn_through(stepper, turn, radians(10.0), end)) return;
   circle.initial_turning = way_made(stepper.samples(), now(stepper), stepper.time());
   if (!turn_through(stepper, turn, radians(90.0), end)) return;
@@ -23,8 +21,7 @@ void measure_first_half(Stepper& stepper, TurningCircle& circle, double turn, do
 }
 
 /// Goes on until the heading has changed by 540 deg, or the ship no longer moves ahead.
-template <class Stepper>
-void turn_until_steady(Stepper& stepper, TurningCircle& circle, double turn, double end) {
+void turn_until_steady(ShipStepper& stepper, TurningCircle& circle, double turn, double end) {
   const auto watch = [&](const auto& s) {
     return std::min(radians(540.0) - turn * s.psi, s.motion.u / circle.approach_speed);
   };
@@ -51,20 +48,20 @@ TurningCircle run_circle(const Ship& ship, const ActingShip<Model>& acting, cons
   const double speed = planned.speed, end = planned.end;
   const auto& propulsion = planned.propulsion;
   const auto& times = planned.times;
-  return with_stepper(acting, approach(speed, propulsion), options.tolerance, [&](auto& stepper) {
-    stepper.sample_at(times);
-    stepper.trace(options.traced);
-    stepper.order(rudder_sign(order.side) * order.rudder);
-    TurningCircle circle{.approach_speed = speed, .propulsion = propulsion, .run = {}, .steps = {}};
-    const double turn = yaw_sign(order.side);
-    measure_first_half(stepper, circle, turn, end);
-    if (options.duration) stepper.advance(end);
-    else turn_until_steady(stepper, circle, turn, end);
-    if (!circle.way_lost) measure_steady_turn(ship, circle, now(stepper));
-    if (options.sampled) circle.run = recording_of(stepper.samples(), acting);
-    circle.steps = std::move(stepper.steps());
-    return circle;
-  });
+  const auto made = make_stepper(acting, approach(speed, propulsion), options.tolerance);
+  ShipStepper& stepper = *made;
+  stepper.sample_at(times);
+  stepper.trace(options.traced);
+  stepper.order(rudder_sign(order.side) * order.rudder);
+  TurningCircle circle{.approach_speed = speed, .propulsion = propulsion, .run = {}, .steps = {}};
+  const double turn = yaw_sign(order.side);
+  measure_first_half(stepper, circle, turn, end);
+  if (options.duration) stepper.advance(end);
+  else turn_until_steady(stepper, circle, turn, end);
+  if (!circle.way_lost) measure_steady_turn(ship, circle, now(stepper));
+  if (options.sampled) circle.run = recording_of(stepper.samples(), acting);
+  circle.steps = std::move(stepper.steps());
+  return circle;
 }
 
 }  // namespace

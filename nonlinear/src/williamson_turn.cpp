@@ -9,14 +9,12 @@
 namespace swayaw {
 namespace {
 
-template <class Stepper>
-TrackPlace place_of(const Stepper& stepper, double turn) {
+TrackPlace place_of(const ShipStepper& stepper, double turn) {
   return {.time = stepper.time(), .along = stepper.state().x, .offset = turn * stepper.state().y};
 }
 
 /// The three rudder orders, as far as the ship comes. @param turn  sign of a heading change to the first side
-template <class Stepper>
-void give_orders(Stepper& stepper, WilliamsonTurn& result, const WilliamsonOrder& order, double turn, double end) {
+void give_orders(ShipStepper& stepper, WilliamsonTurn& result, const WilliamsonOrder& order, double turn, double end) {
   stepper.order(-turn * order.rudder);
   if (!stepper.advance(end, [&](const auto& s) { return turn * s.psi - order.heading; })) return;
   result.shifted = place_of(stepper, turn);
@@ -38,26 +36,26 @@ WilliamsonTurn run_williamson(const ActingShip<Model>& acting, const WilliamsonO
   const double speed = planned.speed, end = planned.end;
   const auto& propulsion = planned.propulsion;
   const auto& times = planned.times;
-  return with_stepper(acting, approach(speed, propulsion), options.tolerance, [&](auto& stepper) {
-    stepper.sample_at(times);
-    WilliamsonTurn result{.shifted = {},
-                          .amidships = {},
-                          .reciprocal = {},
-                          .way = {},
-                          .heading = 0.0,
-                          .yaw_rate = 0.0,
-                          .approach_speed = speed,
-                          .propulsion = propulsion,
-                          .run = {}};
-    const double turn = yaw_sign(order.first);
-    give_orders(stepper, result, order, turn, end);
-    if (result.reciprocal) result.way = way_made(stepper.samples(), now(stepper), result.reciprocal->time);
-    if (options.duration) stepper.advance(end);
-    result.heading = turn * stepper.state().psi;
-    result.yaw_rate = stepper.state().motion.r;
-    if (options.sampled) result.run = recording_of(stepper.samples(), acting);
-    return result;
-  });
+  const auto made = make_stepper(acting, approach(speed, propulsion), options.tolerance);
+  ShipStepper& stepper = *made;
+  stepper.sample_at(times);
+  WilliamsonTurn result{.shifted = {},
+                        .amidships = {},
+                        .reciprocal = {},
+                        .way = {},
+                        .heading = 0.0,
+                        .yaw_rate = 0.0,
+                        .approach_speed = speed,
+                        .propulsion = propulsion,
+                        .run = {}};
+  const double turn = yaw_sign(order.first);
+  give_orders(stepper, result, order, turn, end);
+  if (result.reciprocal) result.way = way_made(stepper.samples(), now(stepper), result.reciprocal->time);
+  if (options.duration) stepper.advance(end);
+  result.heading = turn * stepper.state().psi;
+  result.yaw_rate = stepper.state().motion.r;
+  if (options.sampled) result.run = recording_of(stepper.samples(), acting);
+  return result;
 }
 
 }  // namespace

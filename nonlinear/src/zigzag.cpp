@@ -4,8 +4,7 @@ namespace swayaw {
 namespace {
 
 /// Adds a reversal and its overshoot to the zigzag. @return whether the run went on to the heading peak
-template <class Stepper>
-bool reverse(Stepper& stepper, Zigzag& zigzag, const ZigzagOrder& order, double turn, double end) {
+bool reverse(ShipStepper& stepper, Zigzag& zigzag, const ZigzagOrder& order, double turn, double end) {
   if (!stepper.advance(end, [&](const auto& s) { return turn * s.psi - order.heading; })) return false;
   zigzag.reversals.push_back({.time = stepper.time(), .peak_time = {}, .overshoot = {}});
   stepper.order(turn * order.rudder);
@@ -22,30 +21,30 @@ Zigzag run_zigzag(const ActingShip<Model>& acting, const ZigzagOrder& order, con
   const double speed = planned.speed, end = planned.end;
   const auto& propulsion = planned.propulsion;
   const auto& times = planned.times;
-  return with_stepper(acting, approach(speed, propulsion), options.tolerance, [&](auto& stepper) {
-    stepper.sample_at(times);
-    stepper.trace(options.traced);
-    stepper.order(rudder_sign(order.first) * order.rudder);
-    Zigzag result{.reversals = {},
-                  .period = {},
-                  .initial_turning = {},
-                  .approach_speed = speed,
-                  .propulsion = propulsion,
-                  .run = {},
-                  .steps = {}};
-    constexpr std::size_t enough = 4;
-    double turn = yaw_sign(order.first);
-    while (reverse(stepper, result, order, turn, end)) {
-      turn = -turn;
-      if (!options.duration && result.reversals.size() == enough) break;
-    }
-    const auto& reversals = result.reversals;
-    if (reversals.size() >= 3) result.period = reversals.back().time - reversals[reversals.size() - 3].time;
-    if (!reversals.empty()) result.initial_turning = way_made(stepper.samples(), now(stepper), reversals.front().time);
-    if (options.sampled) result.run = recording_of(stepper.samples(), acting);
-    result.steps = std::move(stepper.steps());
-    return result;
-  });
+  const auto made = make_stepper(acting, approach(speed, propulsion), options.tolerance);
+  ShipStepper& stepper = *made;
+  stepper.sample_at(times);
+  stepper.trace(options.traced);
+  stepper.order(rudder_sign(order.first) * order.rudder);
+  Zigzag result{.reversals = {},
+                .period = {},
+                .initial_turning = {},
+                .approach_speed = speed,
+                .propulsion = propulsion,
+                .run = {},
+                .steps = {}};
+  constexpr std::size_t enough = 4;
+  double turn = yaw_sign(order.first);
+  while (reverse(stepper, result, order, turn, end)) {
+    turn = -turn;
+    if (!options.duration && result.reversals.size() == enough) break;
+  }
+  const auto& reversals = result.reversals;
+  if (reversals.size() >= 3) result.period = reversals.back().time - reversals[reversals.size() - 3].time;
+  if (!reversals.empty()) result.initial_turning = way_made(stepper.samples(), now(stepper), reversals.front().time);
+  if (options.sampled) result.run = recording_of(stepper.samples(), acting);
+  result.steps = std::move(stepper.steps());
+  return result;
 }
 
 }  // namespace

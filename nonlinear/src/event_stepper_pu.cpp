@@ -1,0 +1,7 @@
+#include "event_stepper.hpp"
+
+namespace swayaw {
+
+template std::unique_ptr<ShipStepper> make_stepper(const ActingShip<PuShip<double>>&, const Sample&, double);
+
+}  // namespace swayaw
