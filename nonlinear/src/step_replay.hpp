@@ -1,11 +1,10 @@
 #pragma once
 
 #include <array>
-#include <boost/numeric/odeint/algebra/array_algebra.hpp>
-#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <functional>
 #include <span>
 
+#include "dormand_prince.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/steering_gear.hpp"
 #include "swayaw/nonlinear/equations_of_motion.hpp"
@@ -70,8 +69,6 @@ class StepReplay {
  private:
   /// x, y, psi, u, v, r and the way made.
   using State = std::array<S, 7>;
-  using Stepper =
-      boost::numeric::odeint::runge_kutta_dopri5<State, double, State, S, boost::numeric::odeint::array_algebra>;
   static constexpr int by_time = N - 1;
 
   static PlanarMotion<S> motion_of(const State& s) { return {s[3], s[4], s[5]}; }
@@ -85,12 +82,28 @@ class StepReplay {
   void take(const ManoeuvreStep& step) {
     std::copy_n(step.branch.begin(), branch_.size(), branch_.begin());
     const S to = step.end == StepEnd::kink ? rudder_.next_kink(time_) : S(step.to);
-    if (step.to > time_.a) {
-      Stepper stepper;
-      stepper.do_step([this](const State& s, State& rate, const S& time) { rates(s, rate, time); }, State(state_),
-                      time_, state_, S(to - time_));
-    }
+    if (step.to > time_.a) state_ = stepped(to - time_);
     time_ = to;
+  }
+
+  /// The state a Dormand–Prince step later.
+  State stepped(const S& duration) const {
+    constexpr auto& a = DormandPrince::a;
+    std::array<State, 6> k;
+    rates(state_, k[0], time_);
+    for (std::size_t stage = 1; stage < k.size(); ++stage)
+      rates(along(duration, k, a[stage], stage), k[stage], time_ + DormandPrince::c[stage] * duration);
+    return along(duration, k, a[k.size()], k.size());
+  }
+
+  State along(const S& duration, const std::array<State, 6>& k, const double (&weight)[6], std::size_t count) const {
+    State there = state_;
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      S sum = weight[0] * k[0][i];
+      for (std::size_t j = 1; j < count; ++j) sum += weight[j] * k[j][i];
+      there[i] += duration * sum;
+    }
+    return there;
   }
 
   /// Moves the end of the last step to where g is 0 for all values of the numbers: dt = −(∂g/∂theta)/(dg/dt).
