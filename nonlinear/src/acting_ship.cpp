@@ -241,16 +241,20 @@ double one_of(ShipUnit unit, const Ship& ship, double own) {
   return own == 0.0 ? 1.0 : std::abs(own);
 }
 
+ShipFacts<double> facts_of(const ShipModel& model) {
+  return std::visit([](const auto& m) { return ship_facts(m); }, model);
+}
+
+std::optional<double> value_in(ShipModel model, std::string_view table, const std::array<std::string_view, 2>& names) {
+  const auto* place = std::visit([&](auto& m) { return value_named(m, table, names); }, model);
+  return place ? std::optional(*place) : std::nullopt;
+}
+
 /// What a parameter of an effect is where the effect leaves it as it is; nothing where the model has no place for it.
 template <class Kind>
 std::optional<double> own_value(const ShipModel& model, const ParameterOf<Kind, double>& p) {
-  return std::visit(
-      [&](auto m) -> std::optional<double> {
-        if (p.table.empty()) return completed(Kind{}, ship_facts(m)).*p.member;
-        const auto* place = replaced(m, p);
-        return place ? std::optional(*place) : std::nullopt;
-      },
-      model);
+  if (p.table.empty()) return completed(Kind{}, facts_of(model)).*p.member;
+  return value_in(model, p.table, p.replaces);
 }
 
 /// A parameter of an effect on a ship; nothing where the model has no place for it.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <tuple>
@@ -23,15 +24,20 @@ void for_each_in_table(Model& model, std::string_view table, Visit&& visit) {
   std::apply([&](const auto&... section) { (visit_part(section), ...); }, std::remove_const_t<Model>::sections());
 }
 
+/// The value of a table of the model under one of two names, "" for none; nullptr if it is not there.
+template <class Model, class S = typename std::remove_const_t<Model>::Scalar>
+S* value_named(Model& model, std::string_view table, const std::array<std::string_view, 2>& names) {
+  S* found = nullptr;
+  for_each_in_table(model, table, [&](const auto& p, auto& value) {
+    if (p.key == names[0] || (!names[1].empty() && p.key == names[1])) found = const_cast<S*>(&value);
+  });
+  return found;
+}
+
 /// The value of the model that a parameter of an effect replaces, or nullptr.
 template <class Model, class Part, class S>
 S* replaced(Model& model, const ParameterOf<Part, S>& parameter) {
-  S* found = nullptr;
-  for_each_in_table(model, parameter.table, [&](const auto& p, auto& value) {
-    if (p.key == parameter.replaces[0] || (!parameter.replaces[1].empty() && p.key == parameter.replaces[1]))
-      found = const_cast<S*>(&value);
-  });
-  return found;
+  return value_named(model, parameter.table, parameter.replaces);
 }
 
 /// Multiplies all coefficients of a table.
