@@ -1,0 +1,23 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "commands.hpp"
+
+/// The main job of the program by itself, for who wants to see it before building the rest:
+///
+///     swayaw_demo SHIP PAGE RUN…    is    swayaw compare SHIP RUN… --report PAGE
+int main(int count, char** words) {
+  if (count < 4) {
+    fmt::print(stderr, "usage: {} SHIP PAGE RUN...\n", words[0]);
+    return 2;
+  }
+  try {
+    swayaw::app::compare({.ship = words[1], .runs = {words + 3, words + count}, .report = words[2]});
+    return 0;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+}
