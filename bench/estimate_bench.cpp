@@ -34,7 +34,7 @@ Recording noisy_zigzag(const Ship& ship) {
 
 EstimationOptions known_noise() {
   EstimationOptions options{.channels = {Channel::x, Channel::y, Channel::psi},
-                            .imperfection = Imperfection{{1e-3, 1e-3, 1e-4}}};
+                            .process_noise = ProcessNoise{{1e-3, 1e-3, 1e-4}}};
   for (const Channel c : {Channel::x, Channel::y}) options.noise[index_of(c)] = 0.02;
   options.noise[index_of(Channel::psi)] = radians(0.1);
   return options;
@@ -60,7 +60,7 @@ BENCHMARK_CAPTURE(states_20000, kvlcc2_9_smoothed, "kvlcc2_l7.toml", true, true)
 BENCHMARK_CAPTURE(states_20000, wpcc_6_smoothed, "wpcc_pi.toml", false, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(states_20000, wpcc_9_smoothed, "wpcc_pi.toml", true, true)->Unit(benchmark::kMillisecond);
 
-/// Noise and imperfection of 1,000 samples found from the run.
+/// Noise and process noise of 1,000 samples found from the run.
 void noise_of_1000_samples(benchmark::State& state) {
   const Ship ship = read_ship(SWAYAW_BENCH_SHIPS "/kvlcc2_l7.toml");
   auto run = noisy_zigzag(ship);

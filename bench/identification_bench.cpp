@@ -31,15 +31,15 @@ Recording noisy_zigzag(const Ship& ship) {
   return run;
 }
 
-/// Ten numbers, each 10 % off at the beginning; noise estimated. The argument tells the threads, 0 for all cores.
+/// Ten parameters, each 10 % off at the beginning; noise estimated. The argument tells the threads, 0 for all cores.
 void trajectory_fit_10_numbers_888_samples(benchmark::State& state) {
   const Ship ship = read_ship(SWAYAW_BENCH_SHIPS "/kvlcc2_l7.toml");
   const auto run = noisy_zigzag(ship);
-  const auto numbers = parameters_of(ship, ten);
+  const auto parameters = parameters_of(ship, ten);
   std::vector<double> off;
-  for (const auto& n : numbers) off.push_back(n.value * (off.size() % 2 == 0 ? 1.1 : 0.9));
-  const Ship start = with_values(ship, numbers, off);
-  const TrajectoryFitOptions options{.numbers = ten,
+  for (const auto& n : parameters) off.push_back(n.value * (off.size() % 2 == 0 ? 1.1 : 0.9));
+  const Ship start = with_values(ship, parameters, off);
+  const TrajectoryFitOptions options{.parameters = ten,
                                      .channels = {Channel::x, Channel::y, Channel::psi, Channel::r, Channel::u},
                                      .threads = static_cast<unsigned>(state.range(0))};
   TrajectoryFit fit{};

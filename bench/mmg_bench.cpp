@@ -85,8 +85,8 @@ void kvlcc2_zigzag_batch_10000(benchmark::State& state, InstructionSet set) {
     return zigzag_batch(std::span(ships).first(count), order,
                         {.reversals = 8, .duration = 100.0, .tolerance = to, .batch = {.threads = 1, .set = set}});
   };
-  for (auto _ : state) benchmark::DoNotOptimize(sail(ships.size(), tolerance));
-  const auto batch = sail(100, tolerance), exact = sail(100, 1e-11);
+  for (auto _ : state) benchmark::DoNotOptimize(simulate(ships.size(), tolerance));
+  const auto batch = simulate(100, tolerance), exact = simulate(100, 1e-11);
   double error = 0.0;
   for (std::size_t i = 0; i < exact.time.size(); ++i)
     if (std::isfinite(exact.time[i])) error = std::max(error, std::abs(batch.time[i] - exact.time[i]));

@@ -12,9 +12,9 @@ namespace {
 std::vector<double> random_numbers(std::size_t count, unsigned seed) {
   std::mt19937_64 engine(seed);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  std::vector<double> numbers(count);
-  for (double& x : numbers) x = uniform(engine);
-  return numbers;
+  std::vector<double> parameters(count);
+  for (double& x : parameters) x = uniform(engine);
+  return parameters;
 }
 
 /// One pass of y += a x over 1,000 doubles in the first cache.

@@ -17,7 +17,7 @@ int main(int, char** arguments) {
   fmt::print("{:<10}{:>12}{:>22}{:>18}\n", "channel", "noise", "error / expected", "autocorrelation");
   for (const auto& i : estimate.innovations)
     fmt::print("{:<10}{:>12.3g}{:>22.3f}{:>18.3f}\n", column_name(i.channel), i.noise, i.rms, i.autocorrelation);
-  const auto& a = estimate.noise.imperfection.size;
+  const auto& a = estimate.noise.process_noise.size;
   fmt::print("unmodelled accelerations {:.3g} and {:.3g} m/s2, {:.3g} rad/s2\n", a.u, a.v, a.r);
   fmt::print("{} after {} iterations\n\n", estimate.noise.converged ? "converged" : "not converged",
              estimate.noise.iterations);

@@ -17,7 +17,7 @@
 ///
 /// Figure 10 shows heading, yaw rate and drift angle of that very model in two zigzags. With the hull of table 7 held
 /// fast, least squares find the fifteen derivatives whose zigzags run along these curves; the speed of the model tests
-/// stands in for that of the simulations, which is not drawn. Prints the [rudder] numbers of ships/wpcc_pu.toml with
+/// stands in for that of the simulations, which is not drawn. Prints the [rudder] parameters of ships/wpcc_pu.toml with
 /// their standard errors.
 ///
 ///     pu_rudder_from_figure ships/wpcc_pu.toml tests/golden/alexandersson2024_figure_10.json
@@ -103,7 +103,7 @@ State operator+(State a, const State& b) {
 constexpr double step = 0.05;  // [s]; half of it changes no printed digit
 
 /// States every `step` until the drawn heading ends, by Runge and Kutta.
-std::vector<State> sail(const PuShip<D>& ship, const Zigzag& z) {
+std::vector<State> simulate(const PuShip<D>& ship, const Zigzag& z) {
   const double rate = ship.steering_gear.rate.a;
   const auto rates = [&](double t, const State& s) {
     const PlanarMotion<D> m{s[1], s[2], s[3]};
@@ -161,7 +161,7 @@ Normal normal_equations(const PuShip<double>& model, const std::vector<Zigzag>& 
   for (int k = 0; k < unknowns; ++k) (ship.rudder.*terms[static_cast<std::size_t>(k)].member).v[k] = 1.0;
   Normal normal;
   for (const auto& z : zigzags) {
-    const auto states = sail(ship, z);
+    const auto states = simulate(ship, z);
     const double psi = compare(normal, states, z.psi, 0.05, [](const State& s) { return s[0] * degrees(1.0); });
     const double r = compare(normal, states, z.r, 2e-4, [](const State& s) { return s[3]; });
     const double beta =

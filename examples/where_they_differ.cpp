@@ -1,4 +1,4 @@
-// Where a model and a recording differ, in one sentence and in numbers.
+// Where a model and a recording differ, in one sentence and in parameters.
 #include <fmt/format.h>
 
 #include "swayaw/core/recording_csv.hpp"

@@ -85,7 +85,7 @@ void indices(const IndicesArguments& arguments);
 struct InvertArguments {
   std::filesystem::path ship;
   std::string known;            ///< the number known beforehand; empty: c_Ry
-  std::filesystem::path parts;  ///< ship whose hull and rudder give all other numbers; empty: the ship itself
+  std::filesystem::path parts;  ///< ship whose hull and rudder give all other parameters; empty: the ship itself
   bool json = false;
 };
 void invert(const InvertArguments& arguments);
@@ -105,10 +105,10 @@ void loop(const LoopArguments& arguments);
 struct TuneArguments {
   std::filesystem::path ship;
   std::filesystem::path indices;
-  std::vector<std::string> numbers;   ///< that may change; empty: those of the hull but for its resistance
-  std::optional<double> prior;        ///< relative standard deviation of each
-  std::optional<double> most_change;  ///< largest relative change of each
-  int most_turns = 300;               ///< turning circles to be sailed at most
+  std::vector<std::string> parameters;  ///< that may change; empty: those of the hull but for its resistance
+  std::optional<double> prior;          ///< relative standard deviation of each
+  std::optional<double> most_change;    ///< largest relative change of each
+  int most_turns = 300;                 ///< turning circles to be sailed at most
   std::filesystem::path out;
   bool json = false;
 };
@@ -124,7 +124,7 @@ struct IdentifyArguments {
   std::vector<std::string> keep;      ///< but not these
   std::vector<std::string> channels;  ///< to be used; empty: all
   std::string fit = "auto";           ///< forces, trajectories, auto
-  bool prior = false;                 ///< the ship's own numbers, with her confidence, count as measurements
+  bool prior = false;                 ///< the ship's own parameters, with her confidence, count as measurements
   double ridge = 0.0;
   bool resample = false;
   std::filesystem::path out;

@@ -90,7 +90,7 @@ Json document_of(const Ship& ship, const CompareArguments& a, const std::vector<
 Json channels_json(const Recording& run, const std::vector<std::size_t>& breaks) {
   Json series = Json::object();
   const auto add = [&](std::string_view name, std::span<const double> values) {
-    auto list = numbers(values);
+    auto list = parameters(values);
     for (const auto i : breaks) list[i] = nullptr;
     series[std::string(name)] = std::move(list);
   };
@@ -102,7 +102,7 @@ Json channels_json(const Recording& run, const std::vector<std::size_t>& breaks)
 }
 
 Json series_json(const Comparison& c) {
-  return {{"time_s", numbers(c.recorded.time)},
+  return {{"time_s", parameters(c.recorded.time)},
           {"recorded", channels_json(c.recorded, {})},
           {"open_loop", channels_json(c.open_loop, {})},
           {"windows", channels_json(c.restarted, c.window_starts)}};

@@ -18,9 +18,9 @@ Json channels_json(const std::optional<Recording>& run) {
   Json series = Json::object();
   if (!run) return series;
   for (const auto channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r, Channel::delta})
-    if (run->has(channel)) series[std::string(column_name(channel))] = numbers((*run)[channel]);
+    if (run->has(channel)) series[std::string(column_name(channel))] = parameters((*run)[channel]);
   if (!run->has(Channel::u) && run->has(Channel::speed_through_water))
-    series["u_m_s"] = numbers((*run)[Channel::speed_through_water]);
+    series["u_m_s"] = parameters((*run)[Channel::speed_through_water]);
   return series;
 }
 
@@ -52,7 +52,7 @@ Json motion_json(const std::vector<MissingForce>& samples, double L) {
 Json picture_json(const RunPicture& p, double L, bool held_out, bool with_effects) {
   const auto& run = p.recorded;
   const auto& manoeuvre = run.facts.manoeuvre;
-  Json series{{"time_s", numbers(run.time)},
+  Json series{{"time_s", parameters(run.time)},
               {"recorded", channels_json(run)},
               {"given", channels_json(p.given)},
               {"refitted", channels_json(p.refitted)},
@@ -81,7 +81,7 @@ Json ordinary_json(const Ship& ship) {
   return {{"X_N", number(force.X)}, {"Y_N", number(force.Y)}, {"N_Nm", number(force.N)}};
 }
 
-/// Objects of the page are sorted by key; this keeps the order of an effect's numbers.
+/// Objects of the page are sorted by key; this keeps the order of an effect's parameters.
 void keep_order(Json& effects, const std::vector<FoundEffect>& found) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     effects[i]["keys"] = Json::array();

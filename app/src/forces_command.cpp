@@ -20,9 +20,9 @@ using Numbers = std::map<std::string, double, std::less<>>;
 constexpr std::array<std::string_view, 9> known_keys{"u",   "v",      "r",           "delta",           "psi",
                                                      "rev", "thrust", "thrust_port", "thrust_starboard"};
 
-/// "u=0.96,v=0.05" as numbers.
+/// "u=0.96,v=0.05" as parameters.
 Numbers numbers_of(std::string_view text) {
-  Numbers numbers;
+  Numbers parameters;
   while (!text.empty()) {
     const auto comma = text.find(',');
     const auto item = text.substr(0, comma);
@@ -36,16 +36,16 @@ Numbers numbers_of(std::string_view text) {
     const auto end = std::from_chars(value.data(), value.data() + value.size(), number);
     if (end.ec != std::errc{} || end.ptr != value.data() + value.size() || !std::isfinite(number))
       throw Refusal(fmt::format("--state: {} must be a number, got \"{}\"", key, value));
-    if (!numbers.emplace(key, number).second) throw Refusal(fmt::format("--state: {} is given twice", key));
+    if (!parameters.emplace(key, number).second) throw Refusal(fmt::format("--state: {} is given twice", key));
     text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);
   }
-  if (!numbers.contains("u")) throw Refusal("--state: u is missing");
-  return numbers;
+  if (!parameters.contains("u")) throw Refusal("--state: u is missing");
+  return parameters;
 }
 
-double value_of_key(const Numbers& numbers, std::string_view key) {
-  const auto found = numbers.find(key);
-  return found == numbers.end() ? 0.0 : found->second;
+double value_of_key(const Numbers& parameters, std::string_view key) {
+  const auto found = parameters.find(key);
+  return found == parameters.end() ? 0.0 : found->second;
 }
 
 /// Shaft speed or thrust of the state; without either the ship's self-propulsion at service speed.

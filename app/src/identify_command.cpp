@@ -32,8 +32,8 @@ std::vector<Recording> load_runs(const std::vector<std::filesystem::path>& files
 }
 
 /// Those asked for, or the usual ones, with `also` and without `keep`.
-std::vector<std::string> numbers_to_find(const Ship& ship, const IdentifyArguments& a) {
-  auto names = a.find.empty() ? usual_numbers(ship) : a.find;
+std::vector<std::string> parameters_to_find(const Ship& ship, const IdentifyArguments& a) {
+  auto names = a.find.empty() ? usual_parameters(ship) : a.find;
   for (const auto& name : a.also)
     if (std::ranges::count(names, name) == 0) names.push_back(name);
   for (const auto& name : a.keep) {
@@ -61,8 +61,8 @@ Question question_of(const IdentifyArguments& a) {
   Question q{.ship = in_model(load_nonlinear_ship(a.ship), a.model),
              .runs = load_runs(a.runs),
              .holdout = load_runs(a.holdout),
-             .options = {.numbers = {}}};
-  q.options.numbers = numbers_to_find(q.ship, a);
+             .options = {.parameters = {}}};
+  q.options.parameters = parameters_to_find(q.ship, a);
   q.options.priors = a.prior;
   q.options.ridge = a.ridge;
   q.options.states.channels = channels_named(a.channels);
@@ -127,7 +127,7 @@ bool explains(const TrajectoryFit& fit) {
 TrajectoryFit fit_on_trajectories(const Question& q, const ForceFit& start, Progress& progress,
                                   const Interrupt& interrupt) {
   TrajectoryFitOptions options{
-      .numbers = q.options.numbers, .channels = q.options.states.channels, .priors = q.options.priors};
+      .parameters = q.options.parameters, .channels = q.options.states.channels, .priors = q.options.priors};
   options.progress = [&](const TrajectoryProgress& p) {
     progress.tell(fmt::format("trajectories, iteration {}, numbers move by {:.2g}", p.iteration, p.change));
     return !interrupt.asked();
@@ -143,7 +143,7 @@ Found found_by_forces(const Parameter& number, const ForceFit& fit) {
 }
 
 Found found_on_trajectories(const Parameter& number, const TrajectoryFit& fit) {
-  const auto n = std::ranges::find(fit.numbers, number.name, &FittedNumber::name);
+  const auto n = std::ranges::find(fit.parameters, number.name, &FittedParameter::name);
   const auto& [value, error] = n->estimate;
   const bool undetermined = std::ranges::count(fit.undetermined, number.name) > 0;
   return {number, n->estimate, value - 1.96 * error, value + 1.96 * error, std::nullopt, undetermined};
@@ -207,7 +207,7 @@ std::vector<ZigzagCheck> zigzag_checks(const Question& q, const Ship& after) {
   return checks;
 }
 
-/// Standard errors become the trust that the file has in its numbers.
+/// Standard errors become the trust that the file has in its parameters.
 void set_confidence(Ship& ship, std::span<const Found> found) {
   for (const auto& f : found) {
     const double relative = f.estimate.standard_error / std::abs(f.estimate.value);
@@ -275,7 +275,7 @@ Answer answer_to(const Question& q, const IdentifyArguments& a) {
   }
   choose(answer, a);
   answer.ship = answer.from_trajectories ? answer.trajectories->ship : answer.forces.ship;
-  for (const auto& number : parameters_of(q.ship, q.options.numbers))
+  for (const auto& number : parameters_of(q.ship, q.options.parameters))
     answer.found.push_back(answer.from_trajectories ? found_on_trajectories(number, *answer.trajectories)
                                                     : found_by_forces(number, answer.forces));
   answer.stability = stability_verdict(answer.forces);
@@ -350,12 +350,12 @@ Json stability_json(const StabilityVerdict& s) {
 }
 
 Json trajectory_json(const TrajectoryFit& fit) {
-  Json runs = Json::array(), numbers = Json::array();
-  for (const auto& n : fit.numbers)
-    numbers.push_back({{"name", n.name},
-                       {"value", number(n.estimate.value)},
-                       {"standard_error", number(n.estimate.standard_error)},
-                       {"at_bound", n.at_bound}});
+  Json runs = Json::array(), parameters = Json::array();
+  for (const auto& n : fit.parameters)
+    parameters.push_back({{"name", n.name},
+                          {"value", number(n.estimate.value)},
+                          {"standard_error", number(n.estimate.standard_error)},
+                          {"at_bound", n.at_bound}});
   for (const auto& run : fit.runs) {
     Json channels = Json::array();
     for (const auto& c : run.channels)
@@ -370,16 +370,16 @@ Json trajectory_json(const TrajectoryFit& fit) {
           {"condition_number", number(fit.condition_number)},
           {"best_combination", fit.best_combination},
           {"undetermined", fit.undetermined},
-          {"numbers", std::move(numbers)},
+          {"numbers", std::move(parameters)},
           {"runs", std::move(runs)}};
 }
 
 Json zigzag_json(const ZigzagCheck& z) {
   const auto angles = [](const std::optional<std::vector<double>>& o) {
-    return o ? numbers(in_degrees(*o)) : Json(nullptr);
+    return o ? parameters(in_degrees(*o)) : Json(nullptr);
   };
   return {{"run", z.run},
-          {"recorded_deg", numbers(in_degrees(z.recorded))},
+          {"recorded_deg", parameters(in_degrees(z.recorded))},
           {"before_deg", angles(z.before)},
           {"after_deg", angles(z.after)}};
 }
@@ -420,7 +420,7 @@ Json document_of(const Question& q, const Answer& answer, const IdentifyArgument
       {"errors",
        {{"train", errors_json(q.ship, answer.ship, q.runs)}, {"holdout", errors_json(q.ship, answer.ship, q.holdout)}}},
       {"zigzags", std::move(zigzags)},
-      {"resamples", resamples_json(answer.resamples, q.options.numbers)},
+      {"resamples", resamples_json(answer.resamples, q.options.parameters)},
       {"advice", answer.advice}};
 }
 
@@ -494,12 +494,12 @@ void print_answer(const Question& q, const Answer& answer, const Json& document)
   for (const auto& z : answer.zigzags)
     fmt::print("  {:<28}  recorded {}; before {}; after {}\n", z.run, angles_text(z.recorded), angles_text(z.before),
                angles_text(z.after));
-  print_resamples(answer.resamples, q.options.numbers);
+  print_resamples(answer.resamples, q.options.parameters);
   fmt::print("\nstraight course: {}\n", answer.stability.words);
   for (const auto& line : answer.advice) fmt::print("{}\n", line);
 }
 
-/// Where the numbers of the file come from.
+/// Where the parameters of the file come from.
 std::string remark_of(const Question& q, const Answer& answer) {
   auto remark = fmt::format("Coefficients identified by swayaw {} from", version());
   for (const auto& run : q.runs) remark += fmt::format(" {}", run.name);

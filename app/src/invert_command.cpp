@@ -26,7 +26,7 @@ KnownPart known_named(const std::string& name) {
 /// What was asked.
 struct Question {
   LinearShip ship;
-  std::optional<LinearParts<double>> formal;  ///< where the numbers that do not follow come from
+  std::optional<LinearParts<double>> formal;  ///< where the parameters that do not follow come from
   KnownPart known;
 };
 
@@ -106,14 +106,14 @@ std::vector<std::string> warnings_of(const Answer& answer) {
 
 // ---------------------------------------------------------------- JSON
 
-Json values_json(std::span<const InvertedNumber> numbers) {
+Json values_json(std::span<const InvertedNumber> parameters) {
   Json json = Json::object();
-  for (const auto& n : numbers) json[std::string(n.name)] = number(n.value);
+  for (const auto& n : parameters) json[std::string(n.name)] = number(n.value);
   return json;
 }
 
-void add_elasticities(Json& json, std::span<const InvertedNumber> numbers, std::size_t inputs) {
-  for (const auto& n : numbers)
+void add_elasticities(Json& json, std::span<const InvertedNumber> parameters, std::size_t inputs) {
+  for (const auto& n : parameters)
     for (std::size_t k = 0; k < inputs; ++k)
       json[std::string(n.name)][std::string(inversion_inputs[k])] = number(n.elasticity[k]);
 }
@@ -163,11 +163,11 @@ Json document_of(const Question& q, const Answer& answer) {
 
 // ---------------------------------------------------------------- text
 
-void print_numbers(std::span<const InvertedNumber> numbers, std::size_t inputs) {
+void print_numbers(std::span<const InvertedNumber> parameters, std::size_t inputs) {
   fmt::print("  {:<14}{:>12}   change in % per % of\n  {:<14}{:>12}", "", "", "", "value");
   for (std::size_t k = 0; k < inputs; ++k) fmt::print("{:>11}", inversion_inputs[k]);
   fmt::print("\n");
-  for (const auto& n : numbers) {
+  for (const auto& n : parameters) {
     fmt::print("  {:<14}{:>12}", n.name, cell(n.value));
     for (std::size_t k = 0; k < inputs; ++k)
       fmt::print("{:>11}", std::isfinite(n.elasticity[k]) ? fmt::format("{:.3f}", n.elasticity[k]) : "-");

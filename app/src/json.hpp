@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-/// Numbers in JSON: full precision, null for what is missing or not finite.
+/// Parameters in JSON: full precision, null for what is missing or not finite.
 namespace swayaw::app {
 
 using Json = nlohmann::ordered_json;
@@ -15,7 +15,7 @@ inline Json number(double value) { return std::isfinite(value) ? Json(value + 0.
 
 inline Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
-inline Json numbers(std::span<const double> values) {
+inline Json parameters(std::span<const double> values) {
   Json list = Json::array();
   for (const double value : values) list.push_back(number(value));
   return list;

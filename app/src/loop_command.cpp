@@ -60,7 +60,7 @@ LoopMeasures<double> line_of(const SteeringIndices<double>& i, const LoopMeasure
   return line;
 }
 
-/// What a reader of the numbers should know.
+/// What a reader of the parameters should know.
 std::vector<std::string> warnings_of(const LinearShip& ship, const Finding& f) {
   std::vector<std::string> warnings;
   if (!has_coefficients(ship))
@@ -110,7 +110,7 @@ Json measures_json(const LoopMeasures<double>& m) {
 Json derivatives_json(const LoopMeasures<double>& m, double period, const std::vector<double>& overshoots) {
   Json json = measures_json(m);
   json["period"] = number(period);
-  json["overshoot_deg"] = numbers(first_in_degrees(overshoots));
+  json["overshoot_deg"] = parameters(first_in_degrees(overshoots));
   json["limit_overshoot_deg"] = number(degrees(overshoots.back()));
   return json;
 }
@@ -130,7 +130,7 @@ Json document_of(const LinearShip& ship, const Finding& f) {
             {"speed_m_s", f.speed},
             {"rudder_rate_rad_per_length", f.order.rate}};
   json.update(measures_json(f.loop));
-  json["overshoot_deg"] = numbers(overshoots_deg(reversals));
+  json["overshoot_deg"] = parameters(overshoots_deg(reversals));
   json["limit_overshoot_deg"] = number(degrees(reversals.back().overshoot));
   json["period"] = number(period);
   json["period_s"] = number(period * ship.particulars.L / f.speed);
@@ -190,11 +190,11 @@ std::string manoeuvre_words(const Finding& f) {
 // ---------------------------------------------------------------- page
 
 Json curves_json(const Curves& c) {
-  return {{"s", numbers(c.s)},
-          {"psi_rad", numbers(c.psi)},
-          {"beta_rad", numbers(c.beta)},
-          {"omega", numbers(c.omega)},
-          {"delta_rad", numbers(c.delta)}};
+  return {{"s", parameters(c.s)},
+          {"psi_rad", parameters(c.psi)},
+          {"beta_rad", parameters(c.beta)},
+          {"omega", parameters(c.omega)},
+          {"delta_rad", parameters(c.delta)}};
 }
 
 std::vector<double> around(double value) {
@@ -216,8 +216,8 @@ Json grid_json(const T3Map& map, Get&& get) {
 
 Json map_json(const SteeringIndices<double>& i, const LinearZigzagOrder& order) {
   const auto map = t3_map(i, order, around(i.T3b), around(i.T3w));
-  return {{"T3b", numbers(map.T3b)},
-          {"T3w", numbers(map.T3w)},
+  return {{"T3b", parameters(map.T3b)},
+          {"T3w", parameters(map.T3w)},
           {"measures",
            {{"area", grid_json(map, [](const T3Point& p) { return p.area; })},
             {"beta_max_rad", grid_json(map, [](const T3Point& p) { return p.beta_max; })},
@@ -272,7 +272,7 @@ Json page_document(const LinearShip& ship, const Finding& f, const LoopArguments
             {"indices", indices_json(ship)},
             {"slope", number(i.Kw / i.Kb)},
             {"loop", std::move(measures)},
-            {"overshoot_deg", numbers(overshoots_deg(f.cycle.zigzag.reversals))},
+            {"overshoot_deg", parameters(overshoots_deg(f.cycle.zigzag.reversals))},
             {"sensitivity", sensitivity_json(f.sensitivity)},
             {"zigzag", curves_json(approach_of(ship, f))},
             {"cycle", curves_json(cycle_of(ship, f))},

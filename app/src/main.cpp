@@ -219,7 +219,8 @@ void add_tune(CLI::App& app, TuneArguments& a) {
   add_ship(command, a.ship);
   command.add_option("--indices", a.indices, "measured indices (TOML)")->required();
   command
-      .add_option("--numbers", a.numbers, "keys of the ship file that may change, N_v,N_r (default: hull derivatives)")
+      .add_option("--numbers", a.parameters,
+                  "keys of the ship file that may change, N_v,N_r (default: hull derivatives)")
       ->delimiter(',');
   command
       .add_option("--prior", a.prior,

@@ -20,7 +20,7 @@ bool is_plain(unsigned char code) {
 
 /// A text in gnuplot's double quotes, every byte but letters, blanks and UTF-8 by its octal number: nothing is left
 /// that could end the text or be taken for a command. (In single quotes gnuplot 5.4 takes the second of two doubled
-/// quotes in a row for the end.) Digits are numbers too, since gnuplot reads more than three of them as one.
+/// quotes in a row for the end.) Digits are parameters too, since gnuplot reads more than three of them as one.
 std::string literal(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {

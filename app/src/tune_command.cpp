@@ -16,7 +16,7 @@ namespace {
 
 struct Findings {
   MeasuredIndices measured;
-  std::vector<Parameter> numbers;
+  std::vector<Parameter> parameters;
   IndexSensitivity sensitivity;
   std::vector<double> relative;  ///< singular values of d (I/I_measured) / d ln number
   Tuning tuning;
@@ -41,7 +41,7 @@ Json change_json(double before, double after) { return {{"before", number(before
 
 Json numbers_json(const Tuning& t) {
   Json list = Json::array();
-  for (const auto& n : t.numbers)
+  for (const auto& n : t.parameters)
     list.push_back({{"name", n.number.name},
                     {"before", number(n.number.value / n.number.si)},
                     {"after", number(n.value / n.number.si)},
@@ -72,7 +72,7 @@ Json combinations_json(const Findings& f) {
   Json list = Json::array();
   for (const auto& c : f.tuning.combinations) {
     Json weights = Json::object();
-    for (std::size_t j = 0; j < c.weights.size(); ++j) weights[f.numbers[j].name] = number(c.weights[j]);
+    for (std::size_t j = 0; j < c.weights.size(); ++j) weights[f.parameters[j].name] = number(c.weights[j]);
     list.push_back({{"singular_value", number(c.singular_value)},
                     {"standard_error", number(c.standard_error)},
                     {"determined", c.determined},
@@ -83,13 +83,13 @@ Json combinations_json(const Findings& f) {
 
 Json table_json(const std::vector<std::vector<double>>& rows) {
   Json table = Json::array();
-  for (const auto& row : rows) table.push_back(swayaw::app::numbers(row));
+  for (const auto& row : rows) table.push_back(swayaw::app::parameters(row));
   return table;
 }
 
 Json sensitivity_json(const Findings& f) {
   Json names = Json::array();
-  for (const auto& n : f.numbers) names.push_back(n.name);
+  for (const auto& n : f.parameters) names.push_back(n.name);
   return {{"numbers", names},
           {"ten_per_cent", table_json(f.sensitivity.ten_per_cent)},
           {"exact", table_json(f.sensitivity.exact)}};
@@ -103,13 +103,13 @@ Json tune_json(const Findings& f, const TuneArguments& a) {
           {"error",
            {{"turns", change_json(t.before.turns, t.after.turns)},
             {"zigzags", change_json(t.before.zigzags, t.after.zigzags)}}},
-          {"voyages", {{"turns", t.voyages.turns}, {"zigzags", t.voyages.zigzags}}},
+          {"voyages", {{"turns", t.simulations.turns}, {"zigzags", t.simulations.zigzags}}},
           {"numbers", numbers_json(t)},
           {"indices", indices_json(f)},
-          {"decay_per_length", swayaw::app::numbers(t.decay)},
+          {"decay_per_length", swayaw::app::parameters(t.decay)},
           {"determined_combinations", determined(t)},
           {"combinations", combinations_json(f)},
-          {"relative_singular_values", swayaw::app::numbers(f.relative)},
+          {"relative_singular_values", swayaw::app::parameters(f.relative)},
           {"sensitivity", sensitivity_json(f)}};
 }
 
@@ -124,18 +124,18 @@ double largest(const Findings& f, std::size_t j, std::size_t first, std::size_t 
   return size;
 }
 
-/// The numbers, those that do most first.
+/// The parameters, those that do most first.
 void print_sensitivity(const Findings& f, const MeasuredTrial& trial, std::size_t first) {
   const std::size_t last = first + trial.indices.size();
   fmt::print("\n{}: change in per cent for 10 % more of a number | exact, per cent per per cent\n  {:<12}",
              name_of(trial.manoeuvre), "");
   for (const auto& i : trial.indices) fmt::print("{:>24}", i.name);
   fmt::print("\n");
-  std::vector<std::size_t> order(f.numbers.size());
+  std::vector<std::size_t> order(f.parameters.size());
   for (std::size_t j = 0; j < order.size(); ++j) order[j] = j;
   std::ranges::stable_sort(order, std::greater{}, [&](std::size_t j) { return largest(f, j, first, last); });
   for (const std::size_t j : order) {
-    fmt::print("  {:<12}", f.numbers[j].name);
+    fmt::print("  {:<12}", f.parameters[j].name);
     for (std::size_t k = first; k < last; ++k)
       fmt::print("{:>24}",
                  fmt::format("{} |{:>8.3f}", percent(f.sensitivity.ten_per_cent[k][j]), f.sensitivity.exact[k][j]));
@@ -159,21 +159,21 @@ void print_indices(const Findings& f) {
 void print_numbers(const Tuning& t) {
   fmt::print("\n  {:<12}{:>14}{:>14}{:>10}{:>12}{:>12}   told by the indices\n", "number", "before", "after",
              "change %", "prior sd %", "sd now %");
-  for (const auto& n : t.numbers)
+  for (const auto& n : t.parameters)
     fmt::print("  {:<12}{:>14.6g}{:>14.6g}{:>10.1f}{:>12.3g}{:>12.3g}   {:.0f} %{}{}\n", n.number.name,
                n.number.value / n.number.si, n.value / n.number.si, 100.0 * (n.value / n.number.value - 1.0),
                100.0 * n.prior, 100.0 * n.deviation, 100.0 * n.told, n.determined() ? "" : ", undetermined",
                n.at_bound ? ", at its bound" : "");
 }
 
-/// The numbers with the largest weights.
+/// The parameters with the largest weights.
 std::string combination_text(const Findings& f, const IndexCombination& c) {
   std::vector<std::size_t> order(c.weights.size());
   for (std::size_t j = 0; j < order.size(); ++j) order[j] = j;
   std::ranges::stable_sort(order, std::greater{}, [&](std::size_t j) { return std::abs(c.weights[j]); });
   std::string text;
   for (std::size_t i = 0; i < std::min<std::size_t>(4, order.size()); ++i)
-    text += fmt::format(" {:+.2f} {}", c.weights[order[i]], f.numbers[order[i]].name);
+    text += fmt::format(" {:+.2f} {}", c.weights[order[i]], f.parameters[order[i]].name);
   return text;
 }
 
@@ -189,7 +189,7 @@ void print_combinations(const Findings& f) {
 
 void print_text(const Findings& f, const TuneArguments& a) {
   const auto& t = f.tuning;
-  fmt::print("{}: {} numbers, {} indices\n", t.ship.name, f.numbers.size(), t.indices.size());
+  fmt::print("{}: {} numbers, {} indices\n", t.ship.name, f.parameters.size(), t.indices.size());
   std::size_t first = 0;
   for (const auto& trial : f.measured.trials) {
     print_sensitivity(f, trial, first);
@@ -201,8 +201,8 @@ void print_text(const Findings& f, const TuneArguments& a) {
   fmt::print(
       "\nsum of squared relative errors: turns {:.4f} before, {:.4f} after; zigzags {:.4f} before, {:.4f} after\n",
       t.before.turns, t.after.turns, t.before.zigzags, t.after.zigzags);
-  fmt::print("{} after {} turning circles and {} zigzags; written to {}\n", in_words(t.status), t.voyages.turns,
-             t.voyages.zigzags, a.out.string());
+  fmt::print("{} after {} turning circles and {} zigzags; written to {}\n", in_words(t.status), t.simulations.turns,
+             t.simulations.zigzags, a.out.string());
 }
 
 // ---------------------------------------------------------------- work
@@ -212,16 +212,16 @@ std::string remark(const Tuning& t, const TuneArguments& a) {
       "Made by swayaw {} tune from {} and the indices of {}.\n{} numbers changed; {} after {} turning circles and {} "
       "zigzags.\n"
       "Sum of squared relative errors: turns {:.6g} before, {:.6g} after; zigzags {:.6g} before, {:.6g} after.",
-      version(), a.ship.filename().string(), a.indices.filename().string(), t.numbers.size(), in_words(t.status),
-      t.voyages.turns, t.voyages.zigzags, t.before.turns, t.after.turns, t.before.zigzags, t.after.zigzags);
+      version(), a.ship.filename().string(), a.indices.filename().string(), t.parameters.size(), in_words(t.status),
+      t.simulations.turns, t.simulations.zigzags, t.before.turns, t.after.turns, t.before.zigzags, t.after.zigzags);
 }
 
 Tuning tuned(const Ship& ship, const MeasuredIndices& measured, TuningOptions options) {
   const Interrupt interrupt;
   Progress progress("tune");
   options.watch = [&](const TuningProgress& p) {
-    progress.tell(fmt::format("{} turning circles, {} zigzags, squared errors {:.4f} and {:.4f}", p.voyages.turns,
-                              p.voyages.zigzags, p.error.turns, p.error.zigzags));
+    progress.tell(fmt::format("{} turning circles, {} zigzags, squared errors {:.4f} and {:.4f}", p.simulations.turns,
+                              p.simulations.zigzags, p.error.turns, p.error.zigzags));
     return !interrupt.asked();
   };
   return tune(ship, measured, options);
@@ -231,17 +231,20 @@ Tuning tuned(const Ship& ship, const MeasuredIndices& measured, TuningOptions op
 
 void tune(const TuneArguments& a) {
   const Ship ship = load_nonlinear_ship(a.ship);
-  const TuningOptions options{
-      .numbers = a.numbers, .prior = a.prior, .most_change = a.most_change, .most_turns = a.most_turns, .watch = {}};
+  const TuningOptions options{.parameters = a.parameters,
+                              .prior = a.prior,
+                              .most_change = a.most_change,
+                              .most_turns = a.most_turns,
+                              .watch = {}};
   auto measured = read_indices(a.indices, length(ship));
-  auto numbers = tuned_numbers(ship, options);
+  auto parameters = tuned_parameters(ship, options);
   auto tuning = tuned(ship, measured, options);
   write_ship(a.out, tuning.ship, remark(tuning, a));
   if (tuning.status == TuningStatus::interrupted)
     fmt::print(stderr, "swayaw: interrupted; the best ship so far is written to {}\n", a.out.string());
-  auto sensitivity = index_sensitivity(ship, measured, numbers);
+  auto sensitivity = index_sensitivity(ship, measured, parameters);
   auto relative = singular_values(sensitivity, measured);
-  const Findings f{std::move(measured), std::move(numbers), std::move(sensitivity), std::move(relative),
+  const Findings f{std::move(measured), std::move(parameters), std::move(sensitivity), std::move(relative),
                    std::move(tuning)};
   if (a.json) fmt::print("{}\n", tune_json(f, a).dump(2));
   else print_text(f, a);

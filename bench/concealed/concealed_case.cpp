@@ -36,11 +36,11 @@ std::vector<Manoeuvre> manoeuvres(TrialSet set, double heading) {
   return {};
 }
 
-std::vector<Recording> sailed(const TrueShip& truth, const Concealment& hidden, const std::vector<Manoeuvre>& runs,
-                              double noise, std::uint64_t seed) {
+std::vector<Recording> simulated(const TrueShip& truth, const Concealment& hidden, const std::vector<Manoeuvre>& runs,
+                                 double noise, std::uint64_t seed) {
   std::vector<Recording> result;
   for (const auto& m : runs)
-    result.push_back(sail(truth, hidden, m, {.noise = noise, .seed = seed_of(seed, result.size())}));
+    result.push_back(simulate(truth, hidden, m, {.noise = noise, .seed = seed_of(seed, result.size())}));
   return result;
 }
 
@@ -114,13 +114,13 @@ ConcealedCase made(const CasePlan& plan) {
     c.labels.push_back(conceal(hidden, kind, severity, truth, std::get<MmgShip<double>>(fair.ship.model), random));
   if (plan.wrong_baseline) c.ship = slightly_wrong(c.ship, random.bits());
   const double heading = random.uniform(0.0, 2.0 * pi);
-  c.train = sailed(truth, hidden, manoeuvres(plan.set, heading), plan.noise, random.bits());
+  c.train = simulated(truth, hidden, manoeuvres(plan.set, heading), plan.noise, random.bits());
   const std::vector<Manoeuvre> held_out{zigzag(20, 10, true, heading + 1.0), turn(25, true, heading + 2.0)};
   const auto weather = random.bits();
-  c.holdout = sailed(truth, hidden, held_out, plan.noise, weather);
-  c.true_holdout = sailed(truth, hidden, held_out, 0.0, weather);
+  c.holdout = simulated(truth, hidden, held_out, plan.noise, weather);
+  c.true_holdout = simulated(truth, hidden, held_out, 0.0, weather);
   if (plan.reference)
-    c.reference = sailed(
+    c.reference = simulated(
         truth, {}, {zigzag(15, 10, true, heading), turn(30, true, heading + 2.2), zigzag(20, 15, false, heading + 4.4)},
         plan.noise, random.bits());
   return c;
@@ -131,11 +131,11 @@ void write_case(const ConcealedCase& c, const std::filesystem::path& folder) {
   const auto home = folder / c.plan.name;
   Json effects = Json::array();
   for (const auto& label : c.labels) {
-    Json numbers = Json::object();
-    for (const auto& n : label.numbers) numbers[n.key] = n.value;
-    if (!label.channel.empty()) numbers["channel"] = label.channel;
+    Json parameters = Json::object();
+    for (const auto& n : label.parameters) parameters[n.key] = n.value;
+    if (!label.channel.empty()) parameters["channel"] = label.channel;
     effects.push_back(
-        {{"effect", label.effect}, {"level", name_of(label.severity)}, {"parameters", std::move(numbers)}});
+        {{"effect", label.effect}, {"level", name_of(label.severity)}, {"parameters", std::move(parameters)}});
   }
   const Json truth{{"effects", effects},
                    {"ship", c.plan.ship_kind},

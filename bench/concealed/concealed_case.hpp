@@ -29,7 +29,7 @@ struct LabelNumber {
 struct Label {
   std::string effect;
   Severity severity;
-  std::vector<LabelNumber> numbers;
+  std::vector<LabelNumber> parameters;
   std::string channel;  ///< of a delay
 };
 
@@ -37,7 +37,7 @@ struct Label {
 std::span<const std::string_view> known_kinds();
 std::span<const std::string_view> unknown_kinds();
 
-/// Hides an effect in a ship. Numbers that replace coefficients are counted from those of the ship file.
+/// Hides an effect in a ship. Parameters that replace coefficients are counted from those of the ship file.
 /// @throws std::domain_error  for a kind that is not made here
 Label conceal(Concealment& hidden, std::string_view kind, Severity severity, const TrueShip& truth,
               const MmgShip<double>& file, RandomSource& random);

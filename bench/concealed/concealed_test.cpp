@@ -57,8 +57,8 @@ Json line_of(const std::string& hidden, const std::string& found) {
 TEST_CASE("a ship with two like sides sails to starboard as she sails to port", "[bench][symmetry]") {
   for (const auto kind : ship_kinds()) {
     const auto ship = symmetric(true_ship(kind, 5));
-    const auto port = sail(ship, {}, zigzag(20, 10, true, 0.0), still),
-               starboard = sail(ship, {}, zigzag(20, 10, false, 0.0), still);
+    const auto port = simulate(ship, {}, zigzag(20, 10, true, 0.0), still),
+               starboard = simulate(ship, {}, zigzag(20, 10, false, 0.0), still);
     CHECK(largest_difference(port, starboard, Channel::x) < 1e-6 * ship.L);
     CHECK(largest_difference(port, starboard, Channel::speed_through_water) < 1e-6 * ship.U_0);
     for (const auto channel : {Channel::y, Channel::psi, Channel::r, Channel::delta})
@@ -68,7 +68,8 @@ TEST_CASE("a ship with two like sides sails to starboard as she sails to port", 
 
 TEST_CASE("a ship sails the same on every heading while nothing comes from a direction", "[bench][symmetry]") {
   const auto ship = true_ship("container", 5);
-  const auto north = sail(ship, {}, turn(35, true, 0.0), still), east = sail(ship, {}, turn(35, true, 0.5 * pi), still);
+  const auto north = simulate(ship, {}, turn(35, true, 0.0), still),
+             east = simulate(ship, {}, turn(35, true, 0.5 * pi), still);
   CHECK(largest_difference(north, east, Channel::r) < 1e-8);
   double most = 0.0;
   for (std::size_t i = 0; i < north.samples(); ++i)
@@ -90,16 +91,16 @@ TEST_CASE("what is hidden with the size 0 changes no digit", "[bench][limit]") {
                             .late = Channel::x,
                             .tow_onset = 50.0};
   for (const auto& manoeuvre : {zigzag(10, 10, true, 1.0), turn(35, false, 2.0)})
-    CHECK(recording_text(sail(ship, nothing, manoeuvre, {.seed = 3})) ==
-          recording_text(sail(ship, {}, manoeuvre, {.seed = 3})));
+    CHECK(recording_text(simulate(ship, nothing, manoeuvre, {.seed = 3})) ==
+          recording_text(simulate(ship, {}, manoeuvre, {.seed = 3})));
 }
 
 TEST_CASE("positions that are late show where she was", "[bench][limit]") {
   const auto ship = true_ship("tanker", 2);
   const auto manoeuvre = turn(35, false, 2.0);
-  const double step = sail(ship, {}, manoeuvre, still).time[1];
-  const auto prompt = sail(ship, {}, manoeuvre, still),
-             late = sail(ship, {.delay = 4.0 * step, .late = Channel::x}, manoeuvre, still);
+  const double step = simulate(ship, {}, manoeuvre, still).time[1];
+  const auto prompt = simulate(ship, {}, manoeuvre, still),
+             late = simulate(ship, {.delay = 4.0 * step, .late = Channel::x}, manoeuvre, still);
   for (std::size_t i = 4; i < prompt.samples(); ++i) {
     CHECK(std::abs(late[Channel::x][i] - prompt[Channel::x][i - 4]) < 1e-5 * ship.L);
     CHECK(std::abs(late[Channel::y][i] - prompt[Channel::y][i - 4]) < 1e-5 * ship.L);
@@ -111,7 +112,7 @@ TEST_CASE("positions that are late show where she was", "[bench][limit]") {
 TEST_CASE("every kind of hidden effect shows in the recording, under the keys of its numbers", "[bench][limit]") {
   const auto ship = true_ship("training", 4);
   const auto file = fair_ship(ship, 0.02).ship;
-  const auto clean = recording_text(sail(ship, {}, zigzag(20, 20, true, 0.3), still));
+  const auto clean = recording_text(simulate(ship, {}, zigzag(20, 20, true, 0.3), still));
   const auto kinds = {known_kinds(), unknown_kinds()};
   for (const auto list : kinds)
     for (const auto kind : list) {
@@ -119,13 +120,13 @@ TEST_CASE("every kind of hidden effect shows in the recording, under the keys of
       Concealment hidden;
       RandomSource random(9);
       const auto label = conceal(hidden, kind, Severity::strong, ship, std::get<MmgShip<double>>(file.model), random);
-      CHECK(recording_text(sail(ship, hidden, zigzag(20, 20, true, 0.3), still)) != clean);
+      CHECK(recording_text(simulate(ship, hidden, zigzag(20, 20, true, 0.3), still)) != clean);
       if (kind.starts_with("unknown")) continue;
-      const auto numbers = parameters_of(file, make_effect(kind));
-      for (const auto& n : label.numbers) {
+      const auto parameters = parameters_of(file, make_effect(kind));
+      for (const auto& n : label.parameters) {
         INFO(n.key);
         CHECK(std::isfinite(n.value));
-        CHECK(std::ranges::count(numbers, n.key, &Parameter::key) == 1);
+        CHECK(std::ranges::count(parameters, n.key, &Parameter::key) == 1);
       }
     }
 }
@@ -135,7 +136,7 @@ TEST_CASE("a longer step of the integration leaves the track where it is", "[ben
   auto fine = still;
   fine.steps = 16;
   const auto manoeuvre = turn(35, true, 0.0);
-  CHECK(largest_difference(sail(ship, {}, manoeuvre, still), sail(ship, {}, manoeuvre, fine), Channel::x) <
+  CHECK(largest_difference(simulate(ship, {}, manoeuvre, still), simulate(ship, {}, manoeuvre, fine), Channel::x) <
         2e-3 * ship.L);
 }
 

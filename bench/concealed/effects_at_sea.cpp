@@ -30,10 +30,10 @@ struct Kitchen {
 
 /// Gives departures of coefficients; they are told as values of the ship file.
 Numbers changed(std::initializer_list<std::tuple<const char*, double, double>> list) {
-  Numbers numbers;
+  Numbers parameters;
   for (const auto& [key, file, change] : list)
-    if (change != 0.0) numbers.push_back({key, file + change});
-  return numbers;
+    if (change != 0.0) parameters.push_back({key, file + change});
+  return parameters;
 }
 
 Numbers wind(Kitchen& k) {
@@ -126,7 +126,7 @@ Numbers stall(Kitchen& k) {
            k.h.stall_angle + 0.5 * stall_span}};  // where half of the loss has come, as docs/effects.md counts it
 }
 
-/// Numbers of the law of docs/effects.md, 1 + s (|δ| − δ_lim)², that is nearest to the true curve from 0 to 35 deg.
+/// Parameters of the law of docs/effects.md, 1 + s (|δ| − δ_lim)², that is nearest to the true curve from 0 to 35 deg.
 Numbers nearest_gap(double from, double strength) {
   double least = HUGE_VAL;
   Numbers best;
@@ -319,7 +319,7 @@ Label conceal(Concealment& hidden, std::string_view kind, Severity severity, con
     if (name != kind) continue;
     Label label{std::string(kind), severity, {}, {}};
     Kitchen kitchen{hidden, static_cast<std::size_t>(severity), truth, file, random, label};
-    label.numbers = recipe(kitchen);
+    label.parameters = recipe(kitchen);
     return label;
   }
   throw std::domain_error("no effect \"" + std::string(kind) + "\" can be hidden");

@@ -59,11 +59,11 @@ MmgForces<double> forces_of(const Mmg& ship, const Point& p) {
   return swayaw::forces(ship, motion, controls, branch_at(ship, motion, controls));
 }
 
-/// Moves the numbers to the least squares of the residuals, by Gauss and Newton with differences. A number that moves
-/// by half of itself from where it stood costs `hold`².
-void fit(Mmg& ship, const std::vector<Number>& numbers, const std::function<Eigen::VectorXd(const Mmg&)>& residuals,
+/// Moves the parameters to the least squares of the residuals, by Gauss and Newton with differences. A number that
+/// moves by half of itself from where it stood costs `hold`².
+void fit(Mmg& ship, const std::vector<Number>& parameters, const std::function<Eigen::VectorXd(const Mmg&)>& residuals,
          double hold) {
-  const auto size = static_cast<Eigen::Index>(numbers.size());
+  const auto size = static_cast<Eigen::Index>(parameters.size());
   Mmg start = ship;
   for (int round = 0; round < 8; ++round) {
     const Eigen::VectorXd now = residuals(ship);
@@ -71,7 +71,7 @@ void fit(Mmg& ship, const std::vector<Number>& numbers, const std::function<Eige
     Eigen::VectorXd errors(now.size() + size);
     errors.head(now.size()) = now;
     for (Eigen::Index i = 0; i < size; ++i) {
-      const auto& number = numbers[static_cast<std::size_t>(i)];
+      const auto& number = parameters[static_cast<std::size_t>(i)];
       Mmg moved = ship;
       number(moved) += 1e-5;
       slopes.col(i).head(now.size()) = (residuals(moved) - now) / 1e-5;
@@ -80,7 +80,7 @@ void fit(Mmg& ship, const std::vector<Number>& numbers, const std::function<Eige
       errors[now.size() + i] = cost * (number(ship) - number(start));
     }
     const Eigen::VectorXd step = slopes.colPivHouseholderQr().solve(-errors);
-    for (Eigen::Index i = 0; i < size; ++i) numbers[static_cast<std::size_t>(i)](ship) += step[i];
+    for (Eigen::Index i = 0; i < size; ++i) parameters[static_cast<std::size_t>(i)](ship) += step[i];
   }
 }
 
@@ -103,7 +103,7 @@ auto residuals_of(const TrueShip& truth, const std::vector<Point>& points, Plana
 }
 
 template <class Part>
-std::vector<Number> numbers(Part Mmg::*part, std::vector<double Part::*> members) {
+std::vector<Number> parameters(Part Mmg::*part, std::vector<double Part::*> members) {
   std::vector<Number> list;
   for (const auto member : members) list.push_back([part, member](Mmg& ship) -> double& { return ship.*part.*member; });
   return list;
@@ -174,7 +174,7 @@ void fit_parts(Mmg& ship, const TrueShip& truth, const std::vector<Point>& point
   using R = MmgRudder<double>;
   constexpr auto X = &PlanarForce<double>::X, Y = &PlanarForce<double>::Y, N = &PlanarForce<double>::N;
   const auto hull = [&](auto component, auto members) {
-    fit(ship, numbers(&Mmg::hull, members),
+    fit(ship, parameters(&Mmg::hull, members),
         residuals_of(truth, points, &TrueForces::hull, &MmgForces<double>::hull, {component}), hold);
   };
   hull(X, std::vector{&H::R_0, &H::X_vv, &H::X_vr, &H::X_rr, &H::X_vvvv});
@@ -187,12 +187,12 @@ void fit_parts(Mmg& ship, const TrueShip& truth, const std::vector<Point>& point
        {0.4, 0.5, 0.6, 0.7, 0.85, 1.0, 1.2}) {  // the rate of the wake is looked for, all else is nearly linear
     Mmg tried = ship;
     tried.propeller.C_1 *= hold > 0.0 ? 1.0 : factor;
-    fit(tried, numbers(&Mmg::propeller, std::vector{&P::k_0, &P::k_1, &P::C_2_positive, &P::C_2_negative}), thrust,
+    fit(tried, parameters(&Mmg::propeller, std::vector{&P::k_0, &P::k_1, &P::C_2_positive, &P::C_2_negative}), thrust,
         hold);
     if (const double left = thrust(tried).norm(); left < least) least = left, best = tried;
   }
   ship = best;
-  fit(ship, numbers(&Mmg::rudder, std::vector{&R::f_alpha, &R::gamma_R_negative, &R::gamma_R_positive, &R::l_R}),
+  fit(ship, parameters(&Mmg::rudder, std::vector{&R::f_alpha, &R::gamma_R_negative, &R::gamma_R_positive, &R::l_R}),
       residuals_of(truth, points, &TrueForces::rudder, &MmgForces<double>::rudder, {X, Y}), hold);
 }
 

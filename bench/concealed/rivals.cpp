@@ -84,13 +84,13 @@ Vector stacked(const std::vector<Sample>& samples, auto&& of_sample) {
 /// Small effects of a kind, whose sum with any weights stands for the kind.
 std::vector<Effect> unit_effects(const Ship& ship, const Effect& null) {
   std::vector<Effect> units;
-  const auto numbers = parameters_of(ship, null);
-  const auto direction = std::ranges::find_if(numbers, [](const auto& n) { return n.key.ends_with("from_rad"); });
-  if (direction != numbers.end()) {
+  const auto parameters = parameters_of(ship, null);
+  const auto direction = std::ranges::find_if(parameters, [](const auto& n) { return n.key.ends_with("from_rad"); });
+  if (direction != parameters.end()) {
     for (const double from : {0.0, 0.5 * pi, pi, 1.5 * pi}) {
       Effect effect = null;
-      parameter_value(effect, numbers.front().index) = numbers.front().deviation;
-      for (const auto& n : numbers)
+      parameter_value(effect, parameters.front().index) = parameters.front().deviation;
+      for (const auto& n : parameters)
         if (n.decides && n.index != direction->index) parameter_value(effect, n.index) = n.deviation;
       parameter_value(effect, direction->index) = from;
       units.push_back(effect);
@@ -103,7 +103,7 @@ std::vector<Effect> unit_effects(const Ship& ship, const Effect& null) {
     if (id_of(null) == "rudder_gap") std::get<RudderGap<double>>(effect).delta_lim = 0.2;
     units.push_back(effect);
   };
-  for (const auto& n : numbers) {
+  for (const auto& n : parameters) {
     if (!n.decides || !(n.deviation > 0.0)) continue;
     if (id_of(null) == "shallow_water") of_value(n, 1.6);
     else if (id_of(null) == "rudder_stall") of_value(n, 0.3);

@@ -33,11 +33,11 @@ std::vector<Recording> read_runs(const fs::path& folder) {
 Json number(std::optional<double> value) { return value && std::isfinite(*value) ? Json(*value) : Json(nullptr); }
 
 Json effect_of(const FoundEffect& e) {
-  Json numbers = Json::object();
-  for (const auto& p : e.parameters) numbers[p.key] = {number(p.value), number(p.standard_error)};
-  Json json{{"effect", id_of(e.effect)},        {"probability", number(e.probability)},
-            {"onset_s", number(e.onset)},       {"end_s", number(e.end)},
-            {"parameters", std::move(numbers)}, {"indistinguishable_from", e.indistinguishable_from}};
+  Json parameters = Json::object();
+  for (const auto& p : e.parameters) parameters[p.key] = {number(p.value), number(p.standard_error)};
+  Json json{{"effect", id_of(e.effect)},           {"probability", number(e.probability)},
+            {"onset_s", number(e.onset)},          {"end_s", number(e.end)},
+            {"parameters", std::move(parameters)}, {"indistinguishable_from", e.indistinguishable_from}};
   if (const auto* channel = channel_of(e.effect)) json["channel"] = short_name(*channel);
   return json;
 }
@@ -84,7 +84,7 @@ Json diagnosis_of(const Riddle& riddle) {
     candidates.push_back(
         {{"effect", c.effect}, {"probability", number(c.probability)}, {"gain", number(c.log_evidence_gain)}});
   return {{"verdict", name_of(d.verdict)},
-          {"imperfection", number(d.imperfection)},
+          {"imperfection", number(d.process_noise)},
           {"effects", std::move(effects)},
           {"candidates", std::move(candidates)},
           {"holdout_ratio", number(holdout_ratio(d, riddle.true_holdout))},

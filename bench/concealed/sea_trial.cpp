@@ -166,8 +166,8 @@ Recording recorded(const TrueShip& s, const Concealment& h, const Manoeuvre& m, 
 }
 
 /// The true track from the settled approach to the end.
-TrueTrack sailed(const TrueShip& s, const Concealment& h, const Manoeuvre& m, const TrialOptions& o,
-                 RandomSource& random) {
+TrueTrack simulated(const TrueShip& s, const Concealment& h, const Manoeuvre& m, const TrialOptions& o,
+                    RandomSource& random) {
   const double T = s.time_unit(), step = rounded(o.sample * T) / o.steps,
                unit = 0.0012 * o.disturbance * s.U_0 * s.U_0 / s.L;
   const double memory = 0.7 * T / step;
@@ -228,13 +228,13 @@ Manoeuvre passage(double approach, double first_change) {
 TrueTrack true_track(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,
                      const TrialOptions& options) {
   RandomSource random(options.seed);
-  return sailed(ship, hidden, manoeuvre, options, random);
+  return simulated(ship, hidden, manoeuvre, options, random);
 }
 
-Recording sail(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,
-               const TrialOptions& options) {
+Recording simulate(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,
+                   const TrialOptions& options) {
   RandomSource random(options.seed);
-  const auto track = sailed(ship, hidden, manoeuvre, options, random);
+  const auto track = simulated(ship, hidden, manoeuvre, options, random);
   return recorded(ship, hidden, manoeuvre, options, track, random);
 }
 
@@ -252,13 +252,13 @@ double first_overshoot(const Recording& run, double angle) {
 
 Character character_of(const TrueShip& ship) {
   const TrialOptions still{.noise = 0.0, .disturbance = 0.0};
-  const auto circle = sail(ship, {}, turn(35, true, 0.0), still);
+  const auto circle = simulate(ship, {}, turn(35, true, 0.0), still);
   const auto psi = circle[Channel::psi], stw = circle[Channel::speed_through_water];
   const auto reversed = std::ranges::find_if(psi, [](double a) { return a <= -pi; }) - psi.begin();
   const double diameter =
       reversed < std::ssize(psi) ? std::abs(circle[Channel::y][static_cast<std::size_t>(reversed)]) / ship.L : HUGE_VAL;
-  return {first_overshoot(sail(ship, {}, zigzag(10, 10, true, 0.0), still), radians(10)),
-          first_overshoot(sail(ship, {}, zigzag(20, 20, true, 0.0), still), radians(20)), diameter,
+  return {first_overshoot(simulate(ship, {}, zigzag(10, 10, true, 0.0), still), radians(10)),
+          first_overshoot(simulate(ship, {}, zigzag(20, 20, true, 0.0), still), radians(20)), diameter,
           stw.back() / stw.front()};
 }
 

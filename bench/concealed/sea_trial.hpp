@@ -47,8 +47,8 @@ TrueTrack true_track(const TrueShip& ship, const Concealment& hidden, const Mano
                      const TrialOptions& options = {});
 
 /// The recording of a manoeuvre.
-Recording sail(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,
-               const TrialOptions& options = {});
+Recording simulate(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,
+                   const TrialOptions& options = {});
 
 /// What a trial without noise shows of a ship.
 struct Character {

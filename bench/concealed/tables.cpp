@@ -71,7 +71,7 @@ Mark mark_of_rival(const Json& line, const std::string& rival) {
   return mark(truth_of(line), names.empty() ? Names{} : Names{names.front()}, names, {}, false);
 }
 
-// ---------------------------------------------------------------- numbers
+// ---------------------------------------------------------------- parameters
 
 struct NumberErrors {
   std::vector<double> errors;  ///< relative; of directions in radians
@@ -83,11 +83,11 @@ bool is_direction(const std::string& key) { return key.ends_with("from_rad") || 
 void add_numbers(const Json& line, NumberErrors& all) {
   for (const auto& truth : line.at("effects"))
     for (const auto& found : line.at("answer").at("effects")) {
-      const auto& numbers = truth.at("parameters");
+      const auto& parameters = truth.at("parameters");
       if (found.at("effect") != truth.at("effect") ||
-          (numbers.contains("channel") && numbers["channel"] != found.value("channel", "")))
+          (parameters.contains("channel") && parameters["channel"] != found.value("channel", "")))
         continue;
-      for (const auto& [key, value] : numbers.items()) {
+      for (const auto& [key, value] : parameters.items()) {
         if (!value.is_number() || !found.at("parameters").contains(key) || found["parameters"][key][0].is_null())
           continue;
         const double t = value.get<double>(), v = found["parameters"][key][0].get<double>(),
@@ -128,7 +128,7 @@ bool is_of_instrument(const Json& line) {
 
 struct Group {
   int cases = 0, found = 0, first = 0, third = 0, covered = 0, all = 0;
-  NumberErrors numbers;
+  NumberErrors parameters;
   std::vector<double> ratios, onsets;
 
   void add(const Mark& m) {
@@ -136,7 +136,7 @@ struct Group {
   }
   void add(const Json& line) {
     add(mark_of(line));
-    add_numbers(line, numbers);
+    add_numbers(line, parameters);
     add_onset(line, onsets);
     const auto& ratio = line.at("answer").at("holdout_ratio");
     if (!ratio.is_null() && !line["answer"]["effects"].empty() && !is_of_instrument(line))
@@ -154,7 +154,7 @@ std::string inside(const NumberErrors& n) { return share(n.inside, static_cast<i
 std::string row(const std::string& name, const Group& g) {
   return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", name, g.cases, share(g.found, g.cases),
                      share(g.first, g.cases), share(g.third, g.cases), share(g.covered, g.cases),
-                     per_cent(median(g.numbers.errors)), inside(g.numbers), plain(median(g.ratios)));
+                     per_cent(median(g.parameters.errors)), inside(g.parameters), plain(median(g.ratios)));
 }
 
 std::string head(const std::string& name) {
@@ -233,8 +233,8 @@ std::string overview(const std::vector<Json>& lines) {
   line("one of two effects first", share(pairs.first, pairs.cases), "");
   line("unknown, not misnamed with more than 0.8", share(unknown.cases - misnamed, unknown.cases), "≥ 70 %");
   line("unknown, called unknown", share(unknown.first, unknown.cases), "");
-  line("median error of numbers", per_cent(median(singles.numbers.errors)), "≤ 15 %");
-  line("numbers in their 95 % interval", inside(singles.numbers), "90–99 %");
+  line("median error of numbers", per_cent(median(singles.parameters.errors)), "≤ 15 %");
+  line("numbers in their 95 % interval", inside(singles.parameters), "90–99 %");
   line("median error of the onset of a gust [L/U]", plain(median(singles.onsets)), "≤ 1");
   line("median held-out ratio to the refitted baseline, effects of instruments left out", plain(median(singles.ratios)),
        "≤ 0.65");

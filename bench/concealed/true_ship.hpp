@@ -51,7 +51,7 @@ struct TrueShip {
 /// "tanker", "container", "training".
 std::array<std::string_view, 3> ship_kinds();
 
-/// A ship of that kind with numbers that vary by a few per cent with the seed.
+/// A ship of that kind with parameters that vary by a few per cent with the seed.
 TrueShip true_ship(std::string_view kind, std::uint64_t seed);
 
 /// The same with port and starboard alike.

@@ -1,12 +1,12 @@
 #include "swayaw/core/parts_reader.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "swayaw/core/detail/toml_text.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw {
@@ -22,13 +22,6 @@ KeyPlace place_of(std::string_view key) {
   const auto bracket = key.find('[');
   if (bracket == std::string_view::npos) return {key, std::nullopt};
   return {key.substr(0, bracket), static_cast<std::size_t>(key[bracket + 1] - '0')};
-}
-
-std::string requirement(const Range& range) {
-  if (range.not_zero) return "must not be 0";
-  if (range.low == 0.0 && std::isinf(range.high)) return range.above_low ? "must be positive" : "must not be negative";
-  if (range.above_low) return fmt::format("must be above {} and not above {}", range.low, range.high);
-  return fmt::format("must lie between {} and {}", range.low, range.high);
 }
 
 enum class Holds { text, table, effects, number, choice, list };
@@ -73,42 +66,19 @@ std::vector<KnownKey> known_keys(const FileKeys& file) {
   return keys;
 }
 
-toml::table parsed(std::string_view text, const std::filesystem::path& name) {
-  try {
-    return toml::parse(text, name.string());
-  } catch (const toml::parse_error& error) {
-    const auto place = error.source().begin;
-    throw FileError({name, place.line, place.column}, error.description());
-  }
-}
-
 /// Where things are in a ship file.
-class ShipText {
+class ShipText : public detail::TomlText {
  public:
-  ShipText(const toml::table& root, const std::filesystem::path& file) : root_(root), file_(file) {}
+  using TomlText::text;
+  using TomlText::TomlText;
 
-  const toml::table& root() const { return root_; }
-
-  [[noreturn]] void fail(const toml::source_position& place, std::string_view what) const {
-    throw FileError({file_, place.line, place.column}, what);
-  }
-  [[noreturn]] void fail(const toml::node& node, std::string_view what) const { fail(node.source().begin, what); }
-
-  std::string text(std::string_view key) const {
-    const auto& node = *root_.get(key);
-    if (const auto value = node.value_exact<std::string>()) return *value;
-    fail(node, fmt::format("{} must be a text in quotes", key));
-  }
+  std::string text(std::string_view key) const { return text(*root().get(key), key); }
 
   const toml::table& table(std::string_view name) const {
-    const auto& node = *root_.get(name);
+    const auto& node = *root().get(name);
     if (const auto* table = node.as_table()) return *table;
     fail(node, fmt::format("{} must be a table", name));
   }
-
- private:
-  const toml::table& root_;
-  const std::filesystem::path& file_;
 };
 
 /// Fills what was asked for.
@@ -186,11 +156,7 @@ class KeysReader {
 
   double number(const toml::node& node, const KeyPlace& place, std::string_view table, const Range& range) const {
     const auto& element = place.index ? list_element(node, place, table) : node;
-    const auto value = element.value<double>();
-    if (!value || !element.is_number() || !std::isfinite(*value))
-      file_.fail(element, fmt::format("{} in [{}] must be a number", place.key, table));
-    if (range.contains(*value)) return *value;
-    file_.fail(element, fmt::format("{} in [{}] {}, got {}", place.key, table, requirement(range), *value));
+    return file_.number(element, fmt::format("{} in [{}]", place.key, table), range);
   }
 
   const toml::node& list_element(const toml::node& node, const KeyPlace& place, std::string_view table) const {
@@ -253,7 +219,7 @@ struct PartsReader::Document {
 };
 
 PartsReader::PartsReader(std::string_view text, const std::filesystem::path& name)
-    : document_(std::make_unique<Document>(Document{parsed(text, name), name})) {}
+    : document_(std::make_unique<Document>(Document{detail::parsed_toml(text, name), name})) {}
 
 PartsReader::~PartsReader() = default;
 

@@ -12,13 +12,14 @@
 #include <optional>
 #include <sstream>
 
-#include "csv_text.hpp"
 #include "run_keys.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
+#include "swayaw/core/detail/csv_text.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw {
+using namespace detail;
 namespace {
 
 // ---------------------------------------------------------------- columns

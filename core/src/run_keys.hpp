@@ -11,12 +11,13 @@
 #include <string_view>
 #include <vector>
 
-#include "csv_text.hpp"
+#include "swayaw/core/detail/csv_text.hpp"
 #include "swayaw/core/recording.hpp"
 #include "swayaw/core/refusal.hpp"
 
 /// What a recording file says of its run, in the lines above the header row.
 namespace swayaw {
+using namespace detail;
 
 /// Facts of the run that change how samples are read.
 struct Convention {

@@ -40,9 +40,9 @@ struct Form {
 std::vector<Form> forms(const fs::path& ships) {
   const auto pi_ship = read_ship(ships / "kvlcc2_pi.toml"), pu_ship = in_model(pi_ship, "pu");
   const auto with = [](std::string name, const Ship& ship, std::vector<std::string> also, bool Y_r) {
-    Form form{std::move(name), ship, {.numbers = usual_numbers(ship)}};
-    if (!Y_r) std::erase(form.options.numbers, "Y_r");
-    form.options.numbers.insert(form.options.numbers.end(), also.begin(), also.end());
+    Form form{std::move(name), ship, {.parameters = usual_parameters(ship)}};
+    if (!Y_r) std::erase(form.options.parameters, "Y_r");
+    form.options.parameters.insert(form.options.parameters.end(), also.begin(), also.end());
     return form;
   };
   return {with("PI", pi_ship, {}, true), with("PI + vvr", pi_ship, {"Y_vvr", "N_vvr"}, true),
@@ -131,8 +131,8 @@ std::string resamples_table(const std::vector<Form>& all, const std::vector<Forc
     for (const auto& sample : resample(all[i].ship, runs, fits[i], all[i].options)) {
       if (std::ranges::count(order, sample.runs) == 0) order.push_back(sample.runs);
       for (const auto* name : {"Y_v", "N_v", "N_r"}) {
-        const auto place =
-            static_cast<std::size_t>(std::ranges::find(all[i].options.numbers, name) - all[i].options.numbers.begin());
+        const auto place = static_cast<std::size_t>(std::ranges::find(all[i].options.parameters, name) -
+                                                    all[i].options.parameters.begin());
         lines[sample.runs] += fmt::format(" {} |", sample.values[place] ? thousandths(*sample.values[place]) : "–");
       }
     }
@@ -190,7 +190,7 @@ std::string drift_table(const std::vector<Form>& all, const std::vector<Recordin
       std::vector<StateEstimate> states;
       for (std::size_t k = 0; k < runs.size(); ++k) {
         auto assumed = options.states;
-        assumed.imperfection = likely[k].imperfection;
+        assumed.process_noise = likely[k].process_noise;
         for (const auto c : assumed.channels)
           assumed.noise[index_of(c)] = *likely[k].noise[index_of(c)] * std::sqrt(10.0 / ratio);
         states.push_back(estimate_states(all[i].ship, runs[k], assumed));
@@ -217,13 +217,13 @@ std::string force_cells(const Ship& ship, const CaptivePoint& point, const Plana
 
 /// rms of N_v' v', of N_r' r' and of their sum over the recorded zigzags.
 std::string share_cells(const ForceFit& fit) {
-  const auto numbers = parameters_of(fit.ship, std::array<std::string, 2>{"N_v", "N_r"});
+  const auto parameters = parameters_of(fit.ship, std::array<std::string, 2>{"N_v", "N_r"});
   double drift = 0.0, yaw = 0.0, both = 0.0, count = 0.0;
   for (const auto& run : fit.states)
     for (const auto& s : run.states) {
       const double U = speed(s.state.motion);
-      const double v = numbers[0].value * s.state.motion.v / U,
-                   r = numbers[1].value * s.state.motion.r * length(fit.ship) / U;
+      const double v = parameters[0].value * s.state.motion.v / U,
+                   r = parameters[1].value * s.state.motion.r * length(fit.ship) / U;
       drift += v * v, yaw += r * r, both += (v + r) * (v + r), count += 1.0;
     }
   const auto rms = [&](double sum) { return thousandths(std::sqrt(sum / count)); };

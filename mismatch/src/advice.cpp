@@ -20,7 +20,7 @@ namespace {
 
 struct Manoeuvre {
   std::string words;
-  std::function<Recording(const Ship&)> sail;
+  std::function<Recording(const Ship&)> simulate;
 };
 
 /// The ship in a world turned against the sun, so that heading 0 is what was that angle.
@@ -28,8 +28,8 @@ Ship seen_on(Ship ship, double heading) {
   ship.surroundings.wind.from -= heading;
   ship.surroundings.current.to -= heading;
   for (auto& effect : ship.effects) {
-    const auto numbers = parameters_of(ship, effect);
-    for (const auto& n : numbers)
+    const auto parameters = parameters_of(ship, effect);
+    for (const auto& n : parameters)
       if (n.direction) parameter_value(effect, n.index) -= heading;
   }
   return ship;
@@ -82,7 +82,7 @@ Trial trial_with(const Trial& trial, const Recording& run) {
 /// How much better the ship that sailed explains the manoeuvre than the rival does, in log likelihood per minute.
 double separation(const Trial& trial, const Manoeuvre& manoeuvre, const Ship& best, const Ship& rival,
                   const Noise& noise) try {
-  Recording run = manoeuvre.sail(best);
+  Recording run = manoeuvre.simulate(best);
   run.name = manoeuvre.words;
   const auto seen = trial_with(trial, run);
   const double minutes = (run.time.back() - run.time.front()) / 60.0;
@@ -152,9 +152,10 @@ std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s
   for (const auto& form : forms) {
     if (std::ranges::count(sizes, form.id, &DetectableSize::effect))
       continue;  // the delay of the first channel stands for all
-    const auto numbers = parameters_of(trial.ship, make_effect(form.id));
-    const auto number = std::ranges::find_if(numbers, &Parameter::decides);
-    const bool by_parts = std::ranges::any_of(numbers, &Parameter::direction) && !begins_and_ends(make_effect(form.id));
+    const auto parameters = parameters_of(trial.ship, make_effect(form.id));
+    const auto number = std::ranges::find_if(parameters, &Parameter::decides);
+    const bool by_parts =
+        std::ranges::any_of(parameters, &Parameter::direction) && !begins_and_ends(make_effect(form.id));
     const bool in_deviations = form.with_terms || (form.coordinates.size() == 1 && std::isfinite(number->null));
     if (!by_parts && !in_deviations) continue;  // a depth, an angle of stall or a lag: no size that grows from 0
     try {
@@ -163,7 +164,7 @@ std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s
         add(form, *number, D.topLeftCorner<2, 2>().selfadjointView<Eigen::Lower>().eigenvalues().minCoeff());
       else
         for (std::size_t i = 0; i < form.coordinates.size(); ++i)
-          add(form, form.with_terms ? numbers[i] : *number,
+          add(form, form.with_terms ? parameters[i] : *number,
               D(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
     } catch (const Refusal&) {}
   }

@@ -39,28 +39,28 @@ void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> refere
 
 // ---------------------------------------------------------------- answers
 
-/// Numbers of an effect. To the scatter of the fit, as wide as evidence is in excess, comes what the law of the effect
-/// is worth.
+/// Parameters of an effect. To the scatter of the fit, as wide as evidence is in excess, comes what the law of the
+/// effect is worth.
 std::vector<ParameterEstimate> estimates(const Trial& trial, const Accepted& accepted, const MapFit& found,
                                          Eigen::Index from) {
   const auto& form = *accepted.form;
   const auto size = static_cast<Eigen::Index>(form.coordinates.size());
   const Point c = found.point.segment(from, size);
-  const auto numbers = parameters_of(trial.ship, form.at({c.data(), static_cast<std::size_t>(size)}));
+  const auto parameters = parameters_of(trial.ship, form.at({c.data(), static_cast<std::size_t>(size)}));
   Eigen::MatrixXd slopes = parameter_slopes(trial.ship, form, c);
   if (!accepted.widening.empty())
     slopes *= Eigen::Map<const Eigen::VectorXd>(accepted.widening.data(), size).asDiagonal();
   const Eigen::MatrixXd covariance =
       slopes * widened(form, found.covariance.block(from, from, size, size)) * slopes.transpose();
   std::vector<ParameterEstimate> result;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
     const auto place = static_cast<Eigen::Index>(i);
-    if (!std::isfinite(numbers[i].value) || !(covariance(place, place) > 0.0)) continue;
+    if (!std::isfinite(parameters[i].value) || !(covariance(place, place) > 0.0)) continue;
     const double value =
-        numbers[i].direction && numbers[i].value < 0.0 ? numbers[i].value + 2.0 * pi : numbers[i].value;
-    const double departure = numbers[i].direction ? 1.0 : std::abs(numbers[i].value - numbers[i].null),
-                 law = std::isfinite(departure) ? numbers[i].law * departure : 0.0;
-    result.push_back({std::string(numbers[i].key), value, std::hypot(std::sqrt(covariance(place, place)), law)});
+        parameters[i].direction && parameters[i].value < 0.0 ? parameters[i].value + 2.0 * pi : parameters[i].value;
+    const double departure = parameters[i].direction ? 1.0 : std::abs(parameters[i].value - parameters[i].null),
+                 law = std::isfinite(departure) ? parameters[i].law * departure : 0.0;
+    result.push_back({std::string(parameters[i].key), value, std::hypot(std::sqrt(covariance(place, place)), law)});
   }
   return result;
 }
@@ -95,11 +95,11 @@ double gain_of(std::span<const RunErrors> runs) {
   return count ? sum / count : 0.0;
 }
 
-/// Numbers of the baseline that the final fit moves by more than two of their deviations.
+/// Parameters of the baseline that the final fit moves by more than two of their deviations.
 std::vector<BaselineShift> shifts_of(const Trial& trial, const Point& point) {
   std::vector<BaselineShift> shifts;
-  for (std::size_t i = 0; i < trial.numbers.size(); ++i) {
-    const auto& n = trial.numbers[i];
+  for (std::size_t i = 0; i < trial.parameters.size(); ++i) {
+    const auto& n = trial.parameters[i];
     const double z = point[static_cast<Eigen::Index>(i)];
     if (std::abs(z) > 2.0) shifts.push_back({std::string(n.key), n.value, n.value + n.deviation * z, z});
   }
@@ -150,7 +150,7 @@ std::string unknown_words(const Diagnosis& d) {
   return words + fmt::format("; as a map it has the terms {}", listed(terms));
 }
 
-/// Verdict in words, without doubt of the baseline.
+/// Verdict in words, how well the baseline is known left out.
 std::string verdict_words(const Diagnosis& d) {
   std::vector<std::string> names;
   for (const auto& e : d.effects)
@@ -163,7 +163,7 @@ std::string verdict_words(const Diagnosis& d) {
     return fmt::format("The model leaves out {}.{}", listed(names), traces);
   const auto unknown = unknown_words(d);
   if (names.empty()) return unknown + "." + traces;
-  if (d.imperfection <= ordinary_scale)
+  if (d.process_noise <= ordinary_scale)
     return fmt::format("{}. Besides, the model leaves out {}.{}", unknown, listed(names), traces);
   std::string nearest = listed(names);
   nearest[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(nearest[0])));
@@ -173,8 +173,9 @@ std::string verdict_words(const Diagnosis& d) {
 
 std::string words_of(const Diagnosis& d) {
   const auto words = verdict_words(d);
-  return d.doubt > 1.0
-             ? fmt::format("{} The baseline's numbers are known {:.0f} times less well than was said.", words, d.doubt)
+  return d.prior_inflation > 1.0
+             ? fmt::format("{} The baseline's numbers are known {:.0f} times less well than was said.", words,
+                           d.prior_inflation)
              : words;
 }
 
@@ -195,7 +196,7 @@ void put_holdout_gains(Diagnosis& d, const Trial& trial, const Search& s, std::s
   if (holdout.empty()) return;
   in_parallel(d.candidates.size(), 0, [&](std::size_t i) {
     const auto tried =
-        std::ranges::find_if(s.first, [&](const Tried& t) { return t.form->id == d.candidates[i].effect; });
+        std::ranges::find_if(s.first, [&](const FittedCandidate& t) { return t.form->id == d.candidates[i].effect; });
     const auto ship = ship_at(trial, {tried->form}, tried->fit.point);
     auto errors = d.holdout;
     for (std::size_t k = 0; k < errors.size(); ++k) errors[k].after = errors_of(ship, holdout[k]);
@@ -223,8 +224,8 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
     const auto& accepted = s.accepted[i];
     auto found = found_effect(trial, accepted, s.now, from);
     if (!found.onset) {
-      const auto spell = spell_of(trial, s, i, needed);
-      found.onset = spell.onset, found.end = spell.end;
+      const auto time_active = active_time(trial, s, i, needed);
+      found.onset = time_active.onset, found.end = time_active.end;
     }
     from += static_cast<Eigen::Index>(accepted.form->coordinates.size());
     if (accepted.trace) d.traces.emplace_back(phrase(accepted.form->id));
@@ -233,7 +234,7 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
 }
 
 DiagnosisVerdict verdict_of(const Diagnosis& d) {
-  if (std::ranges::any_of(d.effects, is_nameless) || d.imperfection > ordinary_scale)
+  if (std::ranges::any_of(d.effects, is_nameless) || d.process_noise > ordinary_scale)
     return DiagnosisVerdict::unexplained;
   return d.effects.empty() ? DiagnosisVerdict::nothing_missing : DiagnosisVerdict::missing_physics;
 }
@@ -260,7 +261,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   unused.runs = prepared_runs(ship, holdout, channels);
   const auto forms = effect_forms(ship, channels, duration_of(runs));
   const auto s = search(trial, unused, forms, options, goes_on);
-  trial = doubted(std::move(trial), s.doubt);
+  trial = with_inflated_prior(std::move(trial), s.prior_inflation);
   Diagnosis d{.verdict = {},
               .words = {},
               .location = {},
@@ -274,12 +275,12 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
               .holdout = {},
               .refitted = ship_at(trial, {}, s.null.point),
               .improved = ship_at(trial, s.hypothesis(), s.now.point),
-              .imperfection = s.named_scale,
-              .refitted_imperfection = s.null.noise.largest_scale(),
-              .doubt = s.doubt};
+              .process_noise = s.named_scale,
+              .refitted_process_noise = s.null.noise.largest_scale(),
+              .prior_inflation = s.prior_inflation};
   put_effects(d, trial, s, options.detection);
   d.verdict = verdict_of(d);
-  if (d.imperfection > ordinary_scale)
+  if (d.process_noise > ordinary_scale)
     for (auto& e : d.effects) e.probability *= 0.5;
   goes_on("where, and what next");
   if (d.verdict == DiagnosisVerdict::nothing_missing) {

@@ -104,7 +104,7 @@ auto unless_refused(F&& f) -> std::optional<decltype(f())> {
 std::vector<MissingForce> missing_force(const Ship& ship, const Recording& run, const Noise& noise) {
   const auto channels = recorded_motion({&run, 1});
   const auto prepared = prepared_runs(ship, {&run, 1}, channels).front();
-  EstimationOptions options{.imperfection = Imperfection{process_noise(ship, noise)}, .memory = noise.memory};
+  EstimationOptions options{.process_noise = ProcessNoise{process_noise(ship, noise)}, .memory = noise.memory};
   for (const auto channel : prepared.channels)
     options.noise[index_of(channel)] = prepared.deviation[index_of(channel)] * noise.factor[index_of(channel)];
   const auto M = visit_acting(ship, [](const auto& acting) { return mass_matrix(acting.model); });

@@ -12,31 +12,49 @@
 namespace swayaw {
 namespace {
 
-constexpr double as_good = 5.0;          ///< difference in log evidence that does not tell effects apart
-constexpr double worth_of_a_term = 5.0;  ///< log evidence by which a further term of an effect must gain
-constexpr double worth_of_a_name =
-    20.0;                            ///< log evidence by which a force without a name must beat an effect that has one
-constexpr double may_lead = 0.4;     ///< of the best candidate's gain: with less, held-out runs are not asked
-constexpr double small_loss = 0.05;  ///< of what an effect gains: held-out runs that lose no more do not refute what
-                                     ///< gains several times what is needed
-constexpr std::size_t most_traces = 2;
-constexpr double less_known =
-    3.0;  ///< factor on the deviations of the baseline's numbers, where the runs speak against them
-constexpr double most_doubt = 10.0;
-constexpr double worth_a_doubt = 0.04;   ///< of an effect's gain that doubt must promise at the present noise; noise
-                                         ///< renewed made at most 25 times as much of it
-constexpr double adequate_scale = 0.25;  ///< of the imperfection, beside which no further effect is looked for
-constexpr double quiet_scale = 0.6;  ///< of the imperfection, beside which what promises nothing is not fitted: there
-                                     ///< is no disturbance that could hide it
+// Log evidence is counted by evidence_excess: 5 is odds of e^(5/3), 5 to 1.
+
+constexpr double as_good = 5.0;           ///< log evidence: a smaller difference does not tell effects apart
+constexpr double worth_of_a_term = 5.0;   ///< log evidence by which a further term of an effect must gain
+constexpr double worth_of_a_name = 20.0;  ///< log evidence by which a force without a name must beat an effect that has
+                                          ///< one: what a further effect must bring, for it has terms as many
+constexpr double stopped_early = 15.0;    ///< log evidence below that without the effect, of a fit that is begun anew
+
+/// Candidates below this share of the best gain are not asked for held-out runs; chosen on gains used and held out of
+/// all candidates of 400 concealed cases.
+constexpr double may_lead = 0.4;
+
+/// Held-out runs that lose no more than this share of what an effect gains do not refute it, if it gains
+/// `clearly` times what is needed: of 400 concealed cases none without an effect came near.
+constexpr double small_loss = 0.05, clearly = 3.0;
+
+constexpr double least_held_out = 1.0;  ///< log likelihood that held-out runs must gain otherwise: more than rounding
+constexpr std::size_t most_traces = 2;  ///< that are accepted: each takes its share of what is told apart
+
+/// Factor on the prior deviations of the baseline's coefficients where the runs speak against them, and the most that
+/// it may come to: 3 and 9 times.
+constexpr double inflation_step = 3.0, most_inflation = 10.0;
+
+/// Share of an effect's gain that inflated priors must predict at the present noise: noise renewed made at most 25
+/// times as much of it.
+constexpr double worth_of_inflation = 0.04;
+
+constexpr double adequate_scale = 0.25;  ///< of the process noise, beside which no further effect is looked for
+constexpr double quiet_scale = 0.6;      ///< of the process noise, beside which nothing is hidden from the screening:
+                                         ///< what it finds worthless is not fitted
+
+constexpr int screening_iterations = 5;      ///< of a form with one or two starts; with more, one from each, then 4
+constexpr std::size_t goes_on_from = 2;      ///< starts of a form that go on after a first iteration
+constexpr std::size_t most_of_one_kind = 2;  ///< forms of one effect that are fitted: a delay has one for each channel
 
 // ---------------------------------------------------------------- all candidates
 
 bool is_unknown(const EffectForm& form) { return form.id == UnknownForce<>::id; }
 
-/// The best start of a form, by what it promises.
+/// The best start of a form, by what it predicts.
 struct Screened {
   const EffectForm* form;
-  Promise promise;
+  PredictedGain predicted_gain;
 };
 
 /// A form and where its search begins.
@@ -44,29 +62,30 @@ struct Job {
   const EffectForm* form;
   std::vector<double> start;
   int iterations;
-  Promise promise{};
+  PredictedGain predicted_gain{};
 };
 
 void work_on(std::vector<Job>& jobs, const Trial& trial, const Hypothesis& accepted, const LinearizedFit& linear) {
   in_parallel(jobs.size(), 0, [&](std::size_t i) {
     try {
-      jobs[i].promise = promise(trial, accepted, linear, *jobs[i].form, jobs[i].start, jobs[i].iterations);
+      jobs[i].predicted_gain =
+          predicted_gain(trial, accepted, linear, *jobs[i].form, jobs[i].start, jobs[i].iterations);
     } catch (const Refusal&) {  // the ship cannot sail with such an effect
     }
   });
 }
 
-/// Of each form with many starts the two that promise most after a first step go on from there.
+/// Of each form with many starts the two that gain most after a first step go on from there.
 std::vector<Job> worth_more(const std::vector<Job>& first) {
   std::vector<Job> chosen;
   for (auto job = first.begin(); job != first.end();) {
     const auto end = std::find_if(job, first.end(), [&](const Job& j) { return j.form != job->form; });
     std::vector<const Job*> of_form;
     for (; job != end; ++job)
-      if (std::isfinite(job->promise.gain)) of_form.push_back(&*job);
-    std::ranges::stable_sort(of_form, std::greater{}, [](const Job* j) { return j->promise.gain; });
-    for (std::size_t i = 0; i < std::min<std::size_t>(2, of_form.size()); ++i)
-      chosen.push_back({of_form[i]->form, of_form[i]->promise.values, 4});
+      if (std::isfinite(job->predicted_gain.gain)) of_form.push_back(&*job);
+    std::ranges::stable_sort(of_form, std::greater{}, [](const Job* j) { return j->predicted_gain.gain; });
+    for (std::size_t i = 0; i < std::min(goes_on_from, of_form.size()); ++i)
+      chosen.push_back({of_form[i]->form, of_form[i]->predicted_gain.values, screening_iterations - 1});
   }
   return chosen;
 }
@@ -77,19 +96,20 @@ std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, c
   for (const auto& form : forms) {
     if (std::ranges::any_of(accepted, [&](const EffectForm* a) { return a->id == form.id; })) continue;
     for (const auto& start : form.starts)
-      (form.starts.size() > 2 ? many : jobs).push_back({&form, start, form.starts.size() > 2 ? 1 : 5});
+      (form.starts.size() > 2 ? many : jobs)
+          .push_back({&form, start, form.starts.size() > 2 ? 1 : screening_iterations});
   }
   work_on(many, trial, accepted, linear);
   std::ranges::move(worth_more(many), std::back_inserter(jobs));
   work_on(jobs, trial, accepted, linear);
-  std::map<const EffectForm*, Promise> best;
+  std::map<const EffectForm*, PredictedGain> best;
   for (auto& job : jobs)
-    if (job.promise.gain > best[job.form].gain) best[job.form] = std::move(job.promise);
+    if (job.predicted_gain.gain > best[job.form].gain) best[job.form] = std::move(job.predicted_gain);
   std::vector<Screened> result;
   for (const auto& form : forms)  // in the order of the catalogue, so that the answer does not hang on addresses
     if (const auto found = best.find(&form); found != best.end() && std::isfinite(found->second.gain))
       result.push_back({&form, found->second});
-  std::ranges::stable_sort(result, std::greater{}, [](const Screened& s) { return s.promise.gain; });
+  std::ranges::stable_sort(result, std::greater{}, [](const Screened& s) { return s.predicted_gain.gain; });
   return result;
 }
 
@@ -187,18 +207,18 @@ const MapFit& likelier(const MapFit& a, const MapFit& b) { return b.log_evidence
 
 /// A fit that comes out far below the hypothesis without the effect stopped too early; from a small effect it begins
 /// once more. What comes and goes is fitted where most force is missing too, with no more than the ordinary
-/// imperfection: beside that which it makes necessary its edges cannot be seen.
+/// process noise: beside that which it makes necessary its edges cannot be seen.
 MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit& now, const LinearizedFit& linear,
-                  const std::vector<double>& promised) {
-  const auto found = fit(trial, hypothesis, with_start(now.point, promised), now.noise, &linear.slopes);
-  auto other = promised;
+                  const std::vector<double>& predicted) {
+  const auto found = fit(trial, hypothesis, with_start(now.point, predicted), now.noise, &linear.slopes);
+  auto other = predicted;
   if (const auto& window = hypothesis.back()->window; !window.empty() && now.noise.largest_scale() > ordinary_scale) {
     std::ranges::copy(window, other.end() - 2);
     auto quiet = now.noise;
     quiet.scale = ordinary_scale, quiet.axes.fill(1.0), quiet.memory = 1.0;
     return likelier(found, fit(trial, hypothesis, with_start(now.point, other), quiet));
   }
-  if (found.log_evidence > now.log_evidence - 15.0) return found;
+  if (found.log_evidence > now.log_evidence - stopped_early) return found;
   for (double& c : other) c *= 0.1;
   return likelier(found, fit(trial, hypothesis, with_start(now.point, other), now.noise));
 }
@@ -220,43 +240,47 @@ bool is_trace(const Ship& ship, const EffectForm& form, const MapFit& found, con
 }
 
 /// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels. What
-/// comes and goes is among them wherever all runs lack force at the same time: under the imperfection that this makes
-/// necessary it promises too little.
+/// comes and goes is among them wherever all runs lack force at the same time: under the process noise that this makes
+/// necessary it predicts too little.
 std::vector<Screened> most_promising(const std::vector<Screened>& candidates, std::size_t most) {
   std::vector<Screened> chosen;
   for (const auto& c : candidates) {
     const auto same = std::ranges::count_if(chosen, [&](const Screened& s) { return s.form->id == c.form->id; });
-    if ((chosen.size() < most && same < 2) || !c.form->window.empty()) chosen.push_back(c);
+    if ((chosen.size() < most && same < std::ptrdiff_t{most_of_one_kind}) || !c.form->window.empty())
+      chosen.push_back(c);
   }
   return chosen;
 }
 
 /// Converged fits of the most promising candidates, best first.
-std::vector<Tried> confirmed(const Trial& trial, const Hypothesis& accepted, const MapFit& now,
-                             const LinearizedFit& linear, const std::vector<Screened>& screening, std::size_t most) {
+std::vector<FittedCandidate> confirmed(const Trial& trial, const Hypothesis& accepted, const MapFit& now,
+                                       const LinearizedFit& linear, const std::vector<Screened>& screening,
+                                       std::size_t most) {
   const auto candidates = most_promising(screening, most);
-  std::vector<std::optional<Tried>> fits(candidates.size());
+  std::vector<std::optional<FittedCandidate>> fits(candidates.size());
   in_parallel(candidates.size(), 0, [&](std::size_t i) {
     const auto& form = *candidates[i].form;
     const auto hypothesis = with(accepted, form);
     try {
-      const auto found = fit_beside(trial, hypothesis, now, linear, candidates[i].promise.values);
+      const auto found = fit_beside(trial, hypothesis, now, linear, candidates[i].predicted_gain.values);
       const double gain = found.log_evidence - now.log_evidence;
       if (!std::isfinite(gain)) return;
       const auto effect = last_effect(hypothesis, found.point);
       const double without = pruned(form, found).gain, nameless = is_unknown(form) ? worth_of_a_name : 0.0;
-      fits[i] = Tried{&form, found, gain + without - nameless, effect, is_trace(trial.ship, form, found, effect)};
+      fits[i] =
+          FittedCandidate{&form, found, gain + without - nameless, effect, is_trace(trial.ship, form, found, effect)};
     } catch (const Refusal&) {}
   });
-  std::vector<Tried> result;
+  std::vector<FittedCandidate> result;
   for (auto& tried : fits)
     if (tried) result.push_back(std::move(*tried));
-  std::ranges::stable_sort(result, std::greater{}, &Tried::gain);
+  std::ranges::stable_sort(result, std::greater{}, &FittedCandidate::gain);
   return result;
 }
 
 /// The effect with those of its terms that the evidence keeps, fitted anew until it keeps all.
-Tried reduced(const Trial& trial, const Hypothesis& accepted, Tried tried, std::deque<EffectForm>& forms) {
+FittedCandidate reduced(const Trial& trial, const Hypothesis& accepted, FittedCandidate tried,
+                        std::deque<EffectForm>& forms) {
   for (;;) {
     const auto kept = pruned(*tried.form, tried.fit).kept;
     if (kept.size() == tried.form->coordinates.size()) return tried;
@@ -290,21 +314,21 @@ double log_likelihood_of(const Trial& trial, const Hypothesis& hypothesis, const
 }
 
 /// Held-out runs, if any, and their log likelihood as things stand.
-struct Elsewhere {
+struct HeldOutRuns {
   const Trial& unused;
   double now;
 
   bool is_empty() const { return unused.runs.empty(); }
 };
 
-Elsewhere elsewhere_of(const Trial& unused, const Hypothesis& hypothesis, const MapFit& now) {
+HeldOutRuns held_out_runs(const Trial& unused, const Hypothesis& hypothesis, const MapFit& now) {
   return {unused, unused.runs.empty() ? 0.0 : log_likelihood_of(unused, hypothesis, now)};
 }
 
 /// Gain in log likelihood of held-out runs, or of each run by a fit to the others.
-double held_out_gain(const Trial& trial, const Elsewhere& elsewhere, const Hypothesis& before, const MapFit& a,
+double held_out_gain(const Trial& trial, const HeldOutRuns& held_out, const Hypothesis& before, const MapFit& a,
                      const Hypothesis& after, const MapFit& b) {
-  if (!elsewhere.is_empty()) return log_likelihood_of(elsewhere.unused, after, b) - elsewhere.now;
+  if (!held_out.is_empty()) return log_likelihood_of(held_out.unused, after, b) - held_out.now;
   std::vector<double> gains(trial.runs.size());
   in_parallel(trial.runs.size(), 0, [&](std::size_t i) {
     Trial others = trial, one = trial;
@@ -328,17 +352,17 @@ bool is_of_a_time(const Effect& effect) { return acting_time(effect).has_value()
 /// Whether runs that were not used speak against an effect: they gain nothing by it, or, where it gains several times
 /// what is needed, lose clearly.
 bool speaks_against(double held_out, double gain, double needed) {
-  return !(held_out > 1.0) && !(gain > 3.0 * needed && held_out > -small_loss * gain);
+  return !(held_out > least_held_out) && !(gain > clearly * needed && held_out > -small_loss * gain);
 }
 
 /// What runs that were not used say of an effect that was tried. Of a single run nothing is known.
-void ask(const Elsewhere& elsewhere, const Trial& trial, const Search& s, Tried& tried, double needed) {
+void ask(const HeldOutRuns& held_out, const Trial& trial, const Search& s, FittedCandidate& tried, double needed) {
   const bool of_a_time = is_of_a_time(tried.effect);
-  if (elsewhere.is_empty() && (of_a_time || trial.runs.size() < 2)) return;
+  if (held_out.is_empty() && (of_a_time || trial.runs.size() < 2)) return;
   const auto before = s.hypothesis();
-  const double gain = held_out_gain(trial, elsewhere, before, s.now, with(before, *tried.form), tried.fit);
+  const double gain = held_out_gain(trial, held_out, before, s.now, with(before, *tried.form), tried.fit);
   tried.refuted = !of_a_time && speaks_against(gain, tried.gain, needed);
-  if (!elsewhere.is_empty())
+  if (!held_out.is_empty())
     tried.held_out =
         of_a_time ? std::max(0.0, gain) : gain;  // without held-out runs the same runs have told it already
 }
@@ -346,14 +370,14 @@ void ask(const Elsewhere& elsewhere, const Trial& trial, const Search& s, Tried&
 // ---------------------------------------------------------------- choice
 
 /// Whether it may stand for what is missing: it matters, and no other run speaks against it.
-bool may_stand(const Tried& tried) { return !tried.trace && !tried.refuted; }
+bool may_stand(const FittedCandidate& tried) { return !tried.trace && !tried.refuted; }
 
 /// In log evidence of runs used and held out.
-double whole_gain(const Tried& tried) { return tried.gain + tried.held_out.value_or(0.0); }
+double whole_gain(const FittedCandidate& tried) { return tried.gain + tried.held_out.value_or(0.0); }
 
 /// Against nothing, which stands at the gain that is needed, and against the others that may stand, or a trace that
 /// leads them all.
-double probability_of(const Tried& one, std::span<const Tried> tried, double needed) {
+double probability_of(const FittedCandidate& one, std::span<const FittedCandidate> tried, double needed) {
   if (!may_stand(one)) return 0.0;
   const double gain = whole_gain(one);
   double sum = 1.0 + std::exp((needed - gain) / evidence_excess);
@@ -364,12 +388,12 @@ double probability_of(const Tried& one, std::span<const Tried> tried, double nee
   return 1.0 / sum;
 }
 
-Accepted accepted_as(const Tried& best, std::span<const Tried> tried, double needed) {
+Accepted accepted_as(const FittedCandidate& best, std::span<const FittedCandidate> tried, double needed) {
   Accepted result{best, probability_of(best, tried, needed), {}};
   for (const auto& t : tried) {
     if (t.form->id == best.form->id || whole_gain(best) - whole_gain(t) > as_good || t.gain < as_good || !may_stand(t))
       continue;
-    if (std::ranges::none_of(result.rivals, [&](const Tried& r) { return r.form->id == t.form->id; }))
+    if (std::ranges::none_of(result.rivals, [&](const FittedCandidate& r) { return r.form->id == t.form->id; }))
       result.rivals.push_back(t);
   }
   return result;
@@ -378,19 +402,19 @@ Accepted accepted_as(const Tried& best, std::span<const Tried> tried, double nee
 /// The best by runs used and held out that gains enough and that no other run speaks against; a trace only where
 /// nothing that matters is nearly as good. All that may lead are asked for held-out runs; where there are none, one
 /// after the other until one holds in each run by a fit to the others.
-std::optional<Tried> chosen(const Trial& trial, const Elsewhere& elsewhere, Search& s, std::span<Tried> tried,
-                            double needed, bool trace_may) {
+std::optional<FittedCandidate> chosen(const Trial& trial, const HeldOutRuns& held_out, Search& s,
+                                      std::span<FittedCandidate> tried, double needed, bool trace_may) {
   if (tried.empty()) return std::nullopt;
-  const double least = elsewhere.is_empty() ? needed : std::max(0.5 * needed, may_lead * tried.front().gain);
-  std::optional<Tried> best, trace;
-  Tried* leader = nullptr;  // that the trace comes from
+  const double least = held_out.is_empty() ? needed : std::max(0.5 * needed, may_lead * tried.front().gain);
+  std::optional<FittedCandidate> best, trace;
+  FittedCandidate* leader = nullptr;  // that the trace comes from
   for (auto& t : tried) {
     if (!(t.gain > least)) break;
-    if (elsewhere.is_empty() && (best || (trace && t.gain < trace->gain - as_good))) break;
+    if (held_out.is_empty() && (best || (trace && t.gain < trace->gain - as_good))) break;
     if (t.trace && !(trace_may && t.gain > needed)) continue;
     try {
       auto whole = t.trace ? t : reduced(trial, s.hypothesis(), t, s.reduced);
-      ask(elsewhere, trial, s, whole, needed);
+      ask(held_out, trial, s, whole, needed);
       t.held_out = whole.held_out, t.refuted = whole.refuted;
       if (whole.refuted || !(whole_gain(whole) > needed) || (whole.trace && !trace_may)) continue;
       auto& place = whole.trace ? trace : best;
@@ -405,21 +429,21 @@ std::optional<Tried> chosen(const Trial& trial, const Elsewhere& elsewhere, Sear
   return trace;
 }
 
-// ---------------------------------------------------------------- doubt
+// ---------------------------------------------------------------- less sure of the baseline
 
 /// The same effects beside a baseline that is less well known, if runs used and held out gain more by that than by one
 /// more effect.
-std::optional<MapFit> doubt_instead(const Trial& trial, const Elsewhere& elsewhere, const Search& s,
-                                    const LinearizedFit& linear, const Tried& best) try {
+std::optional<MapFit> inflation_instead(const Trial& trial, const HeldOutRuns& held_out, const Search& s,
+                                        const LinearizedFit& linear, const FittedCandidate& best) try {
   const auto hypothesis = s.hypothesis();
-  const auto less_sure = doubted(trial, less_known);
+  const auto less_sure = with_inflated_prior(trial, inflation_step);
   if (linear_evidence(problem_of(less_sure, hypothesis), linear) -
           linear_evidence(problem_of(trial, hypothesis), linear) <
-      worth_a_doubt * best.gain)
+      worth_of_inflation * best.gain)
     return std::nullopt;
   auto found = fit(less_sure, hypothesis, s.now.point, s.now.noise, &linear.slopes);
   double gain = found.log_evidence - s.now.log_evidence;
-  if (!elsewhere.is_empty()) gain += held_out_gain(trial, elsewhere, hypothesis, s.now, hypothesis, found);
+  if (!held_out.is_empty()) gain += held_out_gain(trial, held_out, hypothesis, s.now, hypothesis, found);
   if (!(gain > whole_gain(best))) return std::nullopt;
   return found;
 } catch (const Refusal&) {
@@ -435,17 +459,17 @@ void map_unknown(const Trial& trial, const Trial& unused, Search& s, double need
   const auto whole = unknown_map(trial.ship);
   const std::vector<double> nothing(whole.coordinates.size(), 0.0);
   const auto linear = linearized(trial, before, s.now);
-  const auto guess = promise(trial, before, linear, whole, nothing);
+  const auto guess = predicted_gain(trial, before, linear, whole, nothing);
   const auto terms =
       pruned(whole, Eigen::Map<const Eigen::VectorXd>(guess.values.data(), std::ssize(guess.values)), guess.covariance)
           .kept;
   s.reduced.push_back(whole.with_terms(terms));
   Screened start{&s.reduced.back(), {}};
-  for (const auto i : terms) start.promise.values.push_back(guess.values[i]);
+  for (const auto i : terms) start.predicted_gain.values.push_back(guess.values[i]);
   const auto tried = confirmed(trial, before, s.now, linear, {start}, 1);
   if (tried.empty() || !(tried.front().gain > needed)) return;
   auto map = reduced(trial, before, tried.front(), s.reduced);
-  ask(elsewhere_of(unused, before, s.now), trial, s, map, needed);
+  ask(held_out_runs(unused, before, s.now), trial, s, map, needed);
   if (map.refuted) return;
   s.accepted.push_back(accepted_as(map, {&map, 1}, needed));
   s.now = map.fit;
@@ -471,13 +495,13 @@ Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covarianc
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
   const auto size = std::ssize(form.coordinates);
   const Point c = found.point.tail(size);
-  const auto numbers = parameters_of(ship, form.at({c.data(), static_cast<std::size_t>(size)}));
+  const auto parameters = parameters_of(ship, form.at({c.data(), static_cast<std::size_t>(size)}));
   std::vector<Eigen::Index> deciding;
   std::vector<double> departures;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (!numbers[i].decides) continue;
-    if (!std::isfinite(numbers[i].value - numbers[i].null)) return true;
-    deciding.push_back(static_cast<Eigen::Index>(i)), departures.push_back(numbers[i].value - numbers[i].null);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!parameters[i].decides) continue;
+    if (!std::isfinite(parameters[i].value - parameters[i].null)) return true;
+    deciding.push_back(static_cast<Eigen::Index>(i)), departures.push_back(parameters[i].value - parameters[i].null);
   }
   const Eigen::MatrixXd slopes = parameter_slopes(ship, form, c)(deciding, Eigen::all);
   const Eigen::MatrixXd C = slopes * widened(form, found.covariance.bottomRightCorner(size, size)) * slopes.transpose();
@@ -485,7 +509,7 @@ bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
   return !(z.dot(C.completeOrthogonalDecomposition().solve(z)) < 4.0);
 }
 
-Spell spell_of(const Trial& trial, const Search& s, std::size_t accepted, double needed) {
+ActiveTime active_time(const Trial& trial, const Search& s, std::size_t accepted, double needed) {
   const auto with = ship_at(trial, s.hypothesis(), s.now.point);
   auto without = with;
   without.effects.erase(without.effects.end() - std::ssize(s.accepted) + static_cast<std::ptrdiff_t>(accepted));
@@ -514,14 +538,14 @@ Spell spell_of(const Trial& trial, const Search& s, std::size_t accepted, double
     }
     return time;
   };
-  Spell spell{least(samples.begin(), samples.end()), least(samples.rbegin(), samples.rend())};
-  if (spell.onset && (*spell.onset < first || *spell.onset > last)) spell.onset.reset();
-  if (spell.end && (*spell.end > last || *spell.end < first)) spell.end.reset();
-  if (spell.onset && spell.end && !(*spell.onset < *spell.end)) return {};
-  return spell;
+  ActiveTime time_active{least(samples.begin(), samples.end()), least(samples.rbegin(), samples.rend())};
+  if (time_active.onset && (*time_active.onset < first || *time_active.onset > last)) time_active.onset.reset();
+  if (time_active.end && (*time_active.end > last || *time_active.end < first)) time_active.end.reset();
+  if (time_active.onset && time_active.end && !(*time_active.onset < *time_active.end)) return {};
+  return time_active;
 }
 
-std::vector<Candidate> ranked(std::span<const Tried> tried, double needed) {
+std::vector<Candidate> ranked(std::span<const FittedCandidate> tried, double needed) {
   std::vector<Candidate> result;
   for (const auto& t : tried) {
     const double probability = probability_of(t, tried, needed);
@@ -534,7 +558,7 @@ std::vector<Candidate> ranked(std::span<const Tried> tried, double needed) {
 
 namespace {
 
-/// All effects that have names, or come and go, beside an imperfection that begins as given.
+/// All effects that have names, or come and go, beside a process noise that begins as given.
 Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options,
              const Noise& start, const std::function<bool(std::string_view)>& goes_on) {
   Search s;
@@ -557,18 +581,18 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
     if (s.accepted.empty()) s.baseline = linear;
     auto promising = screened(trial, before, linear, s.forms);
     if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale)
-      std::erase_if(promising, [](const Screened& c) { return c.promise.gain < 0.0; });
+      std::erase_if(promising, [](const Screened& c) { return c.predicted_gain.gain < 0.0; });
     auto tried = confirmed(trial, before, s.now, linear, promising, options.confirmed);
     const double needed = s.accepted.empty() ? options.detection : options.further;
-    const auto elsewhere = elsewhere_of(unused, before, s.now);
-    const auto best = chosen(trial, elsewhere, s, tried, needed, traces < most_traces);
+    const auto held_out = held_out_runs(unused, before, s.now);
+    const auto best = chosen(trial, held_out, s, tried, needed, traces < most_traces);
     std::ranges::stable_sort(tried, std::greater{}, whole_gain);
     if (s.accepted.empty()) s.first = tried;
     if (!best) break;
-    if (s.doubt * less_known < most_doubt)
-      if (auto instead = doubt_instead(trial, elsewhere, s, linear, *best)) {
-        trial = doubted(std::move(trial), less_known);
-        s.doubt *= less_known;
+    if (s.prior_inflation * inflation_step < most_inflation)
+      if (auto instead = inflation_instead(trial, held_out, s, linear, *best)) {
+        trial = with_inflated_prior(std::move(trial), inflation_step);
+        s.prior_inflation *= inflation_step;
         s.now = *std::move(instead);
         if (s.accepted.empty()) s.null = s.now;
         continue;
@@ -599,7 +623,7 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
   if (working && s.named_scale > ordinary_scale &&
       std::ranges::none_of(s.accepted, [](const Accepted& a) { return is_unknown(*a.form); })) {
     goes_on("a map of what has no name");
-    map_unknown(doubted(trial, s.doubt), unused, s, options.further);
+    map_unknown(with_inflated_prior(trial, s.prior_inflation), unused, s, options.further);
   }
   return s;
 }

@@ -15,7 +15,7 @@
 namespace swayaw {
 
 /// A candidate, fitted beside the effects that are accepted already.
-struct Tried {
+struct FittedCandidate {
   const EffectForm* form;
   MapFit fit;
   double gain;  ///< in log evidence, the terms that it does better without left out; less where it has no name
@@ -29,21 +29,22 @@ struct Tried {
 };
 
 /// An effect that was accepted.
-struct Accepted : Tried {
-  double probability;         ///< against the others that were tried with it, and against nothing
-  std::vector<Tried> rivals;  ///< whose evidence is as good, one for each effect
+struct Accepted : FittedCandidate {
+  double probability;                   ///< against the others that were tried with it, and against nothing
+  std::vector<FittedCandidate> rivals;  ///< whose evidence is as good, one for each effect
 };
 
 struct Search {
   MapFit null, now;
-  double doubt = 1.0;        ///< factor on what the baseline's numbers are known to, where the runs speak against it
-  double named_scale = 0.0;  ///< of the imperfection beside all effects that have names
-  LinearizedFit baseline;    ///< alone
-  Located located;           ///< where the baseline alone lacks force
-  std::vector<EffectForm> forms;   ///< that were tried
-  std::vector<Accepted> accepted;  ///< in the order of acceptance, traces with them
-  std::vector<Tried> first;        ///< all that were tried alone, best first by runs used and held out
-  std::deque<EffectForm> reduced;  ///< forms made by the search
+  double prior_inflation =
+      1.0;  ///< factor on what the coefficients of the baseline are known to, where the runs speak against it
+  double named_scale = 0.0;            ///< of the process noise beside all effects that have names
+  LinearizedFit baseline;              ///< alone
+  Located located;                     ///< where the baseline alone lacks force
+  std::vector<EffectForm> forms;       ///< that were tried
+  std::vector<Accepted> accepted;      ///< in the order of acceptance, traces with them
+  std::vector<FittedCandidate> first;  ///< all that were tried alone, best first by runs used and held out
+  std::deque<EffectForm> reduced;      ///< forms made by the search
 
   Hypothesis hypothesis(std::size_t count) const;
   Hypothesis hypothesis() const { return hypothesis(accepted.size()); }
@@ -57,7 +58,7 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
 ///
 /// Evidence of models that are all a little wrong says too much; its logarithm is divided by `evidence_excess` first.
 /// Nothing counts as the gain that is needed, so what just reaches it has one half. A trace has none.
-std::vector<Candidate> ranked(std::span<const Tried> tried, double needed);
+std::vector<Candidate> ranked(std::span<const FittedCandidate> tried, double needed);
 
 inline constexpr double evidence_excess = 3.0;
 
@@ -65,17 +66,17 @@ inline constexpr double evidence_excess = 3.0;
 /// with the prior's precision Λ.
 Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covariance);
 
-/// Whether the numbers that decide are told from those of no effect, zᵀC⁻¹z > 4 with their covariance C: a gust that
+/// Whether the parameters that decide are told from those of no effect, zᵀC⁻¹z > 4 with their covariance C: a gust that
 /// kicked her for an instant may gain much, and yet be of any size. The effect is the last of the fit.
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found);
 
 /// When an effect that was accepted begins and ends to act, in the time of the runs.
-struct Spell {
+struct ActiveTime {
   std::optional<double> onset, end;  ///< [s]; nothing where it acts from the first, to the last
 };
 
 /// By likelihood ratio: without the effect the samples before the onset, or after the end, are likelier by more than
 /// `needed`. Neither lies within two ship lengths of way of the ends of the longest run, where the filter settles.
-Spell spell_of(const Trial& trial, const Search& s, std::size_t accepted, double needed);
+ActiveTime active_time(const Trial& trial, const Search& s, std::size_t accepted, double needed);
 
 }  // namespace swayaw

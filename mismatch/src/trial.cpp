@@ -9,9 +9,9 @@ namespace swayaw {
 
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
   Trial trial{
-      .ship = ship, .numbers = {}, .lift_loss = ordinary_lift_loss(ship), .mean = {}, .precision = {}, .runs = {}};
+      .ship = ship, .parameters = {}, .lift_loss = ordinary_lift_loss(ship), .mean = {}, .precision = {}, .runs = {}};
   for (const auto& n : parameters_of(ship))
-    if (n.role == Role::coefficient && n.deviation > 0.0) trial.numbers.push_back(n);
+    if (n.role == Role::coefficient && n.deviation > 0.0) trial.parameters.push_back(n);
   const auto size = trial.baseline_size();
   trial.mean = Eigen::VectorXd::Zero(size);
   trial.precision = Eigen::MatrixXd::Identity(size, size);
@@ -21,7 +21,7 @@ Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<cons
   return trial;
 }
 
-Trial doubted(Trial trial, double factor) {
+Trial with_inflated_prior(Trial trial, double factor) {
   trial.precision /= factor * factor;
   return trial;
 }
@@ -56,8 +56,8 @@ Unknown unknown_of(const Coordinate& c) {
 EstimationProblem problem_of(const Trial& trial, const Hypothesis& hypothesis) {
   const auto base = trial.baseline_size();
   std::vector<Unknown> unknowns;
-  for (std::size_t i = 0; i < trial.numbers.size(); ++i)
-    unknowns.push_back(unknown_of(trial.numbers[i], trial.mean[static_cast<Eigen::Index>(i)]));
+  for (std::size_t i = 0; i < trial.parameters.size(); ++i)
+    unknowns.push_back(unknown_of(trial.parameters[i], trial.mean[static_cast<Eigen::Index>(i)]));
   if (trial.lift_loss) unknowns.push_back({.name = "lift loss", .mean = trial.mean[base - 1], .low = 0.0});
   std::vector<double> deviations;
   for (const auto* form : hypothesis)
@@ -87,9 +87,9 @@ EstimationProblem problem_of(const Trial& trial, const Ship& ship) {
 
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
   std::vector<double> values;
-  for (std::size_t i = 0; i < trial.numbers.size(); ++i)
-    values.push_back(value_at(trial.numbers[i], point[static_cast<Eigen::Index>(i)]));
-  Ship ship = with_values(trial.ship, trial.numbers, values);
+  for (std::size_t i = 0; i < trial.parameters.size(); ++i)
+    values.push_back(value_at(trial.parameters[i], point[static_cast<Eigen::Index>(i)]));
+  Ship ship = with_values(trial.ship, trial.parameters, values);
   Eigen::Index next = trial.baseline_size();
   if (trial.lift_loss && std::ranges::none_of(hypothesis, takes_lift)) {
     const double loss = std::max(0.0, point[next - 1]);
@@ -120,11 +120,11 @@ LinearizedFit linearized(const Trial& trial, const Hypothesis& accepted, const M
   return linearized(problem_of(trial, accepted), fit);
 }
 
-Promise promise(const Trial& trial, const Hypothesis& accepted, const LinearizedFit& before, const EffectForm& form,
-                std::span<const double> start, int iterations) {
+PredictedGain predicted_gain(const Trial& trial, const Hypothesis& accepted, const LinearizedFit& before,
+                             const EffectForm& form, std::span<const double> start, int iterations) {
   Hypothesis hypothesis = accepted;
   hypothesis.push_back(&form);
-  return promise(problem_of(trial, hypothesis), before, start, iterations);
+  return predicted_gain(problem_of(trial, hypothesis), before, start, iterations);
 }
 
 Eigen::MatrixXd information(const Trial& trial, const LinearizedFit& baseline, const EffectForm& form) {

@@ -9,24 +9,24 @@
 #include "swayaw/identification/map_fit.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
 
-/// A ship, her recorded runs, and the estimation of her numbers and of effects from them. Not installed.
+/// A ship, her recorded runs, and the estimation of her parameters and of effects from them. Not installed.
 namespace swayaw {
 
-/// What is to be explained, and what is known before: the baseline's numbers as (value − mean)/deviation, normal with a
-/// precision matrix.
+/// What is to be explained, and what is known before: the coefficients of the baseline as (value − mean)/deviation,
+/// normal with a precision matrix.
 struct Trial {
   Ship ship;
-  std::vector<Parameter> numbers;       ///< of the baseline that may be a little wrong
+  std::vector<Parameter> parameters;    ///< of the baseline that may be a little wrong
   std::optional<EffectForm> lift_loss;  ///< of the rudder, part of the baseline
   Eigen::VectorXd mean;                 ///< of the baseline's coordinates
   Eigen::MatrixXd precision;
   std::vector<PreparedRun> runs;
 
-  Eigen::Index baseline_size() const { return static_cast<Eigen::Index>(numbers.size()) + (lift_loss ? 1 : 0); }
+  Eigen::Index baseline_size() const { return static_cast<Eigen::Index>(parameters.size()) + (lift_loss ? 1 : 0); }
 };
 
-/// The trial with numbers of the baseline that are known so many times less well.
-Trial doubted(Trial trial, double factor);
+/// The trial with parameters of the baseline that are known so many times less well.
+Trial with_inflated_prior(Trial trial, double factor);
 
 /// @param runs  must outlive the trial
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels);
@@ -52,12 +52,12 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
 /// A fitted hypothesis, linear about its most probable point.
 LinearizedFit linearized(const Trial& trial, const Hypothesis& accepted, const MapFit& fit);
 
-/// Gain in log evidence that a further effect promises.
-Promise promise(const Trial& trial, const Hypothesis& accepted, const LinearizedFit& before, const EffectForm& form,
-                std::span<const double> start, int iterations = 5);
+/// Gain in log evidence that a further effect predicts.
+PredictedGain predicted_gain(const Trial& trial, const Hypothesis& accepted, const LinearizedFit& before,
+                             const EffectForm& form, std::span<const double> start, int iterations = 5);
 
-/// What the runs tell of the coordinates of an effect about null, after the baseline's numbers took what they can:
-/// JᵀMJ.
+/// What the runs tell of the coordinates of an effect about null, after the coefficients of the baseline took what they
+/// can: JᵀMJ.
 Eigen::MatrixXd information(const Trial& trial, const LinearizedFit& baseline, const EffectForm& form);
 
 }  // namespace swayaw

@@ -40,7 +40,7 @@ std::string write_runs(const Scratch& scratch) {
          (scratch / "zz15_10_port.csv").string() + " --holdout " + (scratch / "held.csv").string();
 }
 
-/// Numbers of a list, none of them missing.
+/// Parameters of a list, none of them missing.
 bool all_numbers(const json& list) {
   return !list.empty() && std::ranges::all_of(list, [](const json& value) { return value.is_number(); });
 }

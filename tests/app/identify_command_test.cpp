@@ -44,10 +44,10 @@ std::string recordings_of(const Ship& ship, const Scratch& scratch, double noise
 
 /// Her file with hull derivatives that are a fifth off.
 std::string start_file(const Ship& ship, const Scratch& scratch, const std::vector<std::string>& names) {
-  const auto numbers = parameters_of(ship, names);
+  const auto parameters = parameters_of(ship, names);
   std::vector<double> values;
-  for (const auto& n : numbers) values.push_back(1.2 * n.value);
-  write_ship(scratch / "start.toml", with_values(ship, numbers, values));
+  for (const auto& n : parameters) values.push_back(1.2 * n.value);
+  write_ship(scratch / "start.toml", with_values(ship, parameters, values));
   return (scratch / "start.toml").string();
 }
 

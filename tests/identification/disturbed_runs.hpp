@@ -13,9 +13,9 @@
 /// sensors see of them.
 namespace swayaw::test {
 
-/// Random accelerations as an imperfection describes them.
+/// Random accelerations as an process noise describes them.
 struct Disturbance {
-  Imperfection imperfection{{0.0, 0.0, 0.0}};
+  ProcessNoise process_noise{{0.0, 0.0, 0.0}};
   bool coloured = true;
   double tau = std::numeric_limits<double>::infinity();  ///< [s]
 };
@@ -53,7 +53,7 @@ class Disturber {
 
   DisturbedRun run(const Sensors& sensors, const DisturbedOptions& options) {
     DisturbedRun result;
-    sail(result, options);
+    simulate(result, options);
     result.run = result.truth;
     result.run.name = "noisy";
     for (const Channel c : measured_channels()) result.run.channels[index_of(c)].clear();
@@ -69,7 +69,7 @@ class Disturber {
  private:
   using Accelerations = std::array<double, 3>;
 
-  void sail(DisturbedRun& result, const DisturbedOptions& options) {
+  void simulate(DisturbedRun& result, const DisturbedOptions& options) {
     auto& truth = result.truth;
     for (std::size_t k = 0; k < options.samples; ++k) truth.time.push_back(options.step * static_cast<double>(k));
     const double U = service_speed(ship_);
@@ -129,7 +129,7 @@ class Disturber {
   }
 
   double size(std::size_t i) const {
-    return std::array{by_.imperfection.size.u, by_.imperfection.size.v, by_.imperfection.size.r}[i];
+    return std::array{by_.process_noise.size.u, by_.process_noise.size.v, by_.process_noise.size.r}[i];
   }
 
   /// The random accelerations over h seconds; keeps their end.
@@ -164,7 +164,7 @@ inline DisturbedRun disturbed_run(const Ship& ship, const Disturbance& by, unsig
 /// Gauss–Markov accelerations with a memory of one ship length, 2 % of U²/L and U²/L².
 inline Disturbance ordinary(const Ship& ship, double share = 0.02) {
   const double L = length(ship), U = service_speed(ship), a = share * U * U / L;
-  return {.imperfection = {{a, a, a / L}}, .tau = L / U};
+  return {.process_noise = {{a, a, a / L}}, .tau = L / U};
 }
 
 }  // namespace swayaw::test

@@ -30,7 +30,8 @@ Recording zigzag_of(const Ship& ship) {
 /// Noise of good instruments, and hardly any process noise.
 EstimationOptions strict(const Ship& ship) {
   const double L = length(ship), U = service_speed(ship);
-  EstimationOptions options{.imperfection = Imperfection{{1e-4 * U * U / L, 1e-4 * U * U / L, 1e-4 * U * U / (L * L)}}};
+  EstimationOptions options{.process_noise =
+                                ProcessNoise{{1e-4 * U * U / L, 1e-4 * U * U / L, 1e-4 * U * U / (L * L)}}};
   for (const auto channel : measured_channels()) options.noise[index_of(channel)] = 1e-3 * unit_of(channel, L, U);
   return options;
 }

@@ -41,13 +41,13 @@ Recording measured(const Recording& truth, const Ship& ship, double size, std::m
   return run;
 }
 
-/// The ship with other numbers to begin with.
+/// The ship with other parameters to begin with.
 Ship shaken(const Ship& ship, const std::vector<std::string>& names, std::mt19937_64& engine) {
   std::normal_distribution<double> normal;
-  const auto numbers = parameters_of(ship, names);
+  const auto parameters = parameters_of(ship, names);
   std::vector<double> values;
-  for (const auto& n : numbers) values.push_back(n.value * (1.0 + 0.2 * normal(engine)));
-  return with_values(ship, numbers, values);
+  for (const auto& n : parameters) values.push_back(n.value * (1.0 + 0.2 * normal(engine)));
+  return with_values(ship, parameters, values);
 }
 
 const Coefficient& coefficient(const ForceFit& fit, const std::string& name) {
@@ -71,7 +71,7 @@ TEST_CASE("coefficients come back from the forces of recorded zigzags, whatever 
     std::vector<std::string> names;
     for (const auto& n : parameters_of(ship, linear_hull))
       if (n.value != 0.0) names.push_back(n.name);
-    const auto fit = fit_forces(shaken(ship, names, engine), runs, {.numbers = names});
+    const auto fit = fit_forces(shaken(ship, names, engine), runs, {.parameters = names});
     for (const auto& n : parameters_of(ship, names)) {
       INFO(name << " " << n.name);
       const auto& c = coefficient(fit, n.name);
@@ -89,7 +89,7 @@ TEST_CASE("errors of the smoothed motion hardly move the coefficients, and the f
   const auto ship = published_ship("kvlcc2_pi_vvr");
   std::vector<Recording> runs;
   for (const auto& truth : zigzags(ship)) runs.push_back(measured(truth, ship, 5.0, engine));
-  const auto fit = fit_forces(ship, runs, {.numbers = linear_hull});
+  const auto fit = fit_forces(ship, runs, {.parameters = linear_hull});
   for (const auto& equation : fit.equations)
     for (std::size_t i = 0; i < equation.bias.size(); ++i) {
       CHECK(equation.bias[i] > 0.0);
@@ -100,18 +100,18 @@ TEST_CASE("errors of the smoothed motion hardly move the coefficients, and the f
 TEST_CASE("a number that is not linear, acts twice or does nothing is refused", "[identification][refusal]") {
   const auto ship = published_ship("kvlcc2_l7");
   const auto runs = zigzags(ship);
-  CHECK_THROWS_WITH(fit_forces(ship, runs, {.numbers = {"kappa"}}), Catch::Contains("not linear in kappa"));
-  CHECK_THROWS_WITH(fit_forces(ship, runs, {.numbers = {"t_R", "a_H"}}),
+  CHECK_THROWS_WITH(fit_forces(ship, runs, {.parameters = {"kappa"}}), Catch::Contains("not linear in kappa"));
+  CHECK_THROWS_WITH(fit_forces(ship, runs, {.parameters = {"t_R", "a_H"}}),
                     Catch::Contains("a_H acts in more than one force equation"));
-  CHECK_THROWS_WITH(fit_forces(ship, runs, {.numbers = {"displacement_m3"}}),
+  CHECK_THROWS_WITH(fit_forces(ship, runs, {.parameters = {"displacement_m3"}}),
                     Catch::Contains("does not act on the force"));
-  CHECK_THROWS_WITH(fit_forces(ship, runs, {.numbers = {}}), "no coefficient is to be found");
+  CHECK_THROWS_WITH(fit_forces(ship, runs, {.parameters = {}}), "no coefficient is to be found");
 }
 
 TEST_CASE("the range of a fit is that of its runs", "[identification]") {
   const auto ship = published_ship("kvlcc2_pi_vvr");
   const auto runs = zigzags(ship);
-  const auto fit = fit_forces(ship, runs, {.numbers = linear_hull});
+  const auto fit = fit_forces(ship, runs, {.parameters = linear_hull});
   CHECK(degrees(fit.range.rudder) == Approx(30.0).epsilon(1e-6));
   double omega = 0.0;
   for (const auto& run : runs)

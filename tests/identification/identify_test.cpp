@@ -39,9 +39,9 @@ double largest_inflation(const Regression& fit) {
 /// Physics-uninformed, without Y_r, as Alexandersson et al. fitted it.
 struct PublishedPu {
   Ship ship = in_model(published_ship("kvlcc2_pi"), "pu");
-  ForceFitOptions options{.numbers = usual_numbers(ship)};
+  ForceFitOptions options{.parameters = usual_parameters(ship)};
 
-  PublishedPu() { std::erase(options.numbers, "Y_r"); }
+  PublishedPu() { std::erase(options.parameters, "Y_r"); }
 };
 
 }  // namespace
@@ -51,7 +51,7 @@ TEST_CASE("the physics-informed hull of KVLCC2 is found from four zigzags within
   const auto folder = test::benchmark_recordings("kvlcc2");
   if (!folder) return;
   const auto ship = published_ship("kvlcc2_pi");
-  const auto fit = fit_forces(ship, recordings(*folder, of_the_paper), {.numbers = usual_numbers(ship)});
+  const auto fit = fit_forces(ship, recordings(*folder, of_the_paper), {.parameters = usual_parameters(ship)});
   CHECK(thousandths(fit, "Y_v") == Approx(-25.7).epsilon(0.03));
   CHECK(thousandths(fit, "N_v") == Approx(-8.43).epsilon(0.03));
   CHECK(thousandths(fit, "N_r") == Approx(-3.99).epsilon(0.03));
@@ -75,7 +75,7 @@ TEST_CASE("small zigzags tell that KVLCC2 is unstable on a straight course", "[i
   if (!folder) return;
   const auto ship = published_ship("kvlcc2_pi");
   const auto verdict =
-      stability_verdict(fit_forces(ship, recordings(*folder, {"10_01_stbd"}), {.numbers = usual_numbers(ship)}));
+      stability_verdict(fit_forces(ship, recordings(*folder, {"10_01_stbd"}), {.parameters = usual_parameters(ship)}));
   CHECK(verdict.straight_course == StraightCourse::unstable);
   CHECK(degrees(verdict.range.drift) < 5.0);
 }
@@ -94,7 +94,7 @@ TEST_CASE("the physics-uninformed model is ill-conditioned, and its N_v changes 
   }
   const auto sets = resample(pu.ship, runs, fit, pu.options);
   const auto place =
-      static_cast<std::size_t>(std::ranges::find(pu.options.numbers, "N_v") - pu.options.numbers.begin());
+      static_cast<std::size_t>(std::ranges::find(pu.options.parameters, "N_v") - pu.options.parameters.begin());
   const auto N_v = [&](const std::string& name) {
     return *std::ranges::find(sets, name, &Resample::runs)->values[place];
   };
@@ -157,7 +157,7 @@ TEST_CASE("a PI ship is taken as a PU ship with a rudder polynomial of zero, and
   const auto& model = std::get<PuShip<double>>(pu.model);
   CHECK(model.hull.Y_v == std::get<PiShip<double>>(ship.model).hull.Y_v);
   CHECK(model.rudder.Y_delta == 0.0);
-  CHECK(usual_numbers(pu).size() == usual_numbers(ship).size() + 15);
+  CHECK(usual_parameters(pu).size() == usual_parameters(ship).size() + 15);
   CHECK(in_model(ship, "pi").model.index() == ship.model.index());
   CHECK_THROWS_WITH(in_model(pu, "pi"), Catch::Contains("does not tell what model \"pi\" needs"));
   CHECK_THROWS_AS(in_model(published_ship("kvlcc2_l7"), "pi"), Refusal);

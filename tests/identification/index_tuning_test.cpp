@@ -61,11 +61,11 @@ class TestShips {
 
   /// Every hull number changed by up to that share.
   Ship shaken(const Ship& ship, double share) {
-    const auto numbers = coefficients_of(ship, "hull");
+    const auto parameters = coefficients_of(ship, "hull");
     std::vector<double> values;
-    for (const auto& n : numbers)
+    for (const auto& n : parameters)
       values.push_back(n.value * (n.key == "R_0" ? 1.0 : 1.0 + random_.uniform(-share, share)));
-    return with_values(ship, numbers, values);
+    return with_values(ship, parameters, values);
   }
 
  private:
@@ -81,7 +81,8 @@ TEST_CASE("indices of a known ship come back when she is tuned on them from numb
     const Ship truth = ships.symmetric();
     const auto measured = indices_of_ship(truth, Side::starboard);
     const auto t = tune(ships.shaken(truth, 0.05), measured, {.prior = no_prior, .watch = {}});
-    INFO("ship " << i << ", " << t.voyages.turns << " turns, error from " << t.before.turns << " to " << t.after.turns);
+    INFO("ship " << i << ", " << t.simulations.turns << " turns, error from " << t.before.turns << " to "
+                 << t.after.turns);
     CHECK(t.before.turns > 1e-4);
     for (const auto& index : t.indices) {
       INFO(index.measured.name << " " << index.after << " for " << index.measured.value);
@@ -95,8 +96,8 @@ TEST_CASE("a symmetric ship is tuned alike on turns to port and to starboard", "
   const Ship truth = ships.symmetric(), start = ships.shaken(truth, 0.05);
   const auto port = tune(start, indices_of_ship(truth, Side::port), {.watch = {}}),
              starboard = tune(start, indices_of_ship(truth, Side::starboard), {.watch = {}});
-  for (std::size_t j = 0; j < port.numbers.size(); ++j)
-    CHECK_THAT(port.numbers[j].value, WithinRel(starboard.numbers[j].value, 1e-7));
+  for (std::size_t j = 0; j < port.parameters.size(); ++j)
+    CHECK_THAT(port.parameters[j].value, WithinRel(starboard.parameters[j].value, 1e-7));
 }
 
 TEST_CASE("a ship with the measured indices stays as she is", "[identification][limit]") {
@@ -104,7 +105,7 @@ TEST_CASE("a ship with the measured indices stays as she is", "[identification][
   const Ship ship = ships.symmetric();
   const auto t = tune(ship, indices_of_ship(ship, Side::starboard), {.watch = {}});
   CHECK(t.status == TuningStatus::converged);
-  for (const auto& n : t.numbers) CHECK_THAT(n.value, WithinRel(n.number.value, 1e-7));
+  for (const auto& n : t.parameters) CHECK_THAT(n.value, WithinRel(n.number.value, 1e-7));
 }
 
 TEST_CASE("the tighter the prior the nearer the numbers stay, and without trust in one it is not moved at all",
@@ -112,21 +113,21 @@ TEST_CASE("the tighter the prior the nearer the numbers stay, and without trust 
   const auto moved = [](double prior) {
     const auto t = tune(nawigator(), nawigator_turns(), {.prior = prior, .watch = {}});
     double sum = 0.0;
-    for (const auto& n : t.numbers) sum += std::pow(n.value / n.number.value - 1.0, 2);
+    for (const auto& n : t.parameters) sum += std::pow(n.value / n.number.value - 1.0, 2);
     return sum;
   };
   CHECK(moved(0.02) < moved(0.1));
   CHECK(moved(0.1) < moved(0.5));
   Ship ship = nawigator();
   ship.confidence.named.emplace_back("N_vrr", 0.0);
-  for (const auto& n : tune(ship, nawigator_turns()).numbers)
+  for (const auto& n : tune(ship, nawigator_turns()).parameters)
     CHECK((n.value == n.number.value) == (n.number.name == "N_vrr"));
 }
 
 TEST_CASE("no number changes by more than it may", "[identification][limit]") {
   const auto t = tune(nawigator(), nawigator_turns(), {.prior = no_prior, .most_change = 0.2, .watch = {}});
   int bound = 0;
-  for (const auto& n : t.numbers) {
+  for (const auto& n : t.parameters) {
     CHECK(std::abs(n.value / n.number.value - 1.0) <= 0.2 + 1e-12);
     bound += n.at_bound;
   }
@@ -144,7 +145,7 @@ TEST_CASE(
   CHECK(t.status == TuningStatus::converged);
   CHECK_THAT(t.before.turns, WithinRel(0.3383771805699379, 1e-6));
   CHECK(t.after.turns < 0.15);
-  CHECK(t.voyages.turns <= 300);
+  CHECK(t.simulations.turns <= 300);
 }
 
 TEST_CASE("bounds of 100 per cent and no prior give the optimum of an independent program",
@@ -152,7 +153,7 @@ TEST_CASE("bounds of 100 per cent and no prior give the optimum of an independen
   const auto t = tune(nawigator(), nawigator_turns(), {.prior = no_prior, .most_change = 1.0, .watch = {}});
   CHECK(t.after.turns < 0.13940);
   CHECK(t.after.turns > 0.1385);
-  CHECK(t.voyages.turns <= 300);
+  CHECK(t.simulations.turns <= 300);
 }
 
 TEST_CASE("tuned on turns and the measured zigzag MV Nawigator XXI gets better in both",
@@ -161,7 +162,7 @@ TEST_CASE("tuned on turns and the measured zigzag MV Nawigator XXI gets better i
                       {.prior = 1.0, .most_change = 1.0, .watch = {}});
   CHECK(t.after.turns < 0.15);
   CHECK(t.after.zigzags < 0.5 * t.before.zigzags);
-  CHECK(t.voyages.turns <= 300);
+  CHECK(t.simulations.turns <= 300);
 }
 
 TEST_CASE("the turns of the tuned ship last", "[identification][second-route]") {
@@ -177,7 +178,7 @@ TEST_CASE("the turns of the tuned ship last", "[identification][second-route]") 
 
 TEST_CASE("eighteen turning indices tell six or seven of sixteen combinations of hull numbers to better than a half",
           "[identification][published]") {
-  const auto s = index_sensitivity(nawigator(), nawigator_turns(), tuned_numbers(nawigator(), {}));
+  const auto s = index_sensitivity(nawigator(), nawigator_turns(), tuned_parameters(nawigator(), {}));
   const auto combinations = [&](double tolerance) {
     std::vector<double> of_measured;
     for (const auto& trial : nawigator_turns().trials)
@@ -200,11 +201,11 @@ TEST_CASE("eighteen turning indices tell six or seven of sixteen combinations of
 TEST_CASE("ten per cent of each number change the turns of MV Nawigator XXI as an independent program says",
           "[identification][published]") {
   const auto golden = nlohmann::json::parse(std::ifstream(test::golden / "kulbiej2021.json"));
-  const auto numbers = tuned_numbers(nawigator(), {});
-  const auto s = index_sensitivity(nawigator(), nawigator_turns(), numbers);
+  const auto parameters = tuned_parameters(nawigator(), {});
+  const auto s = index_sensitivity(nawigator(), nawigator_turns(), parameters);
   const auto& table = golden["sensitivity_10percent"]["table_percent"];
-  for (std::size_t j = 0; j < numbers.size(); ++j) {
-    auto symbol = numbers[j].name;
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    auto symbol = parameters[j].name;
     symbol.erase(1, 1);
     for (std::size_t k = 0; k < 6; ++k)
       CHECK_THAT(100.0 * s.ten_per_cent[k][j], WithinAbs(table[symbol]["35"][k].get<double>(), 1e-3));
@@ -213,8 +214,8 @@ TEST_CASE("ten per cent of each number change the turns of MV Nawigator XXI as a
 
 TEST_CASE("exact sensitivities are the limit of finite ones", "[identification][limit]") {
   const auto ship = nawigator();
-  const auto numbers = tuned_numbers(ship, {.numbers = {"N_r", "Y_vrr"}, .watch = {}});
-  const auto s = index_sensitivity(ship, nawigator_turns(), numbers);
+  const auto parameters = tuned_parameters(ship, {.parameters = {"N_r", "Y_vrr"}, .watch = {}});
+  const auto s = index_sensitivity(ship, nawigator_turns(), parameters);
   for (std::size_t k = 0; k < s.exact.size(); ++k)
     for (std::size_t j = 0; j < 2; ++j) CHECK_THAT(10.0 * s.ten_per_cent[k][j], WithinAbs(s.exact[k][j], 0.15));
 }
@@ -233,8 +234,8 @@ TEST_CASE("a tuning that is told to stop gives the best ship so far", "[identifi
 
 TEST_CASE("no more turning circles are sailed than allowed", "[identification][limit]") {
   const auto t = tune(nawigator(), nawigator_turns(), {.prior = 1.0, .most_turns = 20, .watch = {}});
-  CHECK(t.status == TuningStatus::voyage_limit);
-  CHECK(t.voyages.turns <= 20);
+  CHECK(t.status == TuningStatus::simulation_limit);
+  CHECK(t.simulations.turns <= 20);
 }
 
 TEST_CASE("what cannot be tuned is refused in words", "[identification][refusal]") {
@@ -242,9 +243,9 @@ TEST_CASE("what cannot be tuned is refused in words", "[identification][refusal]
   CHECK_THROWS_WITH(
       tune(nawigator_xxi(NawigatorHull::n7), turns),
       ContainsSubstring("has no final_u_m_s in the turn 35 to starboard to begin with: no steady turn was found"));
-  CHECK_THROWS_WITH(tune(nawigator(), turns, {.numbers = {"N_x"}, .watch = {}}),
+  CHECK_THROWS_WITH(tune(nawigator(), turns, {.parameters = {"N_x"}, .watch = {}}),
                     ContainsSubstring("her model has no number N_x"));
-  CHECK_THROWS_WITH(tune(nawigator(), turns, {.numbers = {"x_g_m"}, .watch = {}}), ContainsSubstring("x_g_m is 0"));
+  CHECK_THROWS_WITH(tune(nawigator(), turns, {.parameters = {"x_g_m"}, .watch = {}}), ContainsSubstring("x_g_m is 0"));
   Ship windy = nawigator();
   windy.surroundings.windy = true;
   CHECK_THROWS_AS(tune(windy, turns), Refusal);

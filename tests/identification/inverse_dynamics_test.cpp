@@ -98,7 +98,7 @@ TEST_CASE("inverse dynamics of a run without noise returns the forces of the mod
     const auto d = test::disturbed_run(ship, {}, 1, in_ship_lengths(ship, 200, 0.05), perfect);
     const auto found = inverse_dynamics(
         ship, d.run,
-        estimate_states(ship, d.run, {.noise = d.noise, .imperfection = test::ordinary(ship, 1e-4).imperfection}));
+        estimate_states(ship, d.run, {.noise = d.noise, .process_noise = test::ordinary(ship, 1e-4).process_noise}));
     const auto error = hull_error(ship, d, found);
     CHECK(error.Y < 1e-3);
     CHECK(error.N < 1e-3);
@@ -111,7 +111,7 @@ TEST_CASE("a ship whose hull is removed is told the hull force of the true one",
     const auto d = test::disturbed_run(truth, {}, 1, in_ship_lengths(truth, 400, 0.02), perfect);
     for (const bool coloured : {true, false}) {
       const EstimationOptions options{
-          .noise = d.noise, .imperfection = test::ordinary(truth, 0.1).imperfection, .coloured = coloured};
+          .noise = d.noise, .process_noise = test::ordinary(truth, 0.1).process_noise, .coloured = coloured};
       const auto error = hull_error(truth, d, inverse_dynamics(ship, d.run, estimate_states(ship, d.run, options)));
       CHECK(error.Y < 0.03);
       CHECK(error.N < 0.03);
@@ -126,7 +126,7 @@ TEST_CASE("95 % bands of hull forces hold the truth", "[identification][second-r
     for (unsigned seed = 1; seed <= 20; ++seed) {
       const auto d = test::disturbed_run(ship, by, seed, {.samples = 150});
       const auto found = inverse_dynamics(
-          ship, d.run, estimate_states(ship, d.run, {.noise = d.noise, .imperfection = by.imperfection}));
+          ship, d.run, estimate_states(ship, d.run, {.noise = d.noise, .process_noise = by.process_noise}));
       for (std::size_t k = 10; k + 10 < found.size(); k += 5, ++count) {
         const auto hull = true_hull(ship, d, k);
         const auto& [force, covariance] = found[k].hull;

@@ -28,7 +28,7 @@ struct Consistency {
   double error = 0.0;  ///< eᵀ P⁻¹ e over the number of states
   double innovation = 0.0;
   double autocorrelation = 0.0;
-  double errors = 0.0, innovations = 0.0;  ///< how many independent numbers these are
+  double errors = 0.0, innovations = 0.0;  ///< how many independent parameters these are
 };
 
 Consistency consistency(const Ship& ship, const test::Disturbance& by, bool smooth) {
@@ -41,7 +41,7 @@ Consistency consistency(const Ship& ship, const test::Disturbance& by, bool smoo
     const double memory = by.tau * service_speed(ship) / length(ship);
     const auto estimate = estimate_states(ship, d.run,
                                           {.noise = d.noise,
-                                           .imperfection = by.imperfection,
+                                           .process_noise = by.process_noise,
                                            .coloured = by.coloured,
                                            .memory = by.coloured ? memory : 1.0,
                                            .smooth = smooth});
@@ -58,7 +58,7 @@ Consistency consistency(const Ship& ship, const test::Disturbance& by, bool smoo
   return mean;
 }
 
-/// The mean of n squares of normal numbers lies within 3.5 of its standard deviations √(2/n) of 1.
+/// The mean of n squares of normal parameters lies within 3.5 of its standard deviations √(2/n) of 1.
 void check(const Consistency& c) {
   CHECK_THAT(c.error, WithinAbs(1.0, 3.5 * std::sqrt(2.0 / c.errors)));
   CHECK_THAT(c.innovation, WithinAbs(1.0, 3.5 * std::sqrt(2.0 / c.innovations)));
@@ -87,13 +87,13 @@ TEST_CASE("errors are as large as their covariance and innovations are white whe
 // ---------------------------------------------------------------- noise from the run
 
 /// ln of estimated over true noise: four sensors and three accelerations.
-std::array<double, 7> noise_errors(const NoiseEstimate& found, const test::DisturbedRun& d, const Imperfection& truth) {
+std::array<double, 7> noise_errors(const NoiseEstimate& found, const test::DisturbedRun& d, const ProcessNoise& truth) {
   std::array<double, 7> e{};
   for (std::size_t i = 0; i < 4; ++i) {
     const auto c = index_of(test::good_sensors[i].first);
     e[i] = std::log(*found.noise[c] / *d.noise[c]);
   }
-  const auto &f = found.imperfection.size, &t = truth.size;
+  const auto &f = found.process_noise.size, &t = truth.size;
   e[4] = std::log(f.u / t.u), e[5] = std::log(f.v / t.v), e[6] = std::log(f.r / t.r);
   return e;
 }
@@ -109,10 +109,10 @@ TEST_CASE("noise of sensors and size of the imperfection come back within their 
       const auto found = estimate_noise(ship, {&d.run, 1}, {.coloured = by.coloured});
       CHECK(found.converged);
       CHECK(found.iterations <= 30);
-      const auto e = noise_errors(found, d, by.imperfection);
+      const auto e = noise_errors(found, d, by.process_noise);
       for (std::size_t i = 0; i < 7; ++i) mean[i] += e[i] / seeds, square[i] += e[i] * e[i] / seeds;
     }
-    // 1,000 white numbers tell the logarithm of their size to 1/√2000 = 0.022; accelerations are seen less directly
+    // 1,000 white parameters tell the logarithm of their size to 1/√2000 = 0.022; accelerations are seen less directly
     for (std::size_t i = 0; i < 7; ++i) {
       const double deviation = i < 4 ? 0.022 : 0.1;
       CHECK_THAT(mean[i], WithinAbs(0.0, 3.5 * deviation / std::sqrt(seeds)));
@@ -126,7 +126,7 @@ TEST_CASE("no noise near the estimated one makes the run more likely", "[identif
   const auto d = test::disturbed_run(ship, test::ordinary(ship), 5);
   const auto best = estimate_noise(ship, {&d.run, 1});
   const auto changed = [&](auto&& change) {
-    EstimationOptions options{.noise = best.noise, .imperfection = best.imperfection};
+    EstimationOptions options{.noise = best.noise, .process_noise = best.process_noise};
     change(options);
     return estimate_noise(ship, {&d.run, 1}, options).log_likelihood;
   };
@@ -137,7 +137,7 @@ TEST_CASE("no noise near the estimated one makes the run more likely", "[identif
             best.log_likelihood);
     for (const auto member :
          {&PlanarAcceleration<double>::u, &PlanarAcceleration<double>::v, &PlanarAcceleration<double>::r})
-      CHECK(changed([&](auto& o) { o.imperfection->size.*member *= factor; }) < best.log_likelihood);
+      CHECK(changed([&](auto& o) { o.process_noise->size.*member *= factor; }) < best.log_likelihood);
   }
 }
 
@@ -149,12 +149,12 @@ TEST_CASE("several runs tell the noise better than each of them", "[identificati
   for (unsigned seed = 1; seed <= 8; ++seed) {
     runs.push_back(test::disturbed_run(ship, by, seed).run);
     alone +=
-        std::pow(std::log(estimate_noise(ship, {&runs.back(), 1}).imperfection.size.r / by.imperfection.size.r), 2) /
+        std::pow(std::log(estimate_noise(ship, {&runs.back(), 1}).process_noise.size.r / by.process_noise.size.r), 2) /
         8.0;
   }
   const auto together = estimate_noise(ship, runs);
   CHECK(together.converged);
-  CHECK(std::abs(std::log(together.imperfection.size.r / by.imperfection.size.r)) < std::sqrt(alone));
+  CHECK(std::abs(std::log(together.process_noise.size.r / by.process_noise.size.r)) < std::sqrt(alone));
 }
 
 TEST_CASE("a ship without imperfection is found to have next to none, and smoothed without trouble",
@@ -164,9 +164,9 @@ TEST_CASE("a ship without imperfection is found to have next to none, and smooth
   const auto estimate = estimate_states(ship, d.run);
   const double L = length(ship), U = service_speed(ship);
   CHECK(estimate.noise.converged);
-  CHECK(estimate.noise.imperfection.size.v < 1e-3 * U * U / L);
+  CHECK(estimate.noise.process_noise.size.v < 1e-3 * U * U / L);
   const auto sure = estimate_states(
-      ship, d.run, {.noise = d.noise, .imperfection = Imperfection{{0.0, 0.0, 0.0}}, .coloured = false});
+      ship, d.run, {.noise = d.noise, .process_noise = ProcessNoise{{0.0, 0.0, 0.0}}, .coloured = false});
   // with no disturbance the smoothed states are one undisturbed way of the ship
   for (std::size_t k = 1; k < d.truth.samples(); ++k)
     CHECK_THAT(sure.states[k].state.motion.u, WithinAbs(d.truth[Channel::u][k], 2e-3));
@@ -193,7 +193,7 @@ TEST_CASE("irregular samples are as good as regular ones", "[identification][lim
   const auto by = test::ordinary(ship);
   const auto d = test::disturbed_run(ship, by, 2, {.samples = 900, .step = 0.25});
   const auto run = thinned(d.run, 1), truth = thinned(d.truth, 1);
-  const auto estimate = estimate_states(ship, run, {.noise = d.noise, .imperfection = by.imperfection});
+  const auto estimate = estimate_states(ship, run, {.noise = d.noise, .process_noise = by.process_noise});
   for (const auto& i : estimate.innovations) CHECK_THAT(i.rms, WithinAbs(1.0, 0.1));
   double error = 0.0;
   for (std::size_t k = 0; k < run.samples(); ++k)

@@ -48,9 +48,9 @@ TEST_CASE("a known ship in noise is found far closer than her measurements, and 
           "[identification][second-route]") {
   const Ship ship = test::kvlcc2_l7();
   const auto [truth, run, noise] = noisy_zigzag(ship, 1);
-  const Imperfection small{{1e-4, 1e-4, 1e-5}};
-  const auto smooth = estimate_states(ship, run, {.noise = noise, .imperfection = small});
-  const auto filtered = estimate_states(ship, run, {.noise = noise, .imperfection = small, .smooth = false});
+  const ProcessNoise small{{1e-4, 1e-4, 1e-5}};
+  const auto smooth = estimate_states(ship, run, {.noise = noise, .process_noise = small});
+  const auto filtered = estimate_states(ship, run, {.noise = noise, .process_noise = small, .smooth = false});
   const auto heading = [](const ShipState<double>& s) { return s.psi; };
   const auto sway = [](const ShipState<double>& s) { return s.motion.v; };
   CHECK(rms(smooth, truth, Channel::psi, heading) < 0.3 * radians(0.1));
@@ -87,7 +87,7 @@ TEST_CASE("missing samples, gaps and a wrapped heading do no harm", "[identifica
     if (i > 100 && i < 140) run.fill(Channel::x)[i] = run.fill(Channel::y)[i] = missing;
     if (i > 200) run.fill(Channel::psi)[i] += 2.0 * pi;
   }
-  const auto estimate = estimate_states(ship, run, {.noise = noise, .imperfection = Imperfection{{1e-4, 1e-4, 1e-5}}});
+  const auto estimate = estimate_states(ship, run, {.noise = noise, .process_noise = ProcessNoise{{1e-4, 1e-4, 1e-5}}});
   CHECK(rms(estimate, truth, Channel::psi, [](const auto& s) { return s.psi; }) < radians(0.1));
   CHECK(rms(estimate, truth, Channel::x, [](const auto& s) { return s.x; }) < 0.03);
 }
@@ -104,7 +104,7 @@ TEST_CASE("speed and course over ground tell the motion in place of position", "
   noise[index_of(Channel::course_over_ground)] = 0.005;
   const EstimationOptions options{.channels = {Channel::psi, Channel::speed_over_ground, Channel::course_over_ground},
                                   .noise = noise,
-                                  .imperfection = Imperfection{{1e-4, 1e-4, 1e-5}}};
+                                  .process_noise = ProcessNoise{{1e-4, 1e-4, 1e-5}}};
   const auto estimate = estimate_states(ship, run, options);
   CHECK(rms(estimate, truth, Channel::v, [](const auto& s) { return s.motion.v; }) < 0.005);
 }

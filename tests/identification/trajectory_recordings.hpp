@@ -17,9 +17,9 @@
 /// Recorded zigzags of seeded ships, and starts for fits to them.
 namespace swayaw::test {
 
-/// Numbers that zigzags to both sides tell apart, for each model.
+/// Parameters that zigzags to both sides tell apart, for each model.
 template <class Model>
-std::vector<std::string> told_numbers() {
+std::vector<std::string> told_parameters() {
   if constexpr (std::is_same_v<Model, MmgShip<double>>) return {"Y_v", "Y_r", "N_v", "N_r", "N_rrr", "R_0"};
   else if constexpr (std::is_same_v<Model, PiShip<double>>) return {"Y_v", "Y_r", "N_v", "N_r", "X_rr"};
   else if constexpr (std::is_same_v<Model, PuShip<double>>) return {"Y_v", "Y_r", "N_v", "N_r", "Y_delta", "N_delta"};
@@ -97,12 +97,12 @@ std::pair<Ship, std::vector<Recording>> steerable(RandomModels& random, const st
   }
 }
 
-/// The ship with these numbers off by a tenth, up and down by turns.
+/// The ship with these parameters off by a tenth, up and down by turns.
 inline Ship a_tenth_off(const Ship& ship, const std::vector<std::string>& names) {
-  const auto numbers = parameters_of(ship, names);
+  const auto parameters = parameters_of(ship, names);
   std::vector<double> values;
-  for (const auto& n : numbers) values.push_back(n.value * (values.size() % 2 == 0 ? 1.1 : 0.9));
-  return with_values(ship, numbers, values);
+  for (const auto& n : parameters) values.push_back(n.value * (values.size() % 2 == 0 ? 1.1 : 0.9));
+  return with_values(ship, parameters, values);
 }
 
 inline const std::vector<Channel> usual_channels{Channel::x, Channel::y, Channel::psi, Channel::r, Channel::u};

@@ -172,8 +172,9 @@ TEST_CASE("the true current makes a ship agree with her own recording, from log 
     const double U = service_speed(calm), time_unit = length(calm) / U;
     auto ship = calm;
     ship.effects.push_back(SteadyCurrent<>{.speed = random.uniform(0.1, 0.3) * U, .to = random.uniform(-pi, pi)});
-    const auto sailed = zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, {.duration = 40 * time_unit}).run;
-    Recording run = sailed;
+    const auto simulated =
+        zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, {.duration = 40 * time_unit}).run;
+    Recording run = simulated;
     run.channels[index_of(Channel::speed_through_water)] = run.channels[index_of(Channel::u)];
     for (const auto channel : {Channel::u, Channel::v}) run.channels[index_of(channel)].clear();
     const auto with = compare(ship, run), without = compare(calm, run);

@@ -19,7 +19,7 @@
 namespace swayaw {
 namespace {
 
-/// A model tank ship that shows the wind an area, with numbers that are known to 2 %.
+/// A model tank ship that shows the wind an area, with parameters that are known to 2 %.
 Ship test_ship() {
   Ship ship = test::kvlcc2_l7();
   auto& model = std::get<MmgShip<double>>(ship.model);
@@ -143,15 +143,15 @@ TEST_CASE("numbers that are less well known than the ship file says are no missi
   for (const unsigned seed : {31u, 32u, 33u}) {
     std::mt19937_64 engine(seed);
     std::normal_distribution normal;
-    auto numbers = parameters_of(ship);
-    std::erase_if(numbers, [](const Parameter& n) { return n.role != Role::coefficient || !(n.deviation > 0.0); });
+    auto parameters = parameters_of(ship);
+    std::erase_if(parameters, [](const Parameter& n) { return n.role != Role::coefficient || !(n.deviation > 0.0); });
     std::vector<double> values;
-    for (const auto& n : numbers) values.push_back(n.value + 3.0 * n.deviation * normal(engine));
-    const auto real = with_values(ship, numbers, values);
+    for (const auto& n : parameters) values.push_back(n.value + 3.0 * n.deviation * normal(engine));
+    const auto real = with_values(ship, parameters, values);
     const auto d = diagnose(ship, trials(real, seed), {}, held_out(real, seed + 10), quick());
     INFO(d.words);
     CHECK(d.verdict == DiagnosisVerdict::nothing_missing);
-    CHECK((d.doubt == 1.0 || d.words.find("less well") != std::string::npos));
+    CHECK((d.prior_inflation == 1.0 || d.words.find("less well") != std::string::npos));
   }
 }
 

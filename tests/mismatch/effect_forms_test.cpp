@@ -72,7 +72,7 @@ TEST_CASE("wherever a search goes, the coefficients of the ship are in their ran
           trial, {}, problem_of(trial, Hypothesis{}).within_bounds(Point::Constant(trial.baseline_size(), far)));
       INFO(ship.name << " " << far);
       const auto parameters = parameters_of(there);
-      for (const auto& moved : trial.numbers) {
+      for (const auto& moved : trial.parameters) {
         const auto& p = parameters[moved.index];
         INFO(p.name << " " << p.value);
         CHECK(p.range.contains(p.value));

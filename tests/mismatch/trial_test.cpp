@@ -16,11 +16,11 @@
 #include "swayaw/nonlinear/windage_sources.hpp"
 #include "tank_instruments.hpp"
 
-/// Fits of a ship's numbers and of effects, from inside.
+/// Fits of a ship's parameters and of effects, from inside.
 namespace swayaw {
 namespace {
 
-/// With numbers that are known to 2 %.
+/// With parameters that are known to 2 %.
 Ship test_ship() {
   Ship ship = test::kvlcc2_l7();
   ship.confidence.coefficients = 0.02;
@@ -57,8 +57,8 @@ struct Fitted {
 
 }  // namespace
 
-// A baseline that took in a hidden effect as far as its prior let it is relieved by the effect itself: a promise that
-// forgets this sees nothing.
+// A baseline that took in a hidden effect as far as its prior let it is relieved by the effect itself: a predicted gain
+// that forgets this sees nothing.
 TEST_CASE("a screening promises what the converged fit gains", "[mismatch][second-route]") {
   const Ship ship = test_ship();
   for (const Effect& hidden :
@@ -67,12 +67,12 @@ TEST_CASE("a screening promises what the converged fit gains", "[mismatch][secon
     CAPTURE(id_of(hidden));
     const Fitted f(ship, runs_of(with_effect(ship, hidden), 3));
     const auto& form = f.form(id_of(hidden));
-    const auto promised = promise(f.trial, {}, linearized(f.trial, {}, f.null), form, form.starts.front());
+    const auto predicted = predicted_gain(f.trial, {}, linearized(f.trial, {}, f.null), form, form.starts.front());
     const Hypothesis hypothesis{&form};
-    const auto converged = fit(f.trial, hypothesis, with_start(f.null.point, promised.values), f.null.noise);
+    const auto converged = fit(f.trial, hypothesis, with_start(f.null.point, predicted.values), f.null.noise);
     const double gain = converged.log_evidence - f.null.log_evidence;
     CHECK(gain > 15.0);
-    CHECK(promised.gain > 0.2 * gain);  // beside the imperfection that the baseline alone needs
+    CHECK(predicted.gain > 0.2 * gain);  // beside the process noise that the baseline alone needs
   }
 }
 

@@ -59,7 +59,7 @@ struct Number {
   bool same(double value) const { return fmt::format("{:.{}f}", value, digits()) == printed; }
 };
 
-/// Tables 2 and 3 and the numbers of section 6 in the order of `printed_numbers`.
+/// Tables 2 and 3 and the parameters of section 6 in the order of `printed_numbers`.
 std::vector<double> numbers_from(const Parts& ship) {
   const auto split = coefficients(ship);
   const auto m = split.total();
@@ -124,7 +124,7 @@ constexpr std::array<std::pair<const char*, const char*>, 37> printed_numbers{
      {"b2", "-1.992"},         {"c2", "-0.770"},         {"beta_0 [deg]", "34.6"},
      {"omega'_0", "0.854"}}};
 
-std::vector<Number> numbers(const Parts& rounded, const Parts& unrounded) {
+std::vector<Number> parameters(const Parts& rounded, const Parts& unrounded) {
   const auto a = numbers_from(rounded), b = numbers_from(unrounded);
   std::vector<Number> all;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -345,7 +345,7 @@ std::vector<Verdict> verdicts(const Parts& rounded, const Parts& unrounded) {
   const auto seen = exactly(ref), seen_first = exactly(first), seen_slow = exactly(slow),
              seen_slow_first = exactly(slow_first), euler = by_euler(ref);
   const auto loop = loop_of(ref), loop_T3b = loop_of(T3b), loop_T3w = loop_of(T3w), loop_wide = loop_of(wide);
-  const auto all = numbers(rounded, unrounded);
+  const auto all = parameters(rounded, unrounded);
   const auto matching = matches(all, &Number::unrounded), matching_rounded = matches(all, &Number::rounded);
   const auto split = coefficients(unrounded);
   const auto m = split.total();
@@ -465,7 +465,7 @@ int main(int, char** arguments) {
   const std::string folder = arguments[2];
   const auto& unrounded_table = reference.at("unrounded_table1_that_prints_all_digits").at("table1");
   const auto rounded = parts_of(reference.at("table1_input")), unrounded = parts_of(unrounded_table);
-  const auto all = numbers(rounded, unrounded);
+  const auto all = parameters(rounded, unrounded);
   const auto REF = coefficients_from(printed_indices());
   const std::vector<Case> cases{{"REF", REF, 2.5},
                                 {"T3b = 0.309", coefficients_from(printed_indices(0.309)), 2.5},

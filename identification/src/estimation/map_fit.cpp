@@ -1,10 +1,11 @@
 #include "swayaw/identification/map_fit.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 
 #include "filtered_runs.hpp"
-#include "levenberg_marquardt.hpp"
+#include "descent.hpp"
 
 namespace swayaw {
 
@@ -16,18 +17,10 @@ Eigen::Index EstimationProblem::rows() const {
   return sum;
 }
 
-Eigen::VectorXd EstimationProblem::mean() const {
-  Eigen::VectorXd mean(size());
-  for (Eigen::Index i = 0; i < size(); ++i) mean[i] = unknowns[static_cast<std::size_t>(i)].mean;
-  return mean;
-}
-
-Point EstimationProblem::within_bounds(Point point) const {
-  for (Eigen::Index i = 0; i < point.size(); ++i) {
-    const auto& unknown = unknowns[static_cast<std::size_t>(i)];
-    point[i] = std::clamp(point[i], unknown.low, unknown.high);
-  }
-  return point;
+Eigen::VectorXd EstimationProblem::of_each(double Unknown::*value) const {
+  Eigen::VectorXd values(size());
+  std::ranges::transform(unknowns, values.begin(), [&](const Unknown& unknown) { return unknown.*value; });
+  return values;
 }
 
 double EstimationProblem::prior(const Point& point) const {
@@ -41,6 +34,18 @@ namespace {
 
 double log_determinant(const Eigen::MatrixXd& positive) { return positive.ldlt().vectorD().array().abs().log().sum(); }
 
+/// Radius within which steps are trusted at first: unknowns are counted in about their prior deviations.
+constexpr double wide = 10.0;
+
+/// The start of a descent, its residuals and cost not worked out yet.
+Descent descent_from(const EstimationProblem& problem, const Point& start) {
+  return {.point = problem.within_bounds(start),
+          .residuals = {},
+          .cost = 0.0,
+          .low = problem.low(),
+          .high = problem.high()};
+}
+
 /// (JᵀJ + Λ) d = −Jᵀe − Λ (p − mean)
 NormalEquations normal_equations(const EstimationProblem& problem, const Eigen::MatrixXd& J, const Descent& here) {
   return {J.transpose() * J + problem.precision,
@@ -52,16 +57,16 @@ NormalEquations normal_equations(const EstimationProblem& problem, const Eigen::
 MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Eigen::Index fixed,
            const Eigen::MatrixXd* known, int rounds) {
   // a round ends where a step gains less than 1/40 of a standard deviation
-  constexpr DescentOptions options{.iterations = 10, .attempts = 6, .worth = 0.05, .harder = 8.0, .easier = 5.0};
+  constexpr DescentOptions options{.iterations = 10, .attempts = 6, .worth = 0.05, .radius = wide};
   constexpr double worth_a_round = 0.5;  // of log posterior density
-  Point point = problem.within_bounds(start);
-  Eigen::MatrixXd slopes(problem.rows(), point.size());
+  Descent here = descent_from(problem, start);
+  Eigen::MatrixXd slopes(problem.rows(), problem.size());
   MapFit best;
   double density = -HUGE_VAL;  // of the posterior, logarithm
   for (int round = 0; round < rounds; ++round) {
-    const auto passes = filtered(problem, point, noise);
+    const auto passes = filtered(problem, here.point, noise);
     const auto cost = [&](const Point& p, const Eigen::VectorXd& e) { return e.squaredNorm() + problem.prior(p); };
-    Descent here{point, residuals(problem, point, *passes), 0.0};
+    here.residuals = residuals(problem, here.point, *passes);
     here.cost = cost(here.point, here.residuals);
     const bool first_known = known && round == 0;
     if (first_known) slopes.leftCols(known->cols()) = *known;
@@ -71,16 +76,14 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
       return normal_equations(problem, slopes, at);
     };
     descend(
-        here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *passes); }, cost,
-        [&](const Point& p) { return problem.within_bounds(p); });
-    point = here.point;
-    const auto [log_likelihood, found] = best_noise(problem, point, noise, problem.size() == fixed);
+        here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *passes); }, cost);
+    const auto [log_likelihood, found] = best_noise(problem, here.point, noise, problem.size() == fixed);
     const Eigen::MatrixXd A = slopes.transpose() * slopes + problem.precision;
-    const double now = log_likelihood - 0.5 * problem.prior(point), gain = now - density;
+    const double now = log_likelihood - 0.5 * problem.prior(here.point), gain = now - density;
     // the last round is the one whose slopes belong to the noise that was found, so it stands unless it is clearly
     // worse
     if (gain > -worth_a_round)
-      best = {point, now + 0.5 * (log_determinant(problem.precision) - log_determinant(A)), found, A.inverse()};
+      best = {here.point, now + 0.5 * (log_determinant(problem.precision) - log_determinant(A)), found, A.inverse()};
     if (!(gain > worth_a_round) && found == noise) break;
     if (!std::isfinite(now)) break;  // the filter cannot follow
     density = std::max(density, now), noise = found;
@@ -117,9 +120,9 @@ Point joined(const Point& first, std::span<const double> further) {
 
 }  // namespace
 
-Promise promise(const EstimationProblem& problem, const LinearizedFit& before, std::span<const double> start,
-                int iterations) {
-  const DescentOptions options{.iterations = iterations, .attempts = 4, .worth = 0.5, .harder = 10.0, .easier = 10.0};
+PredictedGain predicted_gain(const EstimationProblem& problem, const LinearizedFit& before,
+                             std::span<const double> start, int iterations) {
+  const DescentOptions options{.iterations = iterations, .attempts = 4, .worth = 0.5, .radius = wide};
   const auto base = before.point.size(), size = problem.size() - base;
   const Eigen::MatrixXd Lambda = problem.precision.bottomRightCorner(size, size);
   const Eigen::VectorXd mean = problem.mean().tail(size);
@@ -127,7 +130,7 @@ Promise promise(const EstimationProblem& problem, const LinearizedFit& before, s
     const Eigen::VectorXd d = p.tail(size) - mean;
     return before.cost(e) + d.dot(Lambda * d);
   };
-  Descent here{problem.within_bounds(joined(before.point, start)), {}, 0.0};
+  Descent here = descent_from(problem, joined(before.point, start));
   here.residuals = residuals(problem, here.point, *before.passes);
   here.cost = cost(here.point, here.residuals);
   Eigen::MatrixXd slopes(problem.rows(), problem.size()), A = Eigen::MatrixXd::Identity(size, size);
@@ -142,10 +145,9 @@ Promise promise(const EstimationProblem& problem, const LinearizedFit& before, s
     normal.b.tail(size) = -J.transpose() * before.answered(at.residuals) - Lambda * (at.point.tail(size) - mean);
     return normal;
   };
-  const auto kept = [&](const Point& p) { return problem.within_bounds(p); };
   const double at_first = before.cost(before.residuals);
   descend(
-      here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *before.passes); }, cost, kept);
+      here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *before.passes); }, cost);
   const double occam = 0.5 * (log_determinant(Lambda) - log_determinant(A));
   const Eigen::VectorXd found = here.point.tail(size);
   return {0.5 * (at_first - here.cost) + occam, {found.begin(), found.end()}, A.inverse()};

@@ -11,14 +11,6 @@
 /// Rates of a ship with her effects, and their derivatives by the state. Not installed.
 namespace swayaw {
 
-template <class D>
-Surroundings<D> cast_around(const Surroundings<double>& around) {
-  return {.windage = cast_part<D>(around.windage),
-          .wind = {D(around.wind.speed), D(around.wind.from)},
-          .current = {D(around.current.speed), D(around.current.to)},
-          .windy = around.windy};
-}
-
 /// The state with derivatives by psi, u, v and r, on which alone rates and forces depend.
 inline ShipState<Dual<4>> in_duals(const ShipState<double>& s) {
   using D = Dual<4>;
@@ -40,7 +32,7 @@ class LinearizedShip {
       : ship_(acting.model),
         dual_(cast<D>(acting.model)),
         around_(acting.surroundings),
-        dual_around_(cast_around<D>(around_)),
+        dual_around_(cast<D>(around_)),
         added_(acting.added),
         dual_added_(cast<D>(added_)) {}
 
@@ -60,7 +52,7 @@ class LinearizedShip {
   void apply(const Change& change) {
     change.apply(around_, added_);
     change.apply(around_, dual_added_);
-    dual_around_ = cast_around<D>(around_);
+    dual_around_ = cast<D>(around_);
   }
 
   bool hides_states() const { return added_.hidden(); }

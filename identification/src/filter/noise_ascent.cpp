@@ -10,13 +10,14 @@ struct Place {
   Slope slope;
 };
 
-/// The first place on the way that keeps a part of the promise: the whole way, half of it, …
+/// The first place on the way that keeps a part of the predicted gain: the whole way, half of it, …
 std::optional<Place> climbed(const std::function<Slope(const Eigen::VectorXd&)>& at, const Place& from,
                              const Eigen::VectorXd& way) {
-  const double promise = way.dot(from.slope.by_place);
+  const double predicted_gain = way.dot(from.slope.by_place);
   for (double share = 1.0; share > 1e-3; share *= 0.5) {
     const Eigen::VectorXd p = from.p + share * way;
-    if (auto slope = at(p); slope.value > from.slope.value + 1e-4 * share * promise) return Place{p, std::move(slope)};
+    if (auto slope = at(p); slope.value > from.slope.value + 1e-4 * share * predicted_gain)
+      return Place{p, std::move(slope)};
   }
   return std::nullopt;
 }
@@ -39,11 +40,12 @@ NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const 
   Place here{start, at(start)};
   for (int iteration = 0;; ++iteration) {
     Eigen::VectorXd way = H * here.slope.by_place;
-    const double promise = 0.5 * way.dot(here.slope.by_place);
-    if (promise < 1e-3 || iteration == most_iterations) return {here.p, here.slope.value, iteration, promise < 1e-3};
+    const double predicted_gain = 0.5 * way.dot(here.slope.by_place);
+    if (predicted_gain < 1e-3 || iteration == most_iterations)
+      return {here.p, here.slope.value, iteration, predicted_gain < 1e-3};
     way *= std::min(1.0, 2.0 / way.cwiseAbs().maxCoeff());  // no noise changes by more than a factor of 7 at once
     const auto next = climbed(at, here, way);
-    if (!next && H == first) return {here.p, here.slope.value, iteration, promise < 0.1};
+    if (!next && H == first) return {here.p, here.slope.value, iteration, predicted_gain < 0.1};
     if (!next) {
       H = first;
       continue;

@@ -70,14 +70,6 @@ FilterVector<N> carried_back(const FilterVector<N>& r, const Transition<N>& t) {
   return before;
 }
 
-inline Controls<double> between(const Controls<double>& a, const Controls<double>& b, double share) {
-  const auto mix = [share](double x, double y) { return x + share * (y - x); };
-  return {mix(a.delta, b.delta),
-          mix(a.rev, b.rev),
-          {mix(a.thrust.port, b.thrust.port), mix(a.thrust.starboard, b.thrust.starboard)},
-          a.by_thrust};
-}
-
 /// Predicts a ship with effects between samples.
 ///
 /// Hidden states of effects follow the predicted motion; they are no states of the filter and have no covariance.

@@ -70,9 +70,9 @@ class NoisePlaces {
     // U²/L and U²/L²; of white accelerations what they make of a velocity in L/U
     const double unit = options.coloured ? U * U / L : U * std::sqrt(U / L);
     for (int i = 0; i < 3; ++i)
-      if (!options.imperfection)
+      if (!options.process_noise)
         set_free(place_of_process_noise(i), 1e-6 * unit / (i < 2 ? 1.0 : L), 0.01 * unit / (i < 2 ? 1.0 : L));
-    if (options.imperfection) noise_.tail<3>() = of(*options.imperfection).array().square();
+    if (options.process_noise) noise_.tail<3>() = of(*options.process_noise).array().square();
   }
 
   Eigen::Index free() const { return static_cast<Eigen::Index>(free_.size()); }
@@ -103,7 +103,7 @@ class NoisePlaces {
     double least;  ///< variance
   };
 
-  static Eigen::Vector3d of(const Imperfection& i) { return {i.size.u, i.size.v, i.size.r}; }
+  static Eigen::Vector3d of(const ProcessNoise& i) { return {i.size.u, i.size.v, i.size.r}; }
 
   void set_free(int place, double least, double begin) {
     free_.push_back({place, least * least});
@@ -185,7 +185,7 @@ class Estimator {
     noise_ = places_.noise(found.place);
     const auto size = [&](int i) { return deviation(place_of_process_noise(i)); };
     NoiseEstimate result{.noise = {},
-                         .imperfection = {{size(0), size(1), size(2)}},
+                         .process_noise = {{size(0), size(1), size(2)}},
                          .log_likelihood = found.value,
                          .iterations = found.iterations,
                          .converged = found.converged};

@@ -34,8 +34,8 @@ struct CaptivePoint {
   bool with_inertia = false;     ///< the force that accelerates the model herself is still in it
 };
 
-/// Where the numbers of a file come from, and for which ship they are read. Primes stay as they are: forces are those
-/// of the ship at the same speed.
+/// Where the parameters of a file come from, and for which ship they are read. Primes stay as they are: forces are
+/// those of the ship at the same speed.
 struct CaptiveFile {
   double L;                            ///< of the ship [m]
   double rho = 1000.0;                 ///< of her water [kg/m^3]

@@ -3,7 +3,7 @@
 #include <limits>
 #include <string_view>
 
-/// What every fit says of its numbers.
+/// What every fit says of its parameters.
 namespace swayaw {
 
 /// Do the data tell a constant?
@@ -27,7 +27,7 @@ struct Estimate {
 /// How a fit ended.
 enum class FitStatus {
   converged,
-  iteration_limit,  ///< the numbers are the best found
+  iteration_limit,  ///< the parameters are the best found
   rank_deficient,   ///< some combination of the constants does not show in the data at all
 };
 

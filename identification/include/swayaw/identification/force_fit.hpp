@@ -17,13 +17,13 @@ namespace swayaw {
 
 /// How the forces are explained.
 struct ForceFitOptions {
-  std::vector<std::string> numbers;  ///< to be found, by name as in parameters_of: "N_v"
+  std::vector<std::string> parameters;  ///< to be found, by name as in parameters_of: "N_v"
   EstimationOptions states = {.channels = {},
                               .noise = {},
-                              .imperfection = {},
+                              .process_noise = {},
                               .coloured = true,
                               .memory = std::numeric_limits<double>::infinity()};
-  bool priors = false;  ///< the numbers as given, with the ship's confidence, count as measurements
+  bool priors = false;  ///< the parameters as given, with the ship's confidence, count as measurements
   double ridge = 0.0;   ///< see RegressionOptions
 };
 

@@ -15,12 +15,12 @@ namespace swayaw {
 
 /// The ship in another model with the same hull, propeller and steering gear: "pi" and "pu" take each other's, a rudder
 /// polynomial begins at 0. Her own model is returned as it is.
-/// @throws Refusal  where the other model needs numbers that she does not have
+/// @throws Refusal  where the other model needs parameters that she does not have
 Ship in_model(const Ship& ship, std::string_view model);
 
 /// Coefficients that are looked for unless others are named: those of hull (and, in a PU ship, rudder polynomial) that
 /// are not 0; where all are 0, those of the model's published form.
-std::vector<std::string> usual_numbers(const Ship& ship);
+std::vector<std::string> usual_parameters(const Ship& ship);
 
 // ---------------------------------------------------------------- stability
 
@@ -47,7 +47,7 @@ StabilityVerdict stability_verdict(const ForceFit& fit);
 struct Resample {
   std::string runs;  ///< "all but zz10.csv", "zz10.csv alone", "rudder 20 deg alone"
   std::vector<std::optional<double>>
-      values;  ///< of the numbers, in the order of the options; nothing where not determined
+      values;  ///< of the parameters, in the order of the options; nothing where not determined
 };
 
 /// All runs, each run left out, each alone, and each rudder amplitude alone where there are several. States are those

@@ -14,34 +14,34 @@
 namespace swayaw {
 
 /// Manoeuvres that were sailed; one more voyage for the derivatives of a manoeuvre counts as one.
-struct VoyageCount {
+struct SimulationCount {
   int turns = 0;
   int zigzags = 0;
 };
 
 // ---------------------------------------------------------------- sensitivity
 
-/// What the numbers of a ship do to the indices: one row for each index, one column for each number. An entry is not a
-/// number where an index does not exist.
+/// What the parameters of a ship do to the indices: one row for each index, one column for each number. An entry is not
+/// a number where an index does not exist.
 struct IndexSensitivity {
   std::vector<double> indices;                    ///< of the ship [SI], in the order of the file
   std::vector<std::vector<double>> exact;         ///< d ln index / d ln number
   std::vector<std::vector<double>> ten_per_cent;  ///< relative change of the index for 10 % more of the number
-  VoyageCount voyages;
+  SimulationCount simulations;
 };
 
 /// @throws Refusal  as `tune` does
 IndexSensitivity index_sensitivity(const Ship& ship, const MeasuredIndices& measured,
-                                   const std::vector<Parameter>& numbers);
+                                   const std::vector<Parameter>& parameters);
 
 // ---------------------------------------------------------------- what the indices determine
 
-/// A combination of relative changes of the numbers that the indices see as one.
+/// A combination of relative changes of the parameters that the indices see as one.
 struct IndexCombination {
   double singular_value;        ///< of the relative Jacobian, each row over the relative tolerance of its index
   double standard_error;        ///< relative, from the indices alone: 1 over the singular value
   bool determined;              ///< to better than a half, so that its sign is known
-  std::vector<double> weights;  ///< of the numbers; their squares add up to 1
+  std::vector<double> weights;  ///< of the parameters; their squares add up to 1
 };
 
 /// Combinations from the best to the worst determined.
@@ -55,8 +55,8 @@ std::vector<IndexCombination> determined_combinations(const std::vector<std::vec
 
 enum class TuningStatus {
   converged,
-  voyage_limit,  ///< the numbers are the best found
-  interrupted,   ///< likewise
+  simulation_limit,  ///< the parameters are the best found
+  interrupted,       ///< likewise
 };
 
 std::string_view in_words(TuningStatus status);
@@ -69,12 +69,12 @@ struct TuningError {
 };
 
 struct TuningProgress {
-  VoyageCount voyages;
+  SimulationCount simulations;
   TuningError error;  ///< of the best ship so far
 };
 
 struct TuningOptions {
-  std::vector<std::string> numbers;  ///< that may change; unless given those of the hull but for its resistance
+  std::vector<std::string> parameters;  ///< that may change; unless given those of the hull but for its resistance
   std::optional<double>
       prior;  ///< relative standard deviation of each number; that of the ship's [confidence] unless given
   std::optional<double> most_change;  ///< largest relative change of a number
@@ -86,7 +86,7 @@ struct TuningOptions {
 };
 
 /// A number that was tuned.
-struct TunedNumber {
+struct TunedParameter {
   Parameter number;  ///< as it was
   double value;      ///< as it is [SI]
   double prior;      ///< relative standard deviation before; infinity for none
@@ -108,10 +108,10 @@ struct TunedIndex {
 struct Tuning {
   TuningStatus status;
   Ship ship;
-  std::vector<TunedNumber> numbers;
+  std::vector<TunedParameter> parameters;
   std::vector<TunedIndex> indices;
   TuningError before, after;
-  VoyageCount voyages;
+  SimulationCount simulations;
   std::vector<IndexCombination> combinations;  ///< of the ship as she was
   std::vector<double>
       decay;  ///< of each turn after tuning, per ship length; not a number where no steady turn was asked for
@@ -126,13 +126,13 @@ struct Tuning {
 /// candidate: the region shrinks.
 ///
 /// @throws Refusal            for a ship in wind, one who does not reach a measured index to begin with, one without
-/// the numbers to change,
+/// the parameters to change,
 ///                            or where a number to change is 0
 /// @throws std::domain_error  if an option is not positive, or a rudder angle beyond the ship's largest
 Tuning tune(const Ship& ship, const MeasuredIndices& measured, const TuningOptions& options = {});
 
-/// The numbers that `tune` changes.
+/// The parameters that `tune` changes.
 /// @throws Refusal  as `tune` does
-std::vector<Parameter> tuned_numbers(const Ship& ship, const TuningOptions& options);
+std::vector<Parameter> tuned_parameters(const Ship& ship, const TuningOptions& options);
 
 }  // namespace swayaw

@@ -49,7 +49,7 @@ PlanarForce<S> force_of(const Ship<S>& ship, const PlanarMotion<S>& motion, cons
 ///     hull = damping − propeller − rudder − rudder–hull interaction
 ///
 /// The covariance is J P Jᵀ of the estimated state and unmodelled acceleration, which are correlated. For the model the
-/// ship was estimated with; where she differs from the truth, d brings the force back to it as far as the imperfection
+/// ship was estimated with; where she differs from the truth, d brings the force back to it as far as the process noise
 /// allows.
 ///
 /// Source: [Alexandersson2024] eqs (1)–(3), (39)–(41), with propeller and interaction taken out too

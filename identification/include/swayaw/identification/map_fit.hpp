@@ -59,11 +59,16 @@ struct EstimationProblem {
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(unknowns.size()); }
   Eigen::Index rows() const;
-  Eigen::VectorXd mean() const;
-  Point within_bounds(Point point) const;
+  Eigen::VectorXd mean() const { return of_each(&Unknown::mean); }
+  Eigen::VectorXd low() const { return of_each(&Unknown::low); }
+  Eigen::VectorXd high() const { return of_each(&Unknown::high); }
+  Point within_bounds(const Point& point) const { return point.cwiseMax(low()).cwiseMin(high()); }
 
   /// (p − mean)ᵀ Λ (p − mean)
   double prior(const Point& point) const;
+
+ private:
+  Eigen::VectorXd of_each(double Unknown::*value) const;
 };
 
 /// The most probable point of a problem.
@@ -136,8 +141,8 @@ LinearizedFit linearized(const EstimationProblem& problem, const MapFit& fit);
 /// −½ (eᵀe + dᵀΛd − gᵀ(JᵀJ + Λ)⁻¹g) + ½ ln det Λ − ½ ln det(JᵀJ + Λ) with d = point − mean, g = Jᵀe + Λd.
 double linear_evidence(const EstimationProblem& problem, const LinearizedFit& fit);
 
-/// What further unknowns promise, gains and slopes of the first ones as they are.
-struct Promise {
+/// What further unknowns gain, gains of the filter and slopes of the first ones as they are.
+struct PredictedGain {
   double gain = -HUGE_VAL;  ///< in log evidence
   std::vector<double> values;
   Eigen::MatrixXd covariance;  ///< of the further unknowns
@@ -145,8 +150,8 @@ struct Promise {
 
 /// @param problem  with the unknowns of the linearized fit first
 /// @param start    of the further ones
-Promise promise(const EstimationProblem& problem, const LinearizedFit& before, std::span<const double> start,
-                int iterations = 5);
+PredictedGain predicted_gain(const EstimationProblem& problem, const LinearizedFit& before,
+                             std::span<const double> start, int iterations = 5);
 
 /// Changes of the residuals by the further unknowns from these values on, by differences of that step.
 Eigen::MatrixXd further_slopes(const EstimationProblem& problem, const LinearizedFit& before,

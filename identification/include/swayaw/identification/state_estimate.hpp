@@ -19,18 +19,18 @@ namespace swayaw {
 ///     coloured, memory infinite      da/dt = noise;          size is what a gains over one second [m/s², m/s², rad/s²]
 ///     white                          a = noise;              size is what a velocity gains over one second [m/s, m/s,
 ///     rad/s]
-struct Imperfection {
+struct ProcessNoise {
   PlanarAcceleration<double> size;
 };
 
 struct EstimationOptions {
-  std::vector<Channel> channels;             ///< to be used; empty: all that the run has
-  MeasurementNoise noise{};                  ///< known noise
-  std::optional<Imperfection> imperfection;  ///< known size; otherwise estimated
-  bool coloured = true;                      ///< carry the unmodelled acceleration as states; otherwise it is white
-  double memory = 1.0;                       ///< tau in ship lengths at service speed, or infinity
-  bool smooth = true;                        ///< use the future of a sample too
-  int most_iterations = 100;                 ///< of the noise estimation
+  std::vector<Channel> channels;              ///< to be used; empty: all that the run has
+  MeasurementNoise noise{};                   ///< known noise
+  std::optional<ProcessNoise> process_noise;  ///< known size; otherwise estimated
+  bool coloured = true;                       ///< carry the unmodelled acceleration as states; otherwise it is white
+  double memory = 1.0;                        ///< tau in ship lengths at service speed, or infinity
+  bool smooth = true;                         ///< use the future of a sample too
+  int most_iterations = 100;                  ///< of the noise estimation
 };
 
 /// Covariance of x, y, psi, u, v, r and the unmodelled accelerations of surge, sway and yaw, in this order.
@@ -49,7 +49,7 @@ class StateCovariance {
 struct EstimatedState {
   double time;
   ShipState<double> state;
-  PlanarAcceleration<double> unmodelled;  ///< of a white imperfection its mean until the next sample
+  PlanarAcceleration<double> unmodelled;  ///< of a white process noise its mean until the next sample
   StateCovariance covariance;
 };
 
@@ -64,9 +64,9 @@ struct ChannelInnovation {
 
 /// Noise that makes recorded runs most likely.
 struct NoiseEstimate {
-  MeasurementNoise noise;     ///< of the channels used, known or estimated
-  Imperfection imperfection;  ///< known or estimated
-  double log_likelihood;      ///< of all runs
+  MeasurementNoise noise;      ///< of the channels used, known or estimated
+  ProcessNoise process_noise;  ///< known or estimated
+  double log_likelihood;       ///< of all runs
   int iterations;
   bool converged;  ///< true where nothing had to be estimated
 };
@@ -83,7 +83,7 @@ struct StateEstimate {
 /// Estimates the states of a recorded ship.
 ///
 /// Channels may miss samples, sampling may be irregular; heading and course are compared as directions. What is not
-/// known of noise and imperfection is estimated from the run itself.
+/// known of noise and process noise is estimated from the run itself.
 ///
 /// @throws Refusal            if the run has no rudder angle, or none of the channels tells position or speed, or the
 /// ship does
@@ -91,7 +91,7 @@ struct StateEstimate {
 /// @throws std::domain_error  if a known noise or the memory is not positive
 StateEstimate estimate_states(const Ship& ship, const Recording& run, const EstimationOptions& options = {});
 
-/// Estimates what is not known of noise and imperfection from several runs at once, for instance calm reference runs.
+/// Estimates what is not known of noise and process noise from several runs at once, for instance calm reference runs.
 ///
 /// @throws  as estimate_states
 NoiseEstimate estimate_noise(const Ship& ship, std::span<const Recording> runs, const EstimationOptions& options = {});

@@ -11,8 +11,8 @@
 #include "swayaw/identification/measurement.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
-/// The numbers of a nonlinear ship with which her simulation runs through recordings. docs/trajectory_fit.md describes
-/// the method.
+/// The parameters of a nonlinear ship with which her simulation runs through recordings. docs/trajectory_fit.md
+/// describes the method.
 namespace swayaw {
 
 /// What a fit tells while it works.
@@ -20,19 +20,16 @@ struct TrajectoryProgress {
   int iteration;
   double log_likelihood;           ///< of the segments as they are, which may not fit together yet
   double change;                   ///< of numbers and starts in the last step, relative to their size
-  std::span<const double> values;  ///< of the numbers fitted, SI
+  std::span<const double> values;  ///< of the parameters fitted, SI
 };
 
 struct TrajectoryFitOptions {
-  std::vector<std::string> numbers;    ///< to be fitted, by name as in parameters_of: "N_v", "rudder.x_prime"
-  std::vector<Channel> channels = {};  ///< to fit to, of measured_channels; empty: all that a run has
-  MeasurementNoise noise = {};         ///< known noise; otherwise estimated
+  std::vector<std::string> parameters;  ///< to be fitted, by name as in parameters_of: "N_v", "rudder.x_prime"
+  std::vector<Channel> channels = {};   ///< to fit to, of measured_channels; empty: all that a run has
+  MeasurementNoise noise = {};          ///< known noise; otherwise estimated
   double segment = 0.5;  ///< length of the segments in which the runs are sailed [ship lengths], shorter where the ship
                          ///< that is given leaves the recording before; infinite: none, single shooting
-  std::optional<PlanarAcceleration<double>> disturbance =
-      {};               ///< white random accelerations act on the ship: standard deviation that
-                        ///< a velocity gains over one second [m/s, m/s, rad/s]. Segments remain, and end apart
-  bool priors = false;  ///< the numbers as given, with the ship's confidence, count as measurements
+  bool priors = false;   ///< the parameters as given, with the ship's confidence, count as measurements
   std::optional<double> robust =
       {};              ///< residuals beyond so many standard deviations count with their size, not its square: 1.345
   double step = 0.04;  ///< longest step of the integration [ship lengths]
@@ -44,12 +41,12 @@ struct TrajectoryFitOptions {
 
 enum class TrajectoryFitStatus {
   converged,
-  iteration_limit,  ///< the numbers are the best found
-  stopped,          ///< by `progress`; the numbers are the best found
-  rank_deficient,   ///< some combination of the numbers does not show in the recordings at all
+  iteration_limit,  ///< the parameters are the best found
+  stopped,          ///< by `progress`; the parameters are the best found
+  rank_deficient,   ///< some combination of the parameters does not show in the recordings at all
 };
 
-struct FittedNumber {
+struct FittedParameter {
   std::string name;
   double before;      ///< value in the ship that was given, SI
   Estimate estimate;  ///< SI
@@ -74,12 +71,13 @@ struct FittedRun {
 };
 
 struct TrajectoryFit {
-  Ship ship;  ///< with the fitted numbers
+  Ship ship;  ///< with the fitted parameters
   TrajectoryFitStatus status;
-  std::vector<FittedNumber> numbers;            ///< in the order of the options
-  std::vector<std::vector<double>> covariance;  ///< of the numbers; not a number where the recordings do not tell them
+  std::vector<FittedParameter> parameters;  ///< in the order of the options
+  std::vector<std::vector<double>>
+      covariance;  ///< of the parameters; not a number where the recordings do not tell them
   std::vector<std::vector<double>> correlation;
-  double condition_number;       ///< largest over smallest relative standard error of combinations of the numbers
+  double condition_number;       ///< largest over smallest relative standard error of combinations of the parameters
   std::string best_combination;  ///< which product of powers is known best, "|Y_v|^0.71 |N_v|^-0.70 to 0.4 %"
   std::vector<std::string> undetermined;  ///< those with a relative error of 50 % and more, worst first
   MeasurementNoise noise;                 ///< of the channels used: known or estimated
@@ -89,10 +87,10 @@ struct TrajectoryFit {
   double sensitivities;  ///< how often all runs were simulated with derivatives
 };
 
-/// Numbers of a ship fitted to recordings by multiple shooting; each run starts from a state that is fitted too.
+/// Parameters of a ship fitted to recordings by multiple shooting; each run starts from a state that is fitted too.
 ///
 /// Maximum likelihood of white measurement noise around the simulated run (output errors), with exact derivatives of
-/// the simulation by start and numbers. Rudder and propulsion are those of the recording. Standard errors allow for
+/// the simulation by start and parameters. Rudder and propulsion are those of the recording. Standard errors allow for
 /// residuals that are correlated over a part of a ship length.
 ///
 /// @throws Refusal            if there is nothing to fit or to fit to, a number does not exist, a run has no rudder

@@ -106,12 +106,12 @@ struct Diagnosis {
   std::vector<Candidate> candidates;  ///< best first
   std::vector<BaselineShift> shifts;  ///< largest first
   std::vector<RunErrors> train, holdout;
-  Ship refitted;                 ///< baseline refitted, without effects
-  Ship improved;                 ///< with the effects found
-  double imperfection;           ///< scale of what stays unexplained; 1 is ordinary
-  double refitted_imperfection;  ///< the same without any effect
-  double doubt =
-      1.0;  ///< factor on what the ship file or the reference runs say the numbers of the baseline are known to
+  Ship refitted;                  ///< baseline refitted, without effects
+  Ship improved;                  ///< with the effects found
+  double process_noise;           ///< scale of what stays unexplained; 1 is ordinary
+  double refitted_process_noise;  ///< the same without any effect
+  double prior_inflation =
+      1.0;  ///< factor on what the ship file or the reference runs say the parameters of the baseline are known to
   std::optional<Advice> next{};
   std::vector<DetectableSize> detectable{};
   std::vector<RunPicture> train_pictures{}, holdout_pictures{};  ///< if asked for

@@ -34,4 +34,14 @@ Controls<To> cast(const Controls<From>& c) {
   return {To(c.delta), To(c.rev), {To(c.thrust.port), To(c.thrust.starboard)}, c.by_thrust};
 }
 
+/// Controls on the straight way from a to b; the share of it may be a dual.
+template <class T>
+Controls<T> between(const Controls<double>& a, const Controls<double>& b, const T& share) {
+  const auto mix = [&](double x, double y) { return x + share * (y - x); };
+  return {mix(a.delta, b.delta),
+          mix(a.rev, b.rev),
+          {mix(a.thrust.port, b.thrust.port), mix(a.thrust.starboard, b.thrust.starboard)},
+          a.by_thrust};
+}
+
 }  // namespace swayaw

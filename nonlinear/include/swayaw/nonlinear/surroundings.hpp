@@ -25,6 +25,15 @@ struct Surroundings {
   bool windy = false;  ///< without it there is no air at all; its drag on a ship in calm is part of her resistance
 };
 
+/// The same with another scalar.
+template <class To, class From>
+Surroundings<To> cast(const Surroundings<From>& around) {
+  return {.windage = cast_part<To>(around.windage),
+          .wind = {To(around.wind.speed), To(around.wind.from)},
+          .current = {To(around.current.speed), To(around.current.to)},
+          .windy = around.windy};
+}
+
 /// Velocity of the water over ground, northward and eastward [m/s].
 template <class S>
 struct Drift {

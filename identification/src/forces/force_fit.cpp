@@ -1,0 +1,284 @@
+#include "swayaw/identification/force_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "bare_ship.hpp"
+#include "force_component.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/identification/inverse_dynamics.hpp"
+#include "swayaw/nonlinear/coefficients.hpp"
+#include "swayaw/nonlinear/replay.hpp"
+
+namespace swayaw {
+namespace {
+
+/// Force of the ship, and what one more of each number adds to it: a column X, Y, N for each.
+template <class S>
+struct ForceAndFeatures {
+  PlanarForce<S> force;
+  Eigen::Matrix<S, 3, Eigen::Dynamic> by_parameter;
+};
+
+template <class S>
+ForceAndFeatures<S> force_and_features(const Ship& ship, std::span<const Parameter> parameters,
+                                       const PlanarMotion<S>& motion, const Controls<double>& controls) {
+  const auto of_model = [&](const auto& model) {
+    const auto base = cast<S>(model);
+    const auto total = [&](const auto& with) { return forces(with, motion, cast<S>(controls)).total(); };
+    ForceAndFeatures<S> result{total(base), {3, static_cast<Eigen::Index>(parameters.size())}};
+    for (std::size_t j = 0; j < parameters.size(); ++j) {
+      auto more = base;
+      std::size_t place = 0;
+      for_each_value(more, [&](S& value) {
+        if (place++ == parameters[j].index) value = value + S(1.0);
+      });
+      const auto f = total(more);
+      result.by_parameter.col(static_cast<Eigen::Index>(j)) << f.X - result.force.X, f.Y - result.force.Y,
+          f.N - result.force.N;
+    }
+    return result;
+  };
+  return std::visit(of_model, ship.model);
+}
+
+// ---------------------------------------------------------------- which number acts where
+
+/// A moving ship with rudder, to see what a number does.
+struct Probe {
+  PlanarMotion<double> motion;
+  Controls<double> controls;
+};
+
+Probe probe_of(const Ship& ship) {
+  const double U = service_speed(ship), T = 5e-4 * force_unit(ship, U, ForceComponent::X);
+  return {{U, -0.1 * U, 0.2 * U / length(ship)}, {.delta = 0.2, .thrust = {T, T}, .by_thrust = true}};
+}
+
+/// The equations in which the force depends on a number.
+std::vector<ForceComponent> acts_in(const Eigen::Vector3d& by_parameter, double scale) {
+  std::vector<ForceComponent> result;
+  for (Eigen::Index i = 0; i < 3; ++i)
+    if (std::abs(by_parameter[i]) > 1e-12 * scale) result.push_back(force_components[static_cast<std::size_t>(i)]);
+  return result;
+}
+
+/// Where each number acts, which is one equation, and linearly.
+std::vector<ForceComponent> equations_of(const Ship& at_zero, std::span<const Parameter> parameters) {
+  const auto [motion, controls] = probe_of(at_zero);
+  const auto zero = force_and_features(at_zero, parameters, motion, controls);
+  const auto ones = with_values(at_zero, parameters, std::vector<double>(parameters.size(), 1.0));
+  const auto one = force_and_features(ones, parameters, motion, controls);
+  std::vector<ForceComponent> result;
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    const Eigen::Vector3d slope = zero.by_parameter.col(static_cast<Eigen::Index>(j)),
+                          other = one.by_parameter.col(static_cast<Eigen::Index>(j));
+    const double scale = slope.cwiseAbs().maxCoeff() + other.cwiseAbs().maxCoeff();
+    if (!(scale > 0.0))
+      throw Refusal(fmt::format("{} does not act on the force of {}", parameters[j].name, at_zero.name));
+    if ((slope - other).cwiseAbs().maxCoeff() > 1e-9 * scale)
+      throw Refusal(fmt::format("the force is not linear in {}, which is found on trajectories only (--refine)",
+                                parameters[j].name));
+    const auto where = acts_in(slope, scale);
+    if (where.size() > 1)
+      throw Refusal(fmt::format("{} acts in more than one force equation and is found on trajectories only (--refine)",
+                                parameters[j].name));
+    result.push_back(where.front());
+  }
+  return result;
+}
+
+// ---------------------------------------------------------------- rows
+
+/// What is known of a ship at a sample.
+struct Known {
+  Ship ship;     ///< as given, with which the states were estimated
+  Ship at_zero;  ///< without the coefficients to be found
+};
+
+/// Changes of (features, y) of an equation with u, v, r and the unmodelled acceleration.
+using Slopes = Eigen::Matrix<double, Eigen::Dynamic, 6>;
+
+/// Rows of the three equations at one sample: features over their units, and what they have to explain.
+struct Rows {
+  Eigen::Matrix3Xd X;
+  Eigen::Vector3d y;
+  std::array<Slopes, 3> slopes;
+};
+
+Rows rows_at(const Known& known, std::span<const Parameter> parameters, const EstimatedState& s,
+             const Controls<double>& controls) {
+  using D = Dual<6>;
+  const auto& m = s.state.motion;
+  const PlanarMotion<D> motion{D(m.u, 0), D(m.v, 1), D(m.r, 2)};
+  const auto [force, by_parameter] = force_and_features(known.at_zero, parameters, motion, controls);
+  const auto damping = std::visit(
+      [&](const auto& model) {
+        const auto ship = cast<D>(model);
+        auto a = acceleration(ship, motion, forces(ship, motion, cast<D>(controls)).total());
+        a.u += D(s.unmodelled.u, 3), a.v += D(s.unmodelled.v, 4), a.r += D(s.unmodelled.r, 5);
+        return force_of(ship, motion, a);
+      },
+      known.ship.model);
+  const auto n = by_parameter.cols();
+  Rows rows{Eigen::Matrix3Xd(3, n), {}, {}};
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const auto component = force_components[static_cast<std::size_t>(i)];
+    const D unit = force_unit(known.ship, speed(motion), component),
+            y = (component_of(damping, component) - component_of(force, component)) / unit;
+    auto& slopes = rows.slopes[static_cast<std::size_t>(i)];
+    slopes.resize(n + 1, 6);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const D x = by_parameter(i, j) / unit;
+      rows.X(i, j) = x.a, slopes.row(j) = x.v.transpose();
+    }
+    rows.y[i] = y.a, slopes.row(n) = y.v.transpose();
+  }
+  return rows;
+}
+
+Eigen::Matrix<double, 6, 6> covariance_of(const EstimatedState& s) {
+  Eigen::Matrix<double, 6, 6> P;
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t k = 0; k < 6; ++k)
+      P(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = s.covariance(3 + i, 3 + k);
+  return P;
+}
+
+// ---------------------------------------------------------------- equations
+
+/// Rows of all runs, equation by equation.
+class Equations {
+ public:
+  Equations(const Ship& ship, std::span<const Parameter> parameters)
+      : parameters_(parameters),
+        known_{ship, with_values(ship, parameters, std::vector<double>(parameters.size(), 0.0))},
+        acts_in_(equations_of(known_.at_zero, parameters)) {}
+
+  void add(const Recording& run, const StateEstimate& estimate) {
+    const RecordedControls controls(known_.ship, run);
+    run_starts_.push_back(static_cast<Eigen::Index>(rows_.size()));
+    for (const auto& s : estimate.states) {
+      const auto c = controls.at(s.time);
+      const auto& rows = rows_.emplace_back(rows_at(known_, parameters_, s, c));
+      const auto P = covariance_of(s);
+      std::array<Eigen::MatrixXd, 3> covariance;
+      for (std::size_t i = 0; i < 3; ++i) covariance[i] = rows.slopes[i] * P * rows.slopes[i].transpose();
+      errors_.push_back(std::move(covariance));
+    }
+  }
+
+  /// Places of the parameters that act in an equation.
+  std::vector<std::size_t> parameters_in(ForceComponent component) const {
+    std::vector<std::size_t> places;
+    for (std::size_t j = 0; j < parameters_.size(); ++j)
+      if (acts_in_[j] == component) places.push_back(j);
+    return places;
+  }
+
+  Design design(ForceComponent component) const {
+    const auto places = parameters_in(component);
+    const auto i = static_cast<Eigen::Index>(component);
+    Design d{.names = {},
+             .X = Eigen::MatrixXd(static_cast<Eigen::Index>(rows_.size()), static_cast<Eigen::Index>(places.size())),
+             .y = Eigen::VectorXd(static_cast<Eigen::Index>(rows_.size())),
+             .runs = run_starts_};
+    for (const auto j : places) d.names.push_back(parameters_[j].name);
+    for (Eigen::Index k = 0; k < d.X.rows(); ++k) {
+      const auto& row = rows_[static_cast<std::size_t>(k)];
+      for (Eigen::Index j = 0; j < d.X.cols(); ++j)
+        d.X(k, j) = row.X(i, static_cast<Eigen::Index>(places[static_cast<std::size_t>(j)]));
+      d.y[k] = row.y[i];
+    }
+    return d;
+  }
+
+  std::vector<Eigen::MatrixXd> errors(ForceComponent component) const {
+    auto kept = parameters_in(component);
+    kept.push_back(parameters_.size());  // that of y
+    std::vector<Eigen::MatrixXd> result;
+    for (const auto& e : errors_) {
+      Eigen::MatrixXd c(static_cast<Eigen::Index>(kept.size()), static_cast<Eigen::Index>(kept.size()));
+      for (Eigen::Index a = 0; a < c.rows(); ++a)
+        for (Eigen::Index b = 0; b < c.cols(); ++b)
+          c(a, b) =
+              e[static_cast<std::size_t>(component)](static_cast<Eigen::Index>(kept[static_cast<std::size_t>(a)]),
+                                                     static_cast<Eigen::Index>(kept[static_cast<std::size_t>(b)]));
+      result.push_back(std::move(c));
+    }
+    return result;
+  }
+
+ private:
+  std::span<const Parameter> parameters_;
+  Known known_;
+  std::vector<ForceComponent> acts_in_;
+  std::vector<Rows> rows_;
+  std::vector<std::array<Eigen::MatrixXd, 3>> errors_;
+  std::vector<Eigen::Index> run_starts_;
+};
+
+MotionRange range_of(std::span<const Recording> runs, std::span<const StateEstimate> states, const Ship& ship) {
+  MotionRange range{0.0, 0.0, 0.0};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const RecordedControls controls(ship, runs[i]);
+    for (const auto& s : states[i].states) {
+      range.drift = std::max(range.drift, std::abs(drift_angle(s.state.motion)));
+      range.omega = std::max(range.omega, std::abs(s.state.motion.r) * length(ship) / speed(s.state.motion));
+      range.rudder = std::max(range.rudder, std::abs(controls.at(s.time).delta));
+    }
+  }
+  return range;
+}
+
+std::vector<Prior> priors_of(std::span<const Parameter> parameters, const Design& design) {
+  std::vector<Prior> priors;
+  for (const auto& n : parameters)
+    if (std::ranges::count(design.names, n.name) > 0 && n.deviation > 0.0)
+      priors.push_back({n.name, n.value, n.deviation});
+  return priors;
+}
+
+std::vector<double> attenuations(const Regression& fit) {
+  std::vector<double> result;
+  for (const auto& c : fit.coefficients) result.push_back(std::abs(c.attenuation));
+  return result;
+}
+
+}  // namespace
+
+ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, std::vector<StateEstimate> states,
+                    const ForceFitOptions& options) {
+  if (options.parameters.empty()) throw Refusal("no coefficient is to be found");
+  require_known_effects(ship, "force fit", true);
+  const auto parameters = parameters_of(ship, options.parameters);
+  Equations equations(ship, parameters);
+  for (std::size_t i = 0; i < runs.size(); ++i) equations.add(runs[i], states[i]);
+  ForceFit result{.ship = ship, .equations = {}, .range = range_of(runs, states, ship), .states = std::move(states)};
+  for (const auto component : force_components) {
+    const auto design = equations.design(component);
+    if (design.names.empty()) continue;
+    RegressionOptions how{.standard_errors = StandardErrors::newey_west, .ridge = options.ridge};
+    if (options.priors) how.priors = priors_of(parameters, design);
+    auto with_errors = how;
+    with_errors.feature_errors.covariance = equations.errors(component);
+    result.equations.push_back({component, regress(design, how), attenuations(regress(design, with_errors))});
+    for (const auto& c : result.equations.back().fit.coefficients) {
+      if (!std::isfinite(c.estimate.value)) continue;
+      const std::array name{c.name};
+      result.ship = with_values(result.ship, parameters_of(ship, name), std::array{c.estimate.value});
+    }
+  }
+  return result;
+}
+
+ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, const ForceFitOptions& options) {
+  std::vector<StateEstimate> states;
+  for (const auto& run : runs) states.push_back(estimate_states(ship, run, options.states));
+  return fit_forces(ship, runs, std::move(states), options);
+}
+
+}  // namespace swayaw
