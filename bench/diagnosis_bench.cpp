@@ -7,7 +7,7 @@
 #include "reference_loops.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/mismatch/diagnose.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 

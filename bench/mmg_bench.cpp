@@ -4,9 +4,9 @@
 #include "reference_loops.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
-#include "swayaw/nonlinear/batch.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/replay.hpp"
+#include "swayaw/nonlinear/simulation/batch.hpp"
 #include "swayaw/nonlinear/simulator.hpp"
 
 namespace swayaw::bench {

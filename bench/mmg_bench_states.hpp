@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "swayaw/nonlinear/mmg_forces.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_forces.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
 namespace swayaw::bench {

@@ -6,7 +6,7 @@
 
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/parts_reader.hpp"
-#include "swayaw/nonlinear/pi_forces.hpp"
+#include "swayaw/nonlinear/models/pi/pi_forces.hpp"
 
 namespace swayaw::bench {
 

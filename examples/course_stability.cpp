@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "swayaw/core/dual.hpp"
-#include "swayaw/nonlinear/mmg_forces.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_forces.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "swayaw/core/angle.hpp"
+#include "swayaw/nonlinear/manoeuvres/steady_run_in_wind.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
-#include "swayaw/nonlinear/steady_run_in_wind.hpp"
 
 int main(int, char** arguments) {
   using namespace swayaw;

@@ -11,7 +11,7 @@
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/parts_reader.hpp"
-#include "swayaw/nonlinear/pu_forces.hpp"
+#include "swayaw/nonlinear/models/pu/pu_forces.hpp"
 
 /// The rudder derivatives of the physics-uninformed wPCC, which [Alexandersson2024] does not print, from what it draws.
 ///

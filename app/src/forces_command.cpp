@@ -9,7 +9,7 @@
 #include "input.hpp"
 #include "json.hpp"
 #include "spelling.hpp"
-#include "swayaw/nonlinear/force_breakdown.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw::app {

@@ -3,7 +3,7 @@
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
-#include "swayaw/nonlinear/force_breakdown.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
 namespace swayaw::app {

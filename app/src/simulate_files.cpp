@@ -4,7 +4,7 @@
 
 #include "input.hpp"
 #include "plot.hpp"
-#include "swayaw/nonlinear/force_breakdown.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 
 namespace swayaw::app {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "commands.hpp"
 #include "json.hpp"
-#include "swayaw/nonlinear/imo_criteria.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/manoeuvres/imo_criteria.hpp"
 
 /// What the manoeuvres of `swayaw simulate` share in print.
 namespace swayaw::app {

@@ -9,13 +9,13 @@
 #include "simulate_files.hpp"
 #include "simulate_output.hpp"
 #include "swayaw/core/angle.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
-#include "swayaw/nonlinear/imo_criteria.hpp"
-#include "swayaw/nonlinear/pull_out.hpp"
-#include "swayaw/nonlinear/spiral.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/manoeuvres/imo_criteria.hpp"
+#include "swayaw/nonlinear/manoeuvres/pull_out.hpp"
+#include "swayaw/nonlinear/manoeuvres/spiral.hpp"
+#include "swayaw/nonlinear/manoeuvres/steady_run_in_wind.hpp"
+#include "swayaw/nonlinear/manoeuvres/williamson_turn.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
-#include "swayaw/nonlinear/steady_run_in_wind.hpp"
-#include "swayaw/nonlinear/williamson_turn.hpp"
 
 namespace swayaw::app {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "fair_ship.hpp"
 #include "sea_trial.hpp"
-#include "swayaw/nonlinear/mmg_ship.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_ship.hpp"
 
 /// Cases whose truth is known here and hidden from whoever gets the recordings.
 namespace swayaw::concealed {

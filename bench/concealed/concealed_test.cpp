@@ -9,7 +9,7 @@
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/recording_csv.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 
 using namespace swayaw;
 using namespace swayaw::concealed;

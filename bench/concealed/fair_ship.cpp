@@ -9,8 +9,8 @@
 #include "sea_trial.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
-#include "swayaw/nonlinear/mmg_forces.hpp"
-#include "swayaw/nonlinear/windage_sources.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_forces.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 
 namespace swayaw::concealed {
 namespace {

@@ -9,8 +9,8 @@
 #include "random_source.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
-#include "swayaw/nonlinear/force_breakdown.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 
 namespace swayaw::concealed {
 namespace {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "swayaw/nonlinear/estimated_ship.hpp"
+#include "swayaw/nonlinear/estimates/estimated_ship.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
 /// Writes a ship file for R/V Gunnerus from her main dimensions, as a beginning for `swayaw identify`.

@@ -17,7 +17,7 @@
 #include "swayaw/identification/identify.hpp"
 #include "swayaw/mismatch/compare.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
-#include "swayaw/nonlinear/force_breakdown.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
 namespace {

@@ -11,7 +11,7 @@
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "swayaw/nonlinear/pull_out.hpp"
+#include "swayaw/nonlinear/manoeuvres/pull_out.hpp"
 
 namespace swayaw {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/effects/search_form.hpp"
 
 /// Effects in coordinates that a fit moves. Not installed.

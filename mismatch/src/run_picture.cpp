@@ -9,7 +9,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/identification/map_fit.hpp"
 #include "swayaw/identification/state_estimate.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw {

@@ -7,7 +7,7 @@
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/recording_csv.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 
 /// `swayaw diagnose --report` from the outside.

@@ -8,7 +8,7 @@
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
-#include "swayaw/nonlinear/force_breakdown.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 
 /// Laws of captive tests, over seeded random ships of every model.
 namespace swayaw {

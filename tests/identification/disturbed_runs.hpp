@@ -6,7 +6,7 @@
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/identification/state_estimate.hpp"
-#include "swayaw/nonlinear/equations_of_motion.hpp"
+#include "swayaw/nonlinear/simulation/equations_of_motion.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 /// Runs of ships that random accelerations disturb, simulated in short steps by code of their own, and what noisy

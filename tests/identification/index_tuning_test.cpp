@@ -9,8 +9,8 @@
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/index_slopes.hpp"
-#include "swayaw/nonlinear/nawigator.hpp"
+#include "swayaw/nonlinear/estimates/nawigator.hpp"
+#include "swayaw/nonlinear/manoeuvres/index_slopes.hpp"
 #include "swayaw/nonlinear/published_ships.hpp"
 
 namespace swayaw {

@@ -3,7 +3,7 @@
 #include "catch.hpp"
 #include "disturbed_runs.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/force_breakdown.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw {

@@ -6,7 +6,7 @@
 #include "files.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/index_slopes.hpp"
+#include "swayaw/nonlinear/manoeuvres/index_slopes.hpp"
 
 namespace swayaw {
 namespace {

@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/segment_simulator.hpp"
+#include "swayaw/nonlinear/simulation/segment_simulator.hpp"
 
 #include <catch.hpp>
 #include <cmath>

@@ -9,10 +9,10 @@
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "swayaw/nonlinear/windage_sources.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 #include "tank_instruments.hpp"
 
 /// What a ship hides from her model is named, with its size, wherever the runs come from.

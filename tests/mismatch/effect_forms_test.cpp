@@ -7,7 +7,7 @@
 
 #include "files.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
-#include "swayaw/nonlinear/windage_sources.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 #include "trial.hpp"
 
 /// Laws of the coordinates of every effect.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "swayaw/core/angle.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/published_ships.hpp"
 

@@ -10,10 +10,10 @@
 #include "random_ships.hpp"
 #include "search.hpp"
 #include "swayaw/core/angle.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
-#include "swayaw/nonlinear/windage_sources.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 #include "tank_instruments.hpp"
 
 /// Fits of a ship's parameters and of effects, from inside.

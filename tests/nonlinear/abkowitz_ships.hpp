@@ -6,7 +6,7 @@
 #include "files.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/parts_reader.hpp"
-#include "swayaw/nonlinear/abkowitz_forces.hpp"
+#include "swayaw/nonlinear/models/abkowitz/abkowitz_forces.hpp"
 
 /// The Mariner, and seeded relatives of her.
 namespace swayaw::test {

@@ -8,7 +8,7 @@
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/pack.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/abkowitz_forces.hpp"
+#include "swayaw/nonlinear/models/abkowitz/abkowitz_forces.hpp"
 
 namespace swayaw {
 namespace {

@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/batch.hpp"
+#include "swayaw/nonlinear/simulation/batch.hpp"
 
 #include <catch.hpp>
 

@@ -6,8 +6,8 @@
 #include "random_windage.hpp"
 #include "swayaw/core/parts_writer.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/published_ships.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 

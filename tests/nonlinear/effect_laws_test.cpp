@@ -7,9 +7,9 @@
 #include "random_effects.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/effects.hpp"
-#include "swayaw/nonlinear/force_breakdown.hpp"
-#include "swayaw/nonlinear/instruments.hpp"
+#include "swayaw/nonlinear/instruments/instruments.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 
 /// Laws of every effect in the list, and of single ones beside a second route.
 #define EVERY_MODEL MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>

@@ -5,9 +5,9 @@
 #include "random_ships.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/clarke.hpp"
-#include "swayaw/nonlinear/estimated_ship.hpp"
-#include "swayaw/nonlinear/kijima.hpp"
+#include "swayaw/nonlinear/estimates/clarke.hpp"
+#include "swayaw/nonlinear/estimates/estimated_ship.hpp"
+#include "swayaw/nonlinear/estimates/kijima.hpp"
 
 /// Coefficients from main dimensions: laws over random hulls, then published numbers.
 namespace swayaw {

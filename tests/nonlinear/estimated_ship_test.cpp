@@ -1,11 +1,11 @@
-#include "swayaw/nonlinear/estimated_ship.hpp"
+#include "swayaw/nonlinear/estimates/estimated_ship.hpp"
 
 #include <catch.hpp>
 
 #include "random_ships.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "swayaw/nonlinear/mmg_forces.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_forces.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 /// Ships made of main dimensions: they are complete, hold their speed, and sail.

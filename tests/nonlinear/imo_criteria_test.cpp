@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/imo_criteria.hpp"
+#include "swayaw/nonlinear/manoeuvres/imo_criteria.hpp"
 
 #include <algorithm>
 #include <catch.hpp>

@@ -1,11 +1,11 @@
-#include "swayaw/nonlinear/index_slopes.hpp"
+#include "swayaw/nonlinear/manoeuvres/index_slopes.hpp"
 
 #include <catch.hpp>
 #include <cmath>
 
 #include "model_ships.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/nawigator.hpp"
+#include "swayaw/nonlinear/estimates/nawigator.hpp"
 #include "swayaw/nonlinear/published_ships.hpp"
 
 /// Exact derivatives of manoeuvre indices against differences of the precise manoeuvres.

@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/instruments.hpp"
+#include "swayaw/nonlinear/instruments/instruments.hpp"
 
 #include <algorithm>
 #include <catch.hpp>

@@ -6,7 +6,7 @@
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/mmg_forces.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_forces.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw {

@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/mmg_forces.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_forces.hpp"
 
 #include <catch.hpp>
 

@@ -3,7 +3,7 @@
 #include "abkowitz_ships.hpp"
 #include "prime_ships.hpp"
 #include "random_ships.hpp"
-#include "swayaw/nonlinear/models.hpp"
+#include "swayaw/nonlinear/models/models.hpp"
 
 /// Seeded ships of every model, for laws that all models share.
 namespace swayaw::test {

@@ -6,7 +6,7 @@
 #include "model_ships.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "swayaw/nonlinear/windage_sources.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 
 /// What holds for every model of the nonlinear floor.
 namespace swayaw {

@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/nawigator.hpp"
+#include "swayaw/nonlinear/estimates/nawigator.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,9 +18,9 @@
 #include "swayaw/nonlinear/equilibria.hpp"
 #include "swayaw/nonlinear/estimate.hpp"
 #include "swayaw/nonlinear/linearization.hpp"
-#include "swayaw/nonlinear/mmg_labels.hpp"
+#include "swayaw/nonlinear/manoeuvres/turning_indices.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_labels.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
-#include "swayaw/nonlinear/turning_indices.hpp"
 
 /// MV Nawigator XXI [Kulbiej2021] against an independent program of the same equations and against the paper itself.
 namespace swayaw {

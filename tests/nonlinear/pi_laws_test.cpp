@@ -5,7 +5,7 @@
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/pack.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/prime_propulsion.hpp"
+#include "swayaw/nonlinear/models/parts/prime_propulsion.hpp"
 
 namespace swayaw {
 namespace {

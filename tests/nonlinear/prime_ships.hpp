@@ -7,8 +7,8 @@
 #include "files.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/parts_reader.hpp"
-#include "swayaw/nonlinear/pi_forces.hpp"
-#include "swayaw/nonlinear/pu_forces.hpp"
+#include "swayaw/nonlinear/models/pi/pi_forces.hpp"
+#include "swayaw/nonlinear/models/pu/pu_forces.hpp"
 
 /// Ships of the physics-informed and the physics-uninformed model, and seeded relatives of them.
 namespace swayaw::test {

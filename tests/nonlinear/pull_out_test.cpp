@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/pull_out.hpp"
+#include "swayaw/nonlinear/manoeuvres/pull_out.hpp"
 
 #include <catch.hpp>
 #include <cmath>

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "model_ships.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
-#include "swayaw/nonlinear/windage_sources.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 
 /// Seeded effects that can act on a ship.
 namespace swayaw::test {

@@ -2,7 +2,7 @@
 
 #include "random_ships.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "swayaw/nonlinear/settling.hpp"
+#include "swayaw/nonlinear/manoeuvres/settling.hpp"
 
 /// What the tests of manoeuvres share.
 namespace swayaw::test {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "random_ships.hpp"
-#include "swayaw/nonlinear/wind.hpp"
-#include "swayaw/nonlinear/windage_sources.hpp"
+#include "swayaw/nonlinear/surroundings/wind.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 
 /// Seeded windages, winds and motions for laws that must hold for all of them.
 namespace swayaw::test {

@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/rudder_track.hpp"
+#include "swayaw/nonlinear/simulation/rudder_track.hpp"
 
 #include <catch.hpp>
 #include <cmath>

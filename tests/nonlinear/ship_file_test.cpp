@@ -8,7 +8,7 @@
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
 namespace swayaw {

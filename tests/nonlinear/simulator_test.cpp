@@ -9,9 +9,9 @@
 
 #include "random_effects.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/force_breakdown.hpp"
-#include "swayaw/nonlinear/instruments.hpp"
+#include "swayaw/nonlinear/instruments/instruments.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 #define EVERY_MODEL MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>

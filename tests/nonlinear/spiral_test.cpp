@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/spiral.hpp"
+#include "swayaw/nonlinear/manoeuvres/spiral.hpp"
 
 #include <algorithm>
 #include <catch.hpp>
@@ -6,7 +6,7 @@
 
 #include "random_manoeuvres.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/mmg_forces.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_forces.hpp"
 
 namespace swayaw {
 namespace {

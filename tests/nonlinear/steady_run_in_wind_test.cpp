@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/steady_run_in_wind.hpp"
+#include "swayaw/nonlinear/manoeuvres/steady_run_in_wind.hpp"
 
 #include <array>
 #include <catch.hpp>
@@ -8,7 +8,7 @@
 #include "random_manoeuvres.hpp"
 #include "random_windage.hpp"
 #include "swayaw/core/angle.hpp"
-#include "swayaw/nonlinear/mmg_forces.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_forces.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw {

@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/validity.hpp"
+#include "swayaw/nonlinear/models/validity.hpp"
 
 #include <catch.hpp>
 #include <cmath>
@@ -6,9 +6,9 @@
 
 #include "model_ships.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/force_breakdown.hpp"
 #include "swayaw/nonlinear/linearization.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 #define EVERY_MODEL MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>

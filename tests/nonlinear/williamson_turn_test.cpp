@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/williamson_turn.hpp"
+#include "swayaw/nonlinear/manoeuvres/williamson_turn.hpp"
 
 #include <catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/wind.hpp"
+#include "swayaw/nonlinear/surroundings/wind.hpp"
 
 #include <catch.hpp>
 #include <set>

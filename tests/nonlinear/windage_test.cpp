@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/windage_sources.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 
 #include <algorithm>
 #include <catch.hpp>
@@ -6,7 +6,7 @@
 
 #include "random_windage.hpp"
 #include "swayaw/core/dual.hpp"
-#include "swayaw/nonlinear/periodic_curve.hpp"
+#include "swayaw/nonlinear/surroundings/periodic_curve.hpp"
 
 namespace swayaw {
 namespace {

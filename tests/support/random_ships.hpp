@@ -5,8 +5,8 @@
 
 #include "files.hpp"
 #include "swayaw/core/motion.hpp"
-#include "swayaw/nonlinear/controls.hpp"
-#include "swayaw/nonlinear/mmg_ship.hpp"
+#include "swayaw/nonlinear/models/controls.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_ship.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
 /// Seeded ships and motions for laws that must hold for all of them.

@@ -4,8 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "filtered_runs.hpp"
 #include "descent.hpp"
+#include "filtered_runs.hpp"
 
 namespace swayaw {
 

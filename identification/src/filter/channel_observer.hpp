@@ -7,7 +7,7 @@
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"
-#include "swayaw/nonlinear/instruments.hpp"
+#include "swayaw/nonlinear/instruments/instruments.hpp"
 
 /// What the channels of a run show of the state of a filter, and how that changes with the state. Not installed.
 namespace swayaw {

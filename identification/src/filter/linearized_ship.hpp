@@ -5,8 +5,8 @@
 #include <span>
 
 #include "swayaw/core/dual.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
-#include "swayaw/nonlinear/equations_of_motion.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/simulation/equations_of_motion.hpp"
 
 /// Rates of a ship with her effects, and their derivatives by the state. Not installed.
 namespace swayaw {

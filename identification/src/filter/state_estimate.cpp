@@ -4,7 +4,7 @@
 
 #include "noise_ascent.hpp"
 #include "run_filter.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 
 namespace swayaw {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 
 namespace swayaw {
 

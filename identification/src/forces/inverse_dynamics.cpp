@@ -4,7 +4,7 @@
 
 #include "../filter/linearized_ship.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw {

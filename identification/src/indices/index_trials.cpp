@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "swayaw/core/steering_gear.hpp"
-#include "swayaw/nonlinear/index_slopes.hpp"
 #include "swayaw/nonlinear/linearization.hpp"
+#include "swayaw/nonlinear/manoeuvres/index_slopes.hpp"
 
 namespace swayaw {
 namespace {

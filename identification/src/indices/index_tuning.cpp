@@ -12,7 +12,7 @@
 #include "../regression/spectrum.hpp"
 #include "index_trials.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/index_slopes.hpp"
+#include "swayaw/nonlinear/manoeuvres/index_slopes.hpp"
 
 namespace swayaw {
 namespace {

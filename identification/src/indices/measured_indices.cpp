@@ -11,7 +11,7 @@
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/detail/toml_text.hpp"
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/index_slopes.hpp"
+#include "swayaw/nonlinear/manoeuvres/index_slopes.hpp"
 
 namespace swayaw {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "swayaw/identification/trajectory_fit.hpp"
-#include "swayaw/nonlinear/segment_simulator.hpp"
+#include "swayaw/nonlinear/simulation/segment_simulator.hpp"
 
 /// What a trajectory fit works on. Not installed.
 namespace swayaw::trajectory {

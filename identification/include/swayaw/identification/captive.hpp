@@ -10,7 +10,7 @@
 
 #include "swayaw/core/motion.hpp"
 #include "swayaw/identification/regression.hpp"
-#include "swayaw/nonlinear/controls.hpp"
+#include "swayaw/nonlinear/models/controls.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Captive tests: a carriage moves the model as it likes and measures the force that this takes. docs/captive_tests.md

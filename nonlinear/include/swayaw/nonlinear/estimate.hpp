@@ -1,7 +1,7 @@
 #pragma once
 
-#include "swayaw/nonlinear/hull_dimensions.hpp"
-#include "swayaw/nonlinear/mmg_ship.hpp"
+#include "swayaw/nonlinear/estimates/hull_dimensions.hpp"
+#include "swayaw/nonlinear/models/mmg/mmg_ship.hpp"
 
 /// Numbers of the MMG standard model from main dimensions, in its primes and signs (mmg_ship.hpp).
 ///

@@ -6,7 +6,7 @@
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/recording.hpp"
 #include "swayaw/core/side.hpp"
-#include "swayaw/nonlinear/manoeuvre_step.hpp"
+#include "swayaw/nonlinear/manoeuvres/manoeuvre_step.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Standard manoeuvres. Each begins at t = 0, where the first rudder order is given, at the origin on heading 0

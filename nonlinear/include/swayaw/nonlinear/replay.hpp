@@ -5,8 +5,8 @@
 
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/recording.hpp"
-#include "swayaw/nonlinear/rudder_track.hpp"
 #include "swayaw/nonlinear/ship.hpp"
+#include "swayaw/nonlinear/simulation/rudder_track.hpp"
 
 /// Simulation with the rudder and shaft speed of a recording, beside that recording.
 namespace swayaw {

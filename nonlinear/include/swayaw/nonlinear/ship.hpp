@@ -6,8 +6,8 @@
 
 #include "swayaw/core/confidence.hpp"
 #include "swayaw/nonlinear/effects.hpp"
-#include "swayaw/nonlinear/models.hpp"
-#include "swayaw/nonlinear/surroundings.hpp"
+#include "swayaw/nonlinear/models/models.hpp"
+#include "swayaw/nonlinear/surroundings/surroundings.hpp"
 
 namespace swayaw {
 

@@ -7,9 +7,9 @@
 
 #include "swayaw/core/channel.hpp"
 #include "swayaw/core/motion.hpp"
-#include "swayaw/nonlinear/branch.hpp"
-#include "swayaw/nonlinear/controls.hpp"
-#include "swayaw/nonlinear/surroundings.hpp"
+#include "swayaw/nonlinear/models/branch.hpp"
+#include "swayaw/nonlinear/models/controls.hpp"
+#include "swayaw/nonlinear/surroundings/surroundings.hpp"
 
 /// A ship in real time: what a ship-handling simulator links.
 ///

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "swayaw/core/motion.hpp"
-#include "swayaw/nonlinear/controls.hpp"
+#include "swayaw/nonlinear/models/controls.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
 namespace swayaw {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "swayaw/nonlinear/effects/effect.hpp"
-#include "swayaw/nonlinear/models.hpp"
+#include "swayaw/nonlinear/models/models.hpp"
 
 namespace swayaw {
 

@@ -10,7 +10,7 @@
 #include "swayaw/core/channel.hpp"
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/parameter.hpp"
-#include "swayaw/nonlinear/controls.hpp"
+#include "swayaw/nonlinear/models/controls.hpp"
 
 /// What the file of an effect may hold. docs/decisions/005_one_file_per_effect.md shows how one is added.
 ///

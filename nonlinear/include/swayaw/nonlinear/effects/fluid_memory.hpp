@@ -1,7 +1,7 @@
 #pragma once
 
 #include "swayaw/nonlinear/effects/search_form.hpp"
-#include "swayaw/nonlinear/models.hpp"
+#include "swayaw/nonlinear/models/models.hpp"
 
 namespace swayaw {
 

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "swayaw/nonlinear/effects/search_form.hpp"
-#include "swayaw/nonlinear/wind.hpp"
+#include "swayaw/nonlinear/surroundings/wind.hpp"
 
 namespace swayaw {
 

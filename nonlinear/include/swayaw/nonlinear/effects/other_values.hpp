@@ -8,7 +8,7 @@
 
 #include "swayaw/core/scalar.hpp"
 #include "swayaw/nonlinear/effects/effect.hpp"
-#include "swayaw/nonlinear/models.hpp"
+#include "swayaw/nonlinear/models/models.hpp"
 
 /// Changes of the parameters of a model, in any scalar.
 namespace swayaw {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "swayaw/nonlinear/effects/search_form.hpp"
-#include "swayaw/nonlinear/rudder_lift_loss.hpp"
+#include "swayaw/nonlinear/models/parts/rudder_lift_loss.hpp"
 
 namespace swayaw {
 

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "swayaw/nonlinear/effects/search_form.hpp"
-#include "swayaw/nonlinear/models.hpp"
-#include "swayaw/nonlinear/shallow_water.hpp"
+#include "swayaw/nonlinear/effects/shallow_water_derivatives.hpp"
+#include "swayaw/nonlinear/models/models.hpp"
 
 namespace swayaw {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "swayaw/nonlinear/effects/search_form.hpp"
-#include "swayaw/nonlinear/surroundings.hpp"
+#include "swayaw/nonlinear/surroundings/surroundings.hpp"
 
 namespace swayaw {
 

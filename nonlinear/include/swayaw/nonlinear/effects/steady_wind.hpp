@@ -1,7 +1,7 @@
 #pragma once
 
 #include "swayaw/nonlinear/effects/effect.hpp"
-#include "swayaw/nonlinear/wind.hpp"
+#include "swayaw/nonlinear/surroundings/wind.hpp"
 
 namespace swayaw {
 

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "swayaw/core/channel_table.hpp"
+#include "swayaw/core/recording.hpp"
+#include "swayaw/nonlinear/effects.hpp"
+#include "swayaw/nonlinear/surroundings/surroundings.hpp"
+
+/// What the instruments make of a motion: the same law in simulation, filter and fit. docs/effects.md tells signs.
+namespace swayaw {
+
+/// The instruments as the effects make them; effects of other kinds are passed over.
+template <class S>
+Instruments<S> instruments_of(std::span<const EffectIn<S>> effects) {
+  Instruments<S> instruments;
+  const auto put = [&](const auto& e) {
+    if constexpr (requires { put_on(instruments, e); }) put_on(instruments, e);
+  };
+  for (const auto& effect : effects) std::visit(put, effect);
+  return instruments;
+}
+
+// ---------------------------------------------------------------- observation
+
+/// What there is to look at on a ship in a stream.
+template <class S>
+Kinematics<S> kinematics(const ShipState<S>& state, const Current<S>& current, const S& phi = S(0.0)) {
+  return {state, over_ground(current, state), phi};
+}
+
+/// Position and velocity over ground of the point l = (x, y) of the ship: p + R(psi) l, V + r × l.
+template <class S>
+Kinematics<S> at_point(Kinematics<S> k, const S& x, const S& y) {
+  const auto [s, c] = sin_cos(k.state.psi);
+  k.state.x = k.state.x + x * c - y * s;
+  k.state.y = k.state.y + x * s + y * c;
+  k.ground.u = k.ground.u - k.state.motion.r * y;
+  k.ground.v = k.ground.v + k.state.motion.r * x;
+  return k;
+}
+
+/// The motion some seconds ago, by the midpoint rule and constant accelerations.
+template <class S>
+ShipState<S> moved_back(const ShipState<S>& s, const Current<S>& current, const PlanarAcceleration<double>& a,
+                        const S& delay) {
+  const auto back = [&](const ShipState<S>& rate_at, const S& t) {
+    const auto ground = over_ground(current, rate_at);
+    const auto [sine, cosine] = sin_cos(rate_at.psi);
+    return ShipState<S>{s.x - t * (ground.u * cosine - ground.v * sine),
+                        s.y - t * (ground.u * sine + ground.v * cosine),
+                        s.psi - t * rate_at.motion.r,
+                        {s.motion.u - t * a.u, s.motion.v - t * a.v, s.motion.r - t * a.r}};
+  };
+  return back(back(s, S(0.5 * delay)), delay);
+}
+
+/// What the instrument of a channel shows.
+///
+/// @param at  Kinematics<S> at(S delay): what there was to look at so many seconds ago, 0 for now
+template <class S, class At>
+S observe(Channel channel, const Instruments<S>& instruments, At&& at) {
+  const auto& error = instruments[channel];
+  return error.reading(observe(channel, at_point(at(error.delay), instruments.antenna_x, instruments.antenna_y)));
+}
+
+/// A true run as the instruments record it. A late channel has the value of `delay` ago, by straight lines between the
+/// samples, drawn on beyond the first and the last.
+Recording as_recorded(Recording truth, const Instruments<double>& instruments);
+
+/// A recorded run without what the instruments did to it: the inverse.
+Recording as_it_was(Recording recorded, const Instruments<double>& instruments);
+
+}  // namespace swayaw

@@ -1,0 +1,94 @@
+#include "swayaw/nonlinear/instruments/instruments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swayaw {
+namespace {
+
+// ---------------------------------------------------------------- antenna
+
+double sample_or(const Recording& run, Channel channel, std::size_t i, double otherwise) {
+  return run[channel].empty() ? otherwise : run[channel][i];
+}
+
+/// Velocity over ground as it was recorded: by its parts, or by speed and course.
+PlanarMotion<double> ground_of(const Recording& run, std::size_t i) {
+  if (run.has(Channel::u_ground))
+    return {sample_or(run, Channel::u_ground, i, 0.0), sample_or(run, Channel::v_ground, i, 0.0), 0.0};
+  const double speed = sample_or(run, Channel::speed_over_ground, i, missing);
+  const double angle = sample_or(run, Channel::course_over_ground, i, missing) - run[Channel::psi][i];
+  return {speed * std::cos(angle), speed * std::sin(angle), 0.0};
+}
+
+/// What a sample tells; without a yaw rate she does not turn.
+Kinematics<double> kinematics_at(const Recording& run, std::size_t i) {
+  const auto of = [&](Channel channel, double otherwise) { return sample_or(run, channel, i, otherwise); };
+  const ShipState<double> state{of(Channel::x, 0.0),
+                                of(Channel::y, 0.0),
+                                of(Channel::psi, missing),
+                                {of(Channel::u, 0.0), of(Channel::v, 0.0), of(Channel::r, 0.0)}};
+  return {state, ground_of(run, i), of(Channel::phi, 0.0)};
+}
+
+/// Position and velocity over ground as of the point (x, y) from the one that they are of; what cannot be told stays.
+void move_place(Recording& run, double x, double y) {
+  if ((x == 0.0 && y == 0.0) || !run.has(Channel::psi)) return;
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    const auto there = at_point(kinematics_at(run, i), x, y);
+    for (const Channel channel : {Channel::x, Channel::y, Channel::u_ground, Channel::v_ground,
+                                  Channel::speed_over_ground, Channel::course_over_ground}) {
+      if (run[channel].empty() || std::isnan(run[channel][i])) continue;
+      double& value = run.channels[index_of(channel)][i];
+      const double moved = observe(channel, there);
+      if (std::isfinite(moved)) value = is_direction(channel) ? value + wrapped(moved - value) : moved;
+    }
+  }
+}
+
+// ---------------------------------------------------------------- delay
+
+/// Value at a time by straight lines, drawn on beyond the ends.
+double drawn_on(std::span<const double> times, std::span<const double> values, double time) {
+  const auto after = std::ranges::upper_bound(times, time) - times.begin();
+  const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after, 1, std::ssize(times) - 1));
+  return values[k - 1] + (values[k] - values[k - 1]) * (time - times[k - 1]) / (times[k] - times[k - 1]);
+}
+
+/// Every sample gets the value of `delay` ago; samples that are missing stay so.
+void delay_channel(Recording& run, Channel channel, double delay) {
+  if (delay == 0.0 || !run.has(channel)) return;
+  const Interpolant known(run, channel);
+  if (known.times().size() < 2) return;
+  auto& values = run.channels[index_of(channel)];
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::isfinite(values[i])) values[i] = drawn_on(known.times(), known.values(), run.time[i] - delay);
+}
+
+template <class F>
+void for_each_channel(Recording& run, const Instruments<double>& instruments, F&& f) {
+  for (std::size_t i = 0; i < channel_count; ++i)
+    if (const auto channel = static_cast<Channel>(i); run.has(channel)) f(channel, instruments[channel]);
+}
+
+}  // namespace
+
+Recording as_recorded(Recording run, const Instruments<double>& instruments) {
+  move_place(run, instruments.antenna_x, instruments.antenna_y);
+  for_each_channel(run, instruments, [&](Channel channel, const ChannelError<double>& error) {
+    for (double& value : run.channels[index_of(channel)]) value = error.reading(value);
+    delay_channel(run, channel, error.delay);
+  });
+  return run;
+}
+
+Recording as_it_was(Recording run, const Instruments<double>& instruments) {
+  for_each_channel(run, instruments, [&](Channel channel, const ChannelError<double>& error) {
+    delay_channel(run, channel, -error.delay);
+    for (double& value : run.channels[index_of(channel)]) value = error.truth(value);
+  });
+  move_place(run, -instruments.antenna_x, -instruments.antenna_y);
+  return run;
+}
+
+}  // namespace swayaw

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "../simulation/ship_stepper.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/core/rounding.hpp"
+#include "swayaw/nonlinear/instruments/instruments.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/models/validity.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
+
+/// What the manoeuvres share. Not installed.
+namespace swayaw {
+
+/// Straight ahead at the origin.
+inline Sample approach(double speed, const Controls<double>& propulsion) {
+  return {0.0, {0.0, 0.0, 0.0, {speed, 0.0, 0.0}}, propulsion};
+}
+
+/// Speed and propulsion of the approach, when to stop at the latest, and when to take samples.
+struct Plan {
+  double speed;
+  Controls<double> propulsion;
+  double end;
+  std::vector<double> times;
+};
+
+/// @param longest  duration in ship lengths at approach speed, unless the options give one
+template <class Model>
+Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest);
+
+inline Sample now(const ShipStepper& stepper) { return {stepper.time(), stepper.state(), stepper.controls()}; }
+
+/// Way made until a time, ∫ U dt by the trapezoidal rule over the samples and the one `last` after them [m]; nothing
+/// without samples.
+std::optional<double> way_made(const std::vector<Sample>& samples, const Sample& last, double until);
+
+/// States and thrust as her instruments record them.
+template <class Model>
+Recording recording_of(const std::vector<Sample>& samples, const ActingShip<Model>& acting);
+
+extern template Plan plan(const MmgShip<double>&, const ManoeuvreOptions&, double);
+extern template Plan plan(const PiShip<double>&, const ManoeuvreOptions&, double);
+extern template Plan plan(const PuShip<double>&, const ManoeuvreOptions&, double);
+extern template Plan plan(const AbkowitzShip<double>&, const ManoeuvreOptions&, double);
+extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<MmgShip<double>>&);
+extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<PiShip<double>>&);
+extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<PuShip<double>>&);
+extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<AbkowitzShip<double>>&);
+
+}  // namespace swayaw

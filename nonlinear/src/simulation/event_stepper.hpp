@@ -1,0 +1,441 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/dense_output_runge_kutta.hpp>
+#include <boost/numeric/odeint/stepper/generation/generation_runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "ship_stepper.hpp"
+#include "swayaw/core/motion.hpp"
+#include "swayaw/core/recording.hpp"
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/core/steering_gear.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/manoeuvres/manoeuvre_step.hpp"
+#include "swayaw/nonlinear/models/branch.hpp"
+#include "swayaw/nonlinear/models/models.hpp"
+#include "swayaw/nonlinear/simulation/equations_of_motion.hpp"
+#include "swayaw/nonlinear/simulation/rudder_track.hpp"
+#include "swayaw/nonlinear/surroundings/surroundings.hpp"
+
+/// Integration of a ship from event to event (docs/simulation.md). Not installed.
+namespace swayaw {
+
+/// Propulsion that changes linearly in time.
+struct PropulsionLine {
+  double start = 0.0;         ///< [s]
+  Controls<double> value;     ///< at start; its rudder angle is not used
+  Controls<double> slope{0};  ///< per second
+
+  Controls<double> at(double time, double delta) const {
+    const double t = time - start;
+    return {delta,
+            value.rev + slope.rev * t,
+            {value.thrust.port + slope.thrust.port * t, value.thrust.starboard + slope.thrust.starboard * t},
+            value.by_thrust};
+  }
+};
+
+/// x, y, psi, u, v, r, and the hidden states of effects where there are some.
+template <std::size_t HiddenStates>
+using StepperState = std::array<double, 6 + HiddenStates>;
+
+/// Error of a step in units of the tolerance: lengths over L, angles in radians, speeds over U, rates over U/L.
+template <std::size_t HiddenStates>
+class ScaledError {
+ public:
+  using State = StepperState<HiddenStates>;
+
+  ScaledError() = default;
+  ScaledError(double tolerance, double L, double U) {
+    const std::array of_motion{1.0 / L, 1.0 / L, 1.0, 1.0 / U, 1.0 / U, L / U};
+    const auto of_hidden = [&](ShipUnit scale) {
+      return scale == ShipUnit::speed ? 1.0 / U : scale == ShipUnit::yaw_rate ? L / U : 1.0;
+    };
+    for (std::size_t i = 0; i < weight_.size(); ++i)
+      weight_[i] = (i < 6 ? of_motion[i] : of_hidden(hidden_quantities[i - 6].scale)) / tolerance;
+  }
+
+  template <class Algebra>
+  double error(Algebra&, const State&, const State&, const State& step_error, double) const {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < step_error.size(); ++i) worst = std::max(worst, std::abs(step_error[i]) * weight_[i]);
+    return worst;
+  }
+
+ private:
+  State weight_{};
+};
+
+/// Moves a ship through time with Dormand–Prince steps.
+///
+/// The rudder follows `steer` or `order`, the propulsion is linear in time between calls of `drive`. Within a step the
+/// ship stays on one branch of its force model; where a branch function passes zero, or the rudder rate jumps, the step
+/// ends. Any event time is the root of the dense output, and the state there comes from a step that ends there. Where
+/// the wind changes, the step ends too.
+///
+/// A ship whose effects have hidden states needs HiddenStates = hidden_count. Compiled once for each model
+/// (event_stepper_mmg.cpp and so on); all else asks for a ShipStepper.
+template <class Model, std::size_t HiddenStates = 0>
+class EventStepper final : public ShipStepper {
+ public:
+  using State = StepperState<HiddenStates>;
+
+  /// @param start  the rudder as the indicator shows it
+  EventStepper(const ActingShip<Model>& acting, const Sample& start, double tolerance)
+      : ship_(acting.model),
+        surroundings_(acting.surroundings),
+        changes_(acting.changes),
+        added_(acting.added),
+        with_added_(acting.added.any() || std::ranges::any_of(acting.changes, &Change::acting)),
+        actuator_(acting.rudder),
+        time_(start.time),
+        state_(joined(start.state, steady_hidden(acting.added, start.state.motion))),
+        rudder_(RudderMotion<>::moving(start.time, start.controls.delta, 0.0)),
+        propulsion_{start.time, start.controls},
+        time_unit_(ship_.particulars.L / std::max(speed(start.state.motion), 0.05 * ship_.particulars.U_0)),
+        step_(0.02 * time_unit_),
+        integrator_(Controlled(Error(tolerance, ship_.particulars.L, ship_.particulars.L / time_unit_))) {
+    pass_changes();
+    if (actuator_.any()) {
+      shown_ = rudder_;
+      const AngleLine still{start.time, start.controls.delta, 0.0};
+      track_ = RudderTrack(actuator_, std::span(&still, 1));
+      next_motion_ = motions().size();
+      rudder_ = rudder_.shifted(actuator_.offset);
+    }
+    branch_ = branch_at(ship_, start.state.motion, driven(added_, start.state.motion, controls()));
+  }
+
+  double time() const override { return time_; }
+  ShipState<double> state() const override { return visible(state_); }
+  Controls<double> controls() const override { return controls_at(time_); }
+
+  double shown() const override { return shown_at(time_); }
+
+  StateVector<double> rates_now() const override {
+    State rate;
+    rates()(state_, rate, time_);
+    return {rate[0], rate[1], rate[2], rate[3], rate[4], rate[5]};
+  }
+
+  void steer(double rate) override { show(RudderMotion<>::moving(time_, shown(), rate)); }
+
+  void order(double angle) override { show(RudderMotion<>::ordered(ship_.steering_gear, time_, shown(), angle)); }
+
+  void steer_along(const RudderTrack& track) override {
+    track_ = track;
+    next_motion_ = 0;
+    while (next_motion_ < motions().size() && motions()[next_motion_].start() <= time_) ++next_motion_;
+    follow(motions()[std::max<std::size_t>(next_motion_, 1) - 1]);
+  }
+
+  void show_along(const Interpolant& angle) override { shown_along_ = &angle; }
+
+  void drive(const Controls<double>& rate) override {
+    propulsion_ = {time_, controls(), rate};
+    running_ = false;
+  }
+
+  using ShipStepper::advance;
+
+  bool advance(double until, const Watch& watch) override {
+    const auto g = [&](const State& s, double) { return watch(visible(s)); };
+    double before = g(state_, time_);
+    while (time_ < until) {
+      const Stretch stretch = next_stretch(std::min({until, rudder_kink_, next_change_}));
+      const double after = g(stretch.end, stretch.to);
+      const bool fired = passes_zero(before, after);
+      const double event = fired ? root(stretch, g) : stretch.to;
+      const BranchChange change = branch_change(stretch);
+      const bool branch_first = change.time < event || (change.time == event && !fired);
+      move_to(stretch, branch_first ? change.time : event);
+      note(branch_first            ? StepEnd::branch
+           : fired                 ? StepEnd::watch
+           : time_ >= rudder_kink_ ? StepEnd::kink
+                                   : StepEnd::none,
+           change.index);
+      if (time_ >= rudder_kink_) pass_rudder_kink();
+      if (time_ >= next_change_) pass_changes();
+      if (branch_first) switch_branch(change);
+      else if (fired) return true;
+      const double now = g(state_, time_);
+      if (passes_zero(before, now)) return note_watch();
+      before = now;
+    }
+    return false;
+  }
+
+ private:
+  using Error = ScaledError<HiddenStates>;
+  using DormandPrince = boost::numeric::odeint::runge_kutta_dopri5<State>;
+  using Controlled = boost::numeric::odeint::controlled_runge_kutta<DormandPrince, Error>;
+  using DenseOutput = boost::numeric::odeint::dense_output_runge_kutta<Controlled>;
+
+  /// An accepted step, cut at the time limit.
+  struct Stretch {
+    double from;
+    double to;
+    State start;
+    State end;
+    bool whole;  ///< the step ends at `to`
+  };
+
+  static ShipState<double> visible(const State& s) { return {s[0], s[1], s[2], {s[3], s[4], s[5]}}; }
+
+  static Hidden<double> hidden_of(const State& s) {
+    Hidden<double> hidden{};
+    if constexpr (HiddenStates > 0) std::copy(s.begin() + 6, s.end(), hidden.begin());
+    return hidden;
+  }
+
+  static State joined(const ShipState<double>& state, const Hidden<double>& h) {
+    State joined;
+    std::ranges::copy(vector_of(state), joined.begin());
+    if constexpr (HiddenStates > 0) std::ranges::copy(h, joined.begin() + 6);
+    return joined;
+  }
+
+  Controls<double> controls_at(double time) const { return propulsion_.at(time, rudder_.at(time)); }
+
+  double shown_at(double time) const {
+    if (shown_along_) return (*shown_along_)(time);
+    return actuator_.any() ? shown_.at(time) : rudder_.at(time);
+  }
+
+  auto rates() const {
+    return [this](const State& s, State& rate, double time) {
+      if constexpr (HiddenStates > 0) rate = rates_with_hidden(s, time);
+      else if (with_added_)
+        rate = rates_of(ship_, surroundings_, added_, visible(s), steady_hidden(added_, visible(s).motion),
+                        controls_at(time), branch_);
+      else rate = rates_without_effects(s, time);
+    };
+  }
+
+  /// Inlined as a whole: most simulations spend their time here.
+  [[gnu::flatten]] State rates_without_effects(const State& s, double time) const requires(HiddenStates == 0) {
+    return rates_of(ship_, surroundings_, visible(s), controls_at(time), branch_);
+  }
+
+  State rates_with_hidden(const State& s, double time) const {
+    const auto state = visible(s);
+    const auto hidden = hidden_of(s);
+    const auto r = rates_of(ship_, surroundings_, added_, state, hidden, controls_at(time), branch_);
+    return joined(state_of(r), hidden_rates(added_, state.motion, hidden));
+  }
+
+  /// What the indicator shows from now on, and the rudder behind it.
+  void show(const RudderMotion<>& motion) {
+    if (!actuator_.any()) return follow(motion);
+    shown_ = motion;
+    if (!actuator_.moves()) return follow(motion.shifted(actuator_.offset));
+    const auto lines = lines_of(motion, time_);
+    steer_along(RudderTrack(actuator_, lines, track_));
+  }
+
+  std::span<const RudderMotion<>> motions() const { return track_.motions(); }
+
+  double next_motion() const { return next_motion_ < motions().size() ? motions()[next_motion_].start() : never; }
+
+  void follow(const RudderMotion<>& motion) {
+    rudder_ = motion;
+    rudder_kink_ = std::min(rudder_.next_kink(time_), next_motion());
+    running_ = false;
+  }
+
+  /// Wind and forces as they are from now on.
+  void pass_changes() {
+    while (!changes_.empty() && changes_.front().time <= time_) {
+      changes_.front().apply(surroundings_, added_);
+      changes_.erase(changes_.begin());
+      running_ = false;
+    }
+    next_change_ = changes_.empty() ? never : changes_.front().time;
+  }
+
+  struct BranchChange {
+    double time;
+    std::size_t index;
+  };
+
+  static bool passes_zero(double before, double after) {
+    return before != 0.0 && (after == 0.0 || std::signbit(before) != std::signbit(after));
+  }
+
+  void pass_rudder_kink() {
+    while (time_ >= next_motion()) follow(motions()[next_motion_++]);
+    rudder_kink_ = std::min(rudder_.next_kink(time_), next_motion());
+    running_ = false;
+  }
+
+  void note(StepEnd end, std::size_t function) {
+    static_assert(Model::branch_count <= most_branches);
+    if (!traced_) return;
+    ManoeuvreStep step{.to = time_, .end = end, .branch = {}, .function = function};
+    std::ranges::copy(branch_, step.branch.begin());
+    steps_.push_back(step);
+  }
+
+  /// The watch was at zero where something else ended the step. @return true
+  bool note_watch() {
+    if (traced_) steps_.back().end = StepEnd::watch;
+    return true;
+  }
+
+  Stretch next_stretch(double until) {
+    if (!running_) integrator_.initialize(state_, time_, std::min(step_, until - time_));
+    running_ = true;
+    const double from = time_;
+    const double tried = integrator_.current_time_step();
+    integrator_.do_step(rates());
+    const double reached = integrator_.current_time();
+    const double rounding = 4e-16 * std::abs(reached);
+    const bool cut_short = tried < step_ && reached - from >= tried - rounding;  // by the limit, not by the error
+    step_ = cut_short ? std::max(step_, integrator_.current_time_step()) : integrator_.current_time_step();
+    if (!cut_short) require_bounded(from);
+    if (std::abs(reached - until) <= 1e-13 * time_unit_)
+      return {from, until, state_, integrator_.current_state(), true};
+    if (reached < until) return {from, reached, state_, integrator_.current_state(), true};
+    return {from, until, state_, dense(until), false};
+  }
+
+  /// @throws Refusal  when the ship comes to a stop, or her motion grows so fast, that no step can follow it
+  void require_bounded(double time) const {
+    const auto& s = integrator_.current_state();
+    const bool finite = std::isfinite(std::accumulate(s.begin(), s.end(), 0.0));
+    if (finite && integrator_.current_time_step() > 1e-8 * time_unit_) return;
+    require_way(time);
+    throw Refusal(fmt::format("the simulated motion grows without bound at {:.6g} s", time));
+  }
+
+  /// The steps end where u would pass zero.
+  /// @throws Refusal  when the little way that the ship has is about to end
+  void require_way(double time) const {
+    State rate;
+    rates()(state_, rate, time);
+    const double u = state_[3], approach = ship_.particulars.L / time_unit_;
+    const double left = u / -rate[3];  // until u = 0, at that deceleration
+    const bool stops = u <= 0.1 * approach && left >= 0.0 && left <= 0.1 * time_unit_;
+    if (!stops) return;
+    throw Refusal(
+        fmt::format("the ship loses her way at {:.4g} s, adrift with u = {:.2g}, v = {:.2g} m/s: the model holds for "
+                    "way ahead only",
+                    time + left, u, state_[4]));
+  }
+
+  State dense(double time) const {
+    State s;
+    integrator_.calc_state(time, s);
+    return s;
+  }
+
+  auto branch_functions_at(const State& s, double time) const {
+    const auto m = visible(s).motion;
+    return branch_functions(ship_, m, driven(added_, m, controls_at(time)));
+  }
+
+  /// First time at which the ship leaves its branch; never, if it stays.
+  BranchChange branch_change(const Stretch& stretch) const {
+    BranchChange first{never, 0};
+    const auto after = branch_functions_at(stretch.end, stretch.to);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      if (after[i] == 0.0 || (after[i] > 0.0) == branch_[i]) continue;
+      const double before = branch_functions_at(stretch.start, stretch.from)[i];
+      const bool left_before = before == 0.0 || (before > 0.0) != branch_[i];
+      if (left_before && last_change_.time == stretch.from && last_change_.index == i) continue;
+      const auto g = [&](const State& s, double time) { return branch_functions_at(s, time)[i]; };
+      const double time = left_before ? stretch.from : root(stretch, g);
+      if (time < first.time) first = {time, i};
+    }
+    return first;
+  }
+
+  void switch_branch(const BranchChange& change) {
+    branch_[change.index] = !branch_[change.index];
+    last_change_ = change;
+    running_ = false;
+  }
+
+  /// Root of g along the stretch, which must change sign on it.
+  template <class G>
+  double root(const Stretch& stretch, G&& g) const {
+    const double g0 = g(stretch.start, stretch.from), g1 = g(stretch.end, stretch.to);
+    if (g1 == 0.0) return stretch.to;
+    std::uintmax_t iterations = 60;
+    const auto tolerance = [this](double a, double b) { return b - a < 1e-13 * time_unit_ + 4e-16 * std::abs(b); };
+    const auto bracket = boost::math::tools::toms748_solve([&](double t) { return g(dense(t), t); }, stretch.from,
+                                                           stretch.to, g0, g1, tolerance, iterations);
+    return 0.5 * (bracket.first + bracket.second);
+  }
+
+  /// Moves to `to` within the stretch; a cut step is repeated so that it ends there.
+  void move_to(const Stretch& stretch, double to) {
+    take_samples(to);
+    const bool whole = to == stretch.to && stretch.whole;
+    if (whole) {
+      state_ = stretch.end;
+    } else if (to > stretch.from) {
+      DormandPrince step;
+      step.do_step(rates(), stretch.start, stretch.from, state_, to - stretch.from);
+    }
+    running_ = whole && integrator_.current_time() == to;
+    time_ = to;
+  }
+
+  void take_samples(double to) {
+    while (!wanted_.empty() && wanted_.front() <= to) {
+      const double time = wanted_.front();
+      const auto s = dense(time);
+      samples_.push_back({time, visible(s), controls_at(time), shown_at(time), hidden_of(s)});
+      wanted_ = wanted_.subspan(1);
+    }
+  }
+
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  Model ship_;
+  Surroundings<double> surroundings_;
+  std::vector<Change> changes_;
+  ActingEffects<double> added_;
+  bool with_added_;
+  RudderActuator actuator_;
+  double time_;
+  State state_;
+  RudderMotion<> rudder_;
+  PropulsionLine propulsion_;
+  double time_unit_;  ///< L/U [s]
+  double step_;       ///< step that the error control asks for [s]
+  DenseOutput integrator_;
+  bool running_ = false;
+  Branch<double, Model::branch_count> branch_{};
+  BranchChange last_change_{-never, 0};
+  double rudder_kink_ = never;  ///< when the rudder rate jumps next [s]
+  double next_change_ = never;  ///< when the wind or a force changes next [s]
+  RudderMotion<> shown_;        ///< of the indicator, where the rudder is not as it shows
+  const Interpolant* shown_along_ = nullptr;
+  RudderTrack track_;
+  std::size_t next_motion_ = 0;
+};
+
+template <class Model>
+std::unique_ptr<ShipStepper> make_stepper(const ActingShip<Model>& acting, const Sample& start, double tolerance) {
+  const auto hides = [&](const Change& change) { return ActingEffects<>{.acting = change.acting}.hidden(); };
+  if (acting.added.hidden() || std::ranges::any_of(acting.changes, hides))
+    return std::make_unique<EventStepper<Model, hidden_count>>(acting, start, tolerance);
+  return std::make_unique<EventStepper<Model>>(acting, start, tolerance);
+}
+
+}  // namespace swayaw

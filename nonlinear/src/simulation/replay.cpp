@@ -1,0 +1,250 @@
+#include "swayaw/nonlinear/replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../instruments/local_fit.hpp"
+#include "../instruments/track_velocity.hpp"
+#include "../manoeuvres/manoeuvre_run.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/models/validity.hpp"
+
+namespace swayaw {
+namespace {
+
+// ---------------------------------------------------------------- recorded state
+
+/// Samples that tell the state at a time.
+struct Neighbourhood {
+  double time;
+  double from;
+  double to;
+  int degree;
+};
+
+/// First time at which the rudder has left its starting angle by a degree.
+double rudder_moves(const Recording& run) {
+  const Channel rudder = run.has(Channel::delta) ? Channel::delta : Channel::delta_order;
+  const Interpolant angle(run, rudder);
+  const auto moved = std::ranges::find_if(
+      angle.values(), [&](double a) { return std::abs(a - angle.values().front()) > radians(1.0); });
+  return moved == angle.values().end() ? run.time.back()
+                                       : angle.times()[static_cast<std::size_t>(moved - angle.values().begin())];
+}
+
+Neighbourhood neighbourhood(const Recording& run, double time, double time_unit) {
+  if (time > run.time.front()) return {time, time - 0.25 * time_unit, time + 0.25 * time_unit, 2};
+  return {time, time, std::min(rudder_moves(run), time + 0.5 * time_unit), 1};
+}
+
+/// The same for rates of change: a rudder that moves at once, or sparse samples, leave too few of them to tell one.
+Neighbourhood rate_neighbourhood(const Recording& run, const Neighbourhood& near, double time_unit) {
+  constexpr std::ptrdiff_t enough = 4;
+  const auto first = std::ranges::lower_bound(run.time, near.from);
+  if (std::ranges::upper_bound(run.time, near.to) - first >= enough) return near;
+  const double fourth = run.time.end() - first >= enough ? first[enough - 1] : run.time.back();
+  return {near.time, near.from, std::max(near.from + 0.25 * time_unit, fourth), 2};
+}
+
+std::optional<ValueAndRate> fit(const Recording& run, Channel channel, const Neighbourhood& near) {
+  const auto [time, from, to, degree] = near;
+  return local_fit(run, channel, time, from, to, degree);
+}
+
+std::optional<double> first_value(const Recording& run, const Neighbourhood& near,
+                                  std::initializer_list<Channel> channels) {
+  for (const Channel channel : channels)
+    if (const auto found = fit(run, channel, near)) return found->value;
+  return std::nullopt;
+}
+
+/// Ground velocity of the water in the axes of a ship that heads psi.
+SurgeSway stream_along(const Current<double>& current, double psi) {
+  const auto drift = over_ground(current, ShipState<double>{0.0, 0.0, psi, {0.0, 0.0, 0.0}});
+  return {drift.u, drift.v};
+}
+
+/// Body velocity over ground from speed and course: u = SOG cos(COG − ψ), v = SOG sin(COG − ψ).
+std::optional<SurgeSway> velocity_from_course(const Recording& run, const Neighbourhood& near, double psi) {
+  const auto speed = run[Channel::speed_over_ground], course = run[Channel::course_over_ground];
+  if (speed.empty() || course.empty()) return std::nullopt;
+  Recording around;  // components do not jump where the course passes north
+  around.time = run.time;
+  auto u = around.fill(Channel::u), v = around.fill(Channel::v);
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    u[i] = speed[i] * std::cos(course[i] - psi);
+    v[i] = speed[i] * std::sin(course[i] - psi);
+  }
+  const auto ahead = fit(around, Channel::u, near), abeam = fit(around, Channel::v, near);
+  if (!ahead || !abeam) return std::nullopt;
+  return SurgeSway{ahead->value, abeam->value};
+}
+
+/// Surge through the water from the speed over ground, SOG² = (u + u_c)² + (v + v_c)².
+double surge_from_speed(double speed_over_ground, double v, const SurgeSway& stream) {
+  const double abeam = v + stream.v;
+  return std::sqrt(std::max(0.0, speed_over_ground * speed_over_ground - abeam * abeam)) - stream.u;
+}
+
+/// Velocity through the water: measured there, else over ground less the current, by the channels in the order of
+/// recorded_state. Nothing tells a sway that is not there.
+std::optional<SurgeSway> velocity_told(const Recording& run, const Current<double>& current, double psi,
+                                       const Neighbourhood& near, const Neighbourhood& wide) {
+  const auto stream = stream_along(current, psi);
+  auto u = first_value(run, near, {Channel::u, Channel::speed_through_water});
+  auto v = first_value(run, near, {Channel::v});
+  if (const auto ground = first_value(run, near, {Channel::u_ground}); !u && ground) u = *ground - stream.u;
+  if (const auto ground = first_value(run, near, {Channel::v_ground}); !v && ground) v = *ground - stream.v;
+  if (u && v) return SurgeSway{*u, *v};
+  auto told = velocity_from_track(run, current, near.time, wide.from, wide.to, wide.degree);
+  if (!told) {
+    const auto course = velocity_from_course(run, near, psi);
+    if (course) told = SurgeSway{course->u - stream.u, course->v - stream.v};
+  }
+  if (told) return SurgeSway{u.value_or(told->u), v.value_or(told->v)};
+  const auto speed = first_value(run, near, {Channel::speed_over_ground});
+  if (!u && speed) u = surge_from_speed(*speed, v.value_or(0.0), stream);
+  if (!u) return std::nullopt;
+  return SurgeSway{*u, v.value_or(0.0)};
+}
+
+ShipState<double> state_told(const Ship& ship, const Recording& run, double time) {
+  const double time_unit = length(ship) / service_speed(ship);
+  const auto near = neighbourhood(run, time, time_unit);
+  const auto wide = rate_neighbourhood(run, near, time_unit);
+  const auto psi = fit(run, Channel::psi, near);
+  const double heading = psi ? psi->value : Interpolant(run, Channel::psi)(time);
+  const auto turning = fit(run, Channel::psi, wide);
+  const double r = first_value(run, near, {Channel::r}).value_or(turning ? turning->rate : 0.0);
+  const auto velocity = velocity_told(run, surroundings_at(ship, time).current, heading, near, wide);
+  if (!velocity) throw Refusal(fmt::format("{}: no channel tells the speed of the ship at {:.6g} s", run.name, time));
+  const double x = first_value(run, near, {Channel::x}).value_or(0.0);
+  const double y = first_value(run, near, {Channel::y}).value_or(0.0);
+  return {x, y, heading, {velocity->u, velocity->v, r}};
+}
+
+}  // namespace
+
+ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time) {
+  const auto instruments = instruments_of(ship);
+  return instruments == Instruments<>{} ? state_told(ship, run, time)
+                                        : state_told(ship, as_it_was(run, instruments), time);
+}
+
+// ---------------------------------------------------------------- recorded controls
+
+namespace {
+
+/// Recorded rudder angle without the delay of its record.
+Interpolant in_time(const Ship& ship, const Recording& run) {
+  Instruments<> late;
+  late[Channel::delta].delay = instruments_of(ship)[Channel::delta].delay;
+  return late == Instruments<>{} ? Interpolant(run, Channel::delta) : Interpolant(as_it_was(run, late), Channel::delta);
+}
+
+/// Rudder angle as the indicator shows it; an order is followed at the rate of the steering gear.
+Interpolant rudder_of(const Ship& ship, const Recording& run) {
+  if (run.has(Channel::delta)) return in_time(ship, run);
+  if (!run.has(Channel::delta_order)) throw Refusal(fmt::format("{}: no rudder angle", run.name));
+  const Interpolant order(run, Channel::delta_order);
+  Recording followed;
+  followed.name = run.name;
+  followed.time.assign(order.times().begin(), order.times().end());
+  auto angle = followed.fill(Channel::delta);
+  angle[0] = order.values()[0];
+  for (std::size_t i = 1; i < angle.size(); ++i) {
+    const auto motion =
+        RudderMotion<>::ordered(steering_gear(ship), followed.time[i - 1], angle[i - 1], order.values()[i]);
+    angle[i] = motion.at(followed.time[i]);
+  }
+  return Interpolant(followed, Channel::delta);
+}
+
+}  // namespace
+
+RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const ReplayOptions& options)
+    : rudder_(rudder_of(ship, run)) {
+  const bool recorded = options.shaft == Shaft::recorded;
+  if (recorded && run.has(Channel::rev) && takes_shaft_speed(ship)) rev_.emplace(run, Channel::rev);
+  else if (recorded && run.has(Channel::thrust)) thrust_.emplace(run, Channel::thrust);
+  else if (!std::holds_alternative<AbkowitzShip<double>>(ship.model))  // whose polynomial holds her propulsion
+    constant_ = self_propulsion(ship, speed(recorded_state(ship, run, run.time.front()).motion));
+  const auto& propulsion = rev_ ? rev_ : thrust_;
+  const auto propulsion_times = propulsion ? propulsion->times() : std::span<const double>{};
+  std::ranges::set_union(rudder_.times(), propulsion_times, std::back_inserter(knots_));
+  if (const auto actuator = rudder_actuator(ship); actuator.any())
+    track_.emplace(actuator, lines_through(rudder_.times(), rudder_.values()));
+}
+
+std::optional<double> RecordedControls::shaft_astern(double from, double to) const {
+  if (!rev_) return std::nullopt;
+  for (std::size_t i = 0; i < rev_->times().size(); ++i)
+    if (const double time = rev_->times()[i]; from <= time && time <= to && rev_->values()[i] < 0.0) return time;
+  return std::nullopt;
+}
+
+Controls<double> RecordedControls::at(double time) const {
+  const double delta = rudder(time);
+  if (rev_) return {.delta = delta, .rev = (*rev_)(time)};
+  if (!thrust_) return with_rudder(constant_, delta);
+  const double half = 0.5 * (*thrust_)(time);
+  return {.delta = delta, .thrust = {half, half}, .by_thrust = true};
+}
+
+// ---------------------------------------------------------------- replay
+
+namespace {
+
+/// Change of the controls per second.
+Controls<double> slope(const Controls<double>& from, const Controls<double>& to, double duration) {
+  return {(to.delta - from.delta) / duration,
+          (to.rev - from.rev) / duration,
+          {(to.thrust.port - from.thrust.port) / duration, (to.thrust.starboard - from.thrust.starboard) / duration},
+          to.by_thrust};
+}
+
+/// Integrates from knot to knot of the recorded controls.
+std::vector<Sample> integrate_along(ShipStepper& stepper, const RecordedControls& controls,
+                                    std::span<const double> times) {
+  const double begin = times.front(), end = times.back();
+  stepper.sample_at(times);
+  if (controls.track()) {
+    stepper.show_along(controls.shown());
+    stepper.steer_along(*controls.track());
+  }
+  auto knot = std::ranges::upper_bound(controls.knots(), begin);
+  while (stepper.time() < end) {
+    const double next = knot == controls.knots().end() ? end : std::min(end, *knot++);
+    if (next <= stepper.time()) continue;
+    const auto rate = slope(stepper.controls(), controls.at(next), next - stepper.time());
+    if (!controls.track()) stepper.steer(rate.delta);
+    stepper.drive(rate);
+    stepper.advance(next);
+  }
+  return stepper.samples();
+}
+
+}  // namespace
+
+Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
+                      std::span<const double> times, const ReplayOptions& options) {
+  require_valid(ship, start.motion, controls.at(times.front()));
+  if (const auto astern = controls.shaft_astern(times.front(), times.back()))
+    throw Refusal(
+        fmt::format("{}: the recorded shaft turns astern at {:.6g} s", words_for(Validity::shaft_astern), *astern));
+  return visit_acting(ship, [&](const auto& acting) {
+    const Sample from{times.front(), start, with_rudder(controls.at(times.front()), controls.shown()(times.front()))};
+    const auto stepper = make_stepper(acting, from, options.tolerance);
+    return recording_of(integrate_along(*stepper, controls, times), acting);
+  });
+}
+
+Recording replay(const Ship& ship, const Recording& run, const ReplayOptions& options) {
+  const RecordedControls controls(ship, run, options);
+  auto simulated = replay_from(ship, controls, recorded_state(ship, run, run.time.front()), run.time, options);
+  simulated.name = ship.name;
+  simulated.facts = run.facts;
+  return simulated;
+}
+
+}  // namespace swayaw
