@@ -10,7 +10,7 @@
 
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,4 +71,4 @@ void write_text(const fs::path& file, std::string_view text) {
   fail({.file = file}, "cannot be written");
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

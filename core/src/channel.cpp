@@ -5,7 +5,7 @@
 
 #include "swayaw/core/channel_table.hpp"
 
-namespace swayaw {
+namespace swayaw::inline core {
 namespace {
 
 constexpr auto names = detail::of_each_channel([](const auto& row) { return row.name; });
@@ -71,4 +71,4 @@ std::optional<Channel> channel_named(std::string_view name) {
   return column ? std::optional(column->channel) : std::nullopt;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -9,7 +9,7 @@
 #include "swayaw/core/detail/toml_text.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline core {
 namespace {
 
 /// "kt[0]" is the first number of the list kt.
@@ -272,4 +272,4 @@ std::string model_of(std::string_view text, const std::filesystem::path& name) {
   return PartsReader(text, name).model();
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

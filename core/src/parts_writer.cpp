@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace swayaw {
+namespace swayaw::inline core {
 namespace {
 
 /// The shortest number that, times `si`, is that value again.
@@ -126,4 +126,4 @@ std::string ship_text(std::string_view model, const ShipFileHead& head, const Fi
   return text;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -7,7 +7,7 @@
 
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 bool Recording::has(Channel channel) const {
   return std::ranges::any_of((*this)[channel], [](double x) { return !std::isnan(x); });
@@ -40,4 +40,19 @@ double Interpolant::operator()(double time) const {
   return value_[k - 1] + share * (value_[k] - value_[k - 1]);
 }
 
-}  // namespace swayaw
+double white_noise_of(std::span<const double> values) {
+  constexpr std::size_t enough = 10;    // differences, fewer of which tell no median
+  constexpr double quartile = 0.6745;   // of the normal distribution
+  const double gain = std::sqrt(20.0);  // of white noise by third differences, √(1 + 9 + 9 + 1)
+  std::vector<double> sizes;
+  for (std::size_t i = 3; i < values.size(); ++i) {
+    const double third = values[i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3];
+    if (std::isfinite(third)) sizes.push_back(std::abs(third));
+  }
+  if (sizes.size() < enough) return 0.0;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::ranges::nth_element(sizes, middle);
+  return *middle / (quartile * gain);
+}
+
+}  // namespace swayaw::inline core

@@ -18,7 +18,7 @@
 #include "swayaw/core/detail/csv_text.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline core {
 using namespace detail;
 namespace {
 
@@ -394,4 +394,4 @@ void write_recording(const Recording& recording, const std::filesystem::path& fi
   write_text(file, recording_text(recording));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

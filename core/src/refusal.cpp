@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace swayaw {
+namespace swayaw::inline core {
 namespace {
 
 std::string text_of(const FilePlace& place, std::string_view what_is_wrong) {
@@ -19,4 +19,4 @@ double require_positive(double value, std::string_view quantity) {
   throw std::domain_error(fmt::format("{} must be positive, got {}", quantity, value));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

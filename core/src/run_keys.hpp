@@ -16,7 +16,7 @@
 #include "swayaw/core/refusal.hpp"
 
 /// What a recording file says of its run, in the lines above the header row.
-namespace swayaw {
+namespace swayaw::inline core::detail {
 using namespace detail;
 
 /// Facts of the run that change how samples are read.
@@ -127,4 +127,4 @@ class RunKeyReader {
   std::vector<std::string> seen_;
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core::detail

@@ -6,7 +6,7 @@
 
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 void require_rudder(double angle, const SteeringGear<double>& gear) {
   require_positive(angle, "rudder angle [rad]");
@@ -15,4 +15,4 @@ void require_rudder(double angle, const SteeringGear<double>& gear) {
                                       degrees(angle), degrees(gear.max_angle)));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -8,7 +8,8 @@
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
+using namespace detail;
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -134,4 +135,4 @@ void zigzag_batch(const ShipColumns& ships, const LinearZigzagOrder& order, Zigz
   table.by_numbers = by_numbers;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -1,7 +1,7 @@
 #include "batch_zigzag.hpp"
 
-namespace swayaw::batch {
+namespace swayaw::inline linear::batch {
 
 ZigzagKernel avx512_zigzags() { return sail_packs<xsimd::avx512bw>; }
 
-}  // namespace swayaw::batch
+}  // namespace swayaw::inline linear::batch

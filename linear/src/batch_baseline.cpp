@@ -3,7 +3,7 @@
 #include "batch_zigzag.hpp"
 #endif
 
-namespace swayaw::batch {
+namespace swayaw::inline linear::batch {
 
 ZigzagKernel baseline_zigzags() {
 #if defined(SWAYAW_PACKS) && !defined(XSIMD_NO_SUPPORTED_ARCHITECTURE)
@@ -15,4 +15,4 @@ ZigzagKernel baseline_zigzags() {
 
 SampleKernel baseline_samples() { return sample_blocks<struct Baseline>; }
 
-}  // namespace swayaw::batch
+}  // namespace swayaw::inline linear::batch

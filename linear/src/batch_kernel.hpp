@@ -6,7 +6,7 @@
 ///
 /// These units are compiled for processors that the program may not run on. So they hold nothing but templates over the
 /// instruction set: no function on plain numbers that the linker could take for the rest of the program.
-namespace swayaw::batch {
+namespace swayaw::inline linear::batch {
 
 /// Ships in, reversals out, [reversal · ships + ship].
 struct ZigzagJob {
@@ -56,4 +56,4 @@ SampleKernel avx2_samples();  ///< AVX2 and fused multiply-add
 /// The kernel for this processor.
 SampleKernel best_samples();
 
-}  // namespace swayaw::batch
+}  // namespace swayaw::inline linear::batch

@@ -14,7 +14,7 @@
 ///
 ///     psi = psi0 + Σ y_i s + B_i p2 + r_i p3,   psi' = Σ y_i + B_i p1 + r_i p2,   psi'' = Σ B_i e + r_i p1,   psi''' =
 ///     Σ C_i e.
-namespace swayaw::batch {
+namespace swayaw::inline linear::batch {
 
 template <class Arch>
 class ZigzagPack {
@@ -353,4 +353,4 @@ void sail_packs(const ZigzagJob& job, std::size_t first, std::size_t last) {
   }
 }
 
-}  // namespace swayaw::batch
+}  // namespace swayaw::inline linear::batch

@@ -4,7 +4,7 @@
 #include "swayaw/linear/sway_yaw.hpp"
 
 /// Numbers in duals whose derivatives are those by logarithms: dx/d ln(x) = x. Not installed.
-namespace swayaw {
+namespace swayaw::inline linear::detail {
 
 /// @param i  place of the number among those that vary
 template <int N>
@@ -21,4 +21,4 @@ SwayYawCoefficients<Dual<N>> by_logarithms(const SwayYawCoefficients<double>& m)
           by_logarithm<N>(m.a2, 3), by_logarithm<N>(m.b2, 4), by_logarithm<N>(m.c2, 5)};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear::detail

@@ -7,7 +7,8 @@
 #include "by_logarithm.hpp"
 #include "swayaw/linear/indices.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
+using namespace detail;
 
 double condition_number(const SwayYawCoefficients<double>& m) {
   const auto i = steering_indices(by_logarithms<6>(m));
@@ -20,4 +21,4 @@ double condition_number(const SwayYawCoefficients<double>& m) {
   return singular[5] > 0.0 ? singular[0] / singular[5] : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -4,7 +4,7 @@
 
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 namespace {
 
 EulerStep advanced(const SwayYawCoefficients<double>& ship, const EulerStep& now, double ordered, double reach,
@@ -50,4 +50,4 @@ EulerZigzag euler_zigzag(const SwayYawCoefficients<double>& ship, const LinearZi
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

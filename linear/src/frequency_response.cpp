@@ -6,7 +6,7 @@
 
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 namespace {
 
 /// Largest root of x² + b x + c, if real.
@@ -92,4 +92,4 @@ std::optional<Crossover> crossover(const SwayYawTransfer<double>& h, double k) {
   return Crossover{.frequency = *nu, .phase_margin = wrapped(phase(heading, *nu))};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

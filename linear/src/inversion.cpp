@@ -10,7 +10,8 @@
 #include "lifted.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
+using namespace detail;
 namespace {
 
 constexpr std::array<KnownPart, 5> all_known{KnownPart::Y_b, KnownPart::Y_w, KnownPart::N_b, KnownPart::N_w,
@@ -149,4 +150,4 @@ std::string_view name_of(KnownPart known) {
   return names[static_cast<std::size_t>(known)];
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

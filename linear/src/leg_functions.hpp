@@ -11,7 +11,7 @@
 #include "swayaw/linear/response.hpp"
 
 /// Zeros of heading, yaw rate and their derivatives along a leg. Not installed.
-namespace swayaw {
+namespace swayaw::inline linear::detail {
 
 /// A place on a leg: s, psi with its first four derivatives, and beta.
 struct Knot {
@@ -250,4 +250,4 @@ void for_each_zero(const LegShip& ship, LinearState<double> start, RudderLine<do
   }
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear::detail

@@ -2,7 +2,7 @@
 
 #include "swayaw/linear/ship_parts.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear::detail {
 
 /// Hull and rudder with constants of another scalar. Not installed.
 template <class S>
@@ -13,4 +13,4 @@ LinearParts<S> lifted(const LinearParts<double>& ship) {
           .rudder = {S(r.area_ratio), S(r.w), S(r.c_Th), S(r.lift_slope), S(r.a_H), S(r.c_Ry), S(r.x_Reff)}};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear::detail

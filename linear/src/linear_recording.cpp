@@ -8,7 +8,7 @@
 #include "swayaw/linear/rudder_history.hpp"
 #include "swayaw/linear/track.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 namespace {
 
 constexpr double runaway = 100.0;  ///< omega' of a ship that turns about a point a hundredth of her length away
@@ -67,4 +67,4 @@ Recording recording_of(const SwayYawCoefficients<double>& coefficients, std::vec
   return run;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -4,7 +4,7 @@
 
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 namespace {
 
 SteeringIndices<double> indices_of(const SteeringIndices<double>& i) { return i; }
@@ -66,4 +66,4 @@ SnameDerivatives<double> inertia(const LinearHull<double>& hull) {
   return d;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

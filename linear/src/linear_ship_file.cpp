@@ -13,7 +13,7 @@
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/parts_writer.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 namespace {
 
 // ---------------------------------------------------------------- the forms
@@ -122,7 +122,7 @@ TableFile<Numbers> file_of(const LinearShip& ship, const Numbers& numbers) {
 std::string ship_text(const LinearShip& ship, std::string_view remark) {
   const auto text_as = [&](const auto& form) {
     auto file = file_of(ship, form);
-    return ship_text("linear", {ship.name, ship.confidence}, {file_parameters(file), {}, {}}, {}, remark);
+    return core::ship_text("linear", {ship.name, ship.confidence}, {file_parameters(file), {}, {}}, {}, remark);
   };
   return std::visit(text_as, ship.form);
 }
@@ -143,4 +143,4 @@ LinearShip parse_linear_ship(std::string_view text, const std::filesystem::path&
 
 LinearShip read_linear_ship(const std::filesystem::path& file) { return parse_linear_ship(read_text(file), file); }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -8,7 +8,8 @@
 #include "leg_functions.hpp"
 #include "swayaw/core/dual.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
+using namespace detail;
 namespace {
 
 /// Legs of the last full cycle.
@@ -274,4 +275,4 @@ std::optional<LoopSensitivity> loop_sensitivity(const SteeringIndices<double>& i
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

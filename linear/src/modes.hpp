@@ -3,7 +3,7 @@
 #include "swayaw/linear/response.hpp"
 
 /// Motion of a ship whose poles are real and well apart, split into its two modes. Not installed.
-namespace swayaw {
+namespace swayaw::inline linear::detail {
 
 /// exp(l s) and its integrals from 0: once, twice, three times.
 struct ExponentialMoments {
@@ -62,4 +62,4 @@ struct Modes {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear::detail

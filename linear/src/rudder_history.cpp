@@ -5,7 +5,7 @@
 
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 
 RudderHistory rudder_step(double angle) { return {.s = {0.0}, .delta = {angle}}; }
 
@@ -41,4 +41,4 @@ void require_history(const RudderHistory& history) {
   if (!std::is_sorted(s.begin(), s.end())) throw std::domain_error("times of a rudder history must not descend");
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

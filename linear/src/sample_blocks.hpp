@@ -4,7 +4,7 @@
 
 /// Sampling of a leg. Only for the units of the batch kernels; see batch_kernel.hpp. A plain loop, which the compiler
 /// turns into the instructions of the unit.
-namespace swayaw::batch {
+namespace swayaw::inline linear::batch {
 
 /// @tparam Set  names the instruction set, so that each unit has a function of its own
 template <class Set>
@@ -26,4 +26,4 @@ void sample_blocks(const BlockMap& m, SampleJob& job) {
   job.beta = beta, job.omega = omega, job.psi = psi, job.angle = angle;
 }
 
-}  // namespace swayaw::batch
+}  // namespace swayaw::inline linear::batch

@@ -7,7 +7,8 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/linear/batch.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
+using namespace detail;
 namespace {
 
 using State = LinearState<double>;
@@ -97,4 +98,4 @@ void sample_legs(const SwayYawCoefficients<double>& ship, std::span<const Leg<do
   }
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -7,7 +7,8 @@
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/linear/batch.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
+using namespace detail;
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -143,4 +144,4 @@ T3Map t3_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& or
   return map;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

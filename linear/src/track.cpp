@@ -5,7 +5,7 @@
 
 #include "swayaw/linear/rudder_history.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 namespace {
 
 struct Way {
@@ -78,4 +78,4 @@ std::vector<TrackPoint> track(const LinearResponse<double>& ship, const std::vec
   return points;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -12,7 +12,8 @@
 #include "lifted.hpp"
 #include "swayaw/core/dual.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
+using namespace detail;
 namespace {
 
 using D = Dual<6>;
@@ -152,4 +153,4 @@ std::optional<std::string> separation_warning(const SteeringIndices<double>& ind
       distance);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -6,7 +6,8 @@
 #include "leg_functions.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
+using namespace detail;
 namespace {
 
 using State = LinearState<double>;
@@ -100,4 +101,4 @@ LinearZigzag<double> linear_zigzag(const SwayYawCoefficients<double>& ship, cons
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -13,7 +13,7 @@
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/manoeuvres/pull_out.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch::detail {
 namespace {
 
 // ---------------------------------------------------------------- menu
@@ -171,4 +171,4 @@ std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s
   return sizes;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch::detail

@@ -8,7 +8,7 @@
 #include "swayaw/mismatch/diagnose.hpp"
 
 /// What to sail next, and what these runs would have shown. Not installed.
-namespace swayaw {
+namespace swayaw::inline mismatch::detail {
 
 /// The manoeuvre of a menu that tells the last finding best from its rivals, per minute; from the best of those that
 /// were tried where none is as good.
@@ -20,4 +20,4 @@ std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& search);
 std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& search,
                                              std::span<const EffectForm> forms, double detection);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch::detail

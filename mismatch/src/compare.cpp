@@ -8,7 +8,8 @@
 #include "statistics.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch {
+using namespace detail;
 namespace {
 
 // ---------------------------------------------------------------- recorded motion
@@ -95,29 +96,18 @@ std::optional<WorstInterval> worst_interval(const Recording& run, std::span<cons
                                             const std::vector<std::size_t>& starts) {
   const Sums all = sums_of(errors);
   if (all.squares <= 0.0 || starts.size() < 2) return std::nullopt;
-  const auto window = [&](std::size_t k) {
-    const std::size_t end = k + 1 < starts.size() ? starts[k + 1] : errors.size();
-    return sums_of(errors.subspan(starts[k], end - starts[k]));
-  };
-  double best = 0.0, excess = 0.0;
-  std::size_t first = 0, best_first = 0, best_last = 0;
+  const auto end_of = [&](std::size_t k) { return k + 1 < starts.size() ? starts[k + 1] : errors.size(); };
+  std::vector<double> excess;
   for (std::size_t k = 0; k < starts.size(); ++k) {
-    if (excess <= 0.0) {
-      excess = 0.0;
-      first = k;
-    }
-    const Sums s = window(k);
-    excess += s.squares - s.count * all.mean_square();
-    if (excess <= best) continue;
-    best = excess;
-    best_first = first;
-    best_last = k;
+    const Sums s = sums_of(errors.subspan(starts[k], end_of(k) - starts[k]));
+    excess.push_back(s.squares - s.count * all.mean_square());
   }
-  if (best <= 0.0) return std::nullopt;
-  const std::size_t end = best_last + 1 < starts.size() ? starts[best_last + 1] : errors.size();
-  const Sums inside = sums_of(errors.subspan(starts[best_first], end - starts[best_first]));
-  return WorstInterval{run.time[starts[best_first]], run.time[std::min(end, run.samples() - 1)],
-                       inside.squares / all.squares, inside.rms()};
+  const auto worst = largest_sum(excess);
+  if (!worst) return std::nullopt;
+  const std::size_t begin = starts[worst->first], end = end_of(worst->last);
+  const Sums inside = sums_of(errors.subspan(begin, end - begin));
+  return WorstInterval{run.time[begin], run.time[std::min(end, run.samples() - 1)], inside.squares / all.squares,
+                       inside.rms()};
 }
 
 /// Scatter of the samples about the parabola through their neighbours, from third differences.
@@ -287,4 +277,4 @@ std::string verdict(const std::vector<Comparison>& comparisons) {
   return text + '.';
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch

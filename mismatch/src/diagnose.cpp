@@ -18,7 +18,8 @@
 #include "swayaw/core/refusal.hpp"
 #include "trial.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch {
+using namespace detail;
 namespace {
 
 double duration_of(std::span<const Recording> runs) {
@@ -305,4 +306,4 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   return d;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch

@@ -5,7 +5,7 @@
 
 #include "swayaw/core/angle.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch::detail {
 namespace {
 
 /// The form of one kind as that of an effect.
@@ -99,4 +99,4 @@ bool is_finding(const Ship& ship, const Effect& effect) {
                              [](const Parameter& p) { return p.decides && !(std::abs(p.value - p.null) <= p.floor); });
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch::detail

@@ -10,7 +10,7 @@
 #include "swayaw/nonlinear/effects/search_form.hpp"
 
 /// Effects in coordinates that a fit moves. Not installed.
-namespace swayaw {
+namespace swayaw::inline mismatch::detail {
 
 /// An effect of any kind as a function of coordinates; each kind tells its own in its file.
 using EffectForm = SearchForm<Effect>;
@@ -33,4 +33,4 @@ EffectForm unknown_map(const Ship& ship);
 /// Whether an effect is larger than the practical floor in any of its parameters that decide.
 bool is_finding(const Ship& ship, const Effect& effect);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch::detail

@@ -12,7 +12,7 @@
 #include "swayaw/identification/nomoto_zigzag.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch {
 namespace {
 
 struct Path {
@@ -112,4 +112,4 @@ std::string words_of(std::span<const LinearView> views) {
   return words.empty() ? words : words + ".";
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch

@@ -9,11 +9,12 @@
 #include <numeric>
 #include <optional>
 
+#include "statistics.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/mismatch/run_picture.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch::detail {
 namespace {
 
 constexpr std::array quantities{"surge_force", "sway_force", "yaw_moment"};
@@ -62,22 +63,11 @@ std::size_t main_axis(const Traced& t) {
 
 // ---------------------------------------------------------------- when
 
-struct Interval {
-  std::size_t from, to;
-};
-
-/// The interval with the largest sum above the mean.
-std::optional<Interval> interval_of(const std::vector<double>& energy) {
+/// The samples with the largest sum above the mean.
+IndexRange main_part(std::vector<double> energy) {
   const double mean = sum_of(energy) / static_cast<double>(energy.size());
-  std::optional<Interval> found;
-  double best = 0.0, now = 0.0;
-  std::size_t start = 0;
-  for (std::size_t i = 0; i < energy.size(); ++i) {
-    if (now <= 0.0) now = 0.0, start = i;
-    now += energy[i] - mean;
-    if (now > best) best = now, found = Interval{start, i};
-  }
-  return found;
+  for (double& e : energy) e -= mean;
+  return largest_sum(energy).value_or(IndexRange{0, energy.size() - 1});
 }
 
 // ---------------------------------------------------------------- where
@@ -153,14 +143,10 @@ std::string where(const Traced& t, const std::vector<double>& energy) {
 MismatchPlace place_of(const Traced& t) {
   const auto axis = main_axis(t);
   const auto energy = energy_of(t, axis);
-  const auto interval = interval_of(energy).value_or(Interval{0, energy.size() - 1});
-  const double inside = std::accumulate(energy.begin() + static_cast<std::ptrdiff_t>(interval.from),
-                                        energy.begin() + static_cast<std::ptrdiff_t>(interval.to) + 1, 0.0);
-  return {t.run->name,
-          quantities[axis],
-          t.time[interval.from],
-          t.time[interval.to],
-          inside / std::max(sum_of(energy), 1e-300),
+  const auto [first, last] = main_part(energy);
+  const double inside = std::accumulate(energy.begin() + static_cast<std::ptrdiff_t>(first),
+                                        energy.begin() + static_cast<std::ptrdiff_t>(last) + 1, 0.0);
+  return {t.run->name,     quantities[axis], t.time[first], t.time[last], inside / std::max(sum_of(energy), 1e-300),
           where(t, energy)};
 }
 
@@ -248,4 +234,4 @@ std::optional<std::pair<double, double>> common_interval(const Located& located,
   return std::pair(from[from.size() / 2], to[to.size() / 2]);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch::detail

@@ -5,7 +5,8 @@
 #include "statistics.hpp"
 #include "swayaw/core/angle.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch {
+using namespace detail;
 namespace {
 
 Channel channel_of(const Recording& run, Quantity quantity) {
@@ -37,25 +38,13 @@ std::vector<double> distances(const Recording& a, const Recording& b) {
 }  // namespace
 
 std::string_view name_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::heading: return "heading";
-    case Quantity::yaw_rate: return "yaw_rate";
-    case Quantity::speed: return "speed";
-    case Quantity::drift: return "drift";
-    case Quantity::position: return "position";
-  }
-  return "";
+  static constexpr std::array<std::string_view, 5> names{"heading", "yaw_rate", "speed", "drift", "position"};
+  return names[static_cast<std::size_t>(quantity)];
 }
 
 std::string_view unit_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::heading: return "rad";
-    case Quantity::yaw_rate: return "rad/s";
-    case Quantity::speed: return "m/s";
-    case Quantity::drift: return "rad";
-    case Quantity::position: return "m";
-  }
-  return "";
+  static constexpr std::array<std::string_view, 5> units{"rad", "rad/s", "m/s", "rad", "m"};
+  return units[static_cast<std::size_t>(quantity)];
 }
 
 bool tells(const Recording& run, Quantity quantity) {
@@ -85,4 +74,4 @@ double variation_of(const Recording& run, Quantity quantity) {
   return deviation(values_of(run, quantity));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch

@@ -10,7 +10,8 @@
 #include "statistics.hpp"
 #include "swayaw/core/angle.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch {
+using namespace detail;
 namespace {
 
 constexpr std::array angle_bounds{radians(-25), radians(-15), radians(-8), radians(-4), radians(-1.5),
@@ -47,23 +48,17 @@ std::vector<RegionError> errors_by(Variable variable, std::span<const double> er
   return regions;
 }
 
-/// Which way a positive value points.
-std::string_view positive_side(Variable variable) {
-  switch (variable) {
-    case Variable::drift: return "bow to starboard of the track";
-    case Variable::yaw_rate: return "to starboard";
-    case Variable::rudder: return "to port";
-  }
-  return "";
-}
+/// A variable in words: what it is, and which way its values point.
+struct VariableWords {
+  std::string_view name, subject, positive, negative, unit;
+};
 
-std::string_view negative_side(Variable variable) {
-  switch (variable) {
-    case Variable::drift: return "bow to port of the track";
-    case Variable::yaw_rate: return "to port";
-    case Variable::rudder: return "to starboard";
-  }
-  return "";
+const VariableWords& words_of(Variable variable) {
+  static constexpr std::array words{
+      VariableWords{"drift", "drift angle", "bow to starboard of the track", "bow to port of the track", " deg"},
+      VariableWords{"yaw_rate", "yaw rate r'", "to starboard", "to port", ""},
+      VariableWords{"rudder", "rudder", "to port", "to starboard", " deg"}};
+  return words[static_cast<std::size_t>(variable)];
 }
 
 /// A bound in the unit that people read: degrees, or r'.
@@ -74,30 +69,14 @@ std::string shown(Variable variable, double bound) {
 
 /// "15 to 25 deg" or "beyond 25 deg", of the size of the variable.
 std::string size_words(Variable variable, double low, double high) {
-  const auto unit = variable == Variable::yaw_rate ? "" : " deg";
+  const auto unit = words_of(variable).unit;
   if (std::isinf(high)) return fmt::format("beyond {}{}", shown(variable, low), unit);
   return fmt::format("{} to {}{}", shown(variable, low), shown(variable, high), unit);
 }
 
-std::string_view subject(Variable variable) {
-  switch (variable) {
-    case Variable::drift: return "drift angle";
-    case Variable::yaw_rate: return "yaw rate r'";
-    case Variable::rudder: return "rudder";
-  }
-  return "";
-}
-
 }  // namespace
 
-std::string_view name_of(Variable variable) {
-  switch (variable) {
-    case Variable::drift: return "drift";
-    case Variable::yaw_rate: return "yaw_rate";
-    case Variable::rudder: return "rudder";
-  }
-  return "";
-}
+std::string_view name_of(Variable variable) { return words_of(variable).name; }
 
 std::span<const double> Conditions::of(Variable variable) const {
   switch (variable) {
@@ -111,13 +90,12 @@ std::span<const double> Conditions::of(Variable variable) const {
 std::string words_for(const RegionError& region) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto variable = region.variable;
+  const auto& words = words_of(variable);
   const double low = region.from.value_or(-infinite), high = region.to.value_or(infinite);
   if (low < 0.0 && high > 0.0)
-    return fmt::format("{} within {}{} of zero", subject(variable), shown(variable, high),
-                       variable == Variable::yaw_rate ? "" : " deg");
-  if (low > 0.0)
-    return fmt::format("{} {} {}", subject(variable), size_words(variable, low, high), positive_side(variable));
-  return fmt::format("{} {} {}", subject(variable), size_words(variable, -high, -low), negative_side(variable));
+    return fmt::format("{} within {}{} of zero", words.subject, shown(variable, high), words.unit);
+  const auto size = low > 0.0 ? size_words(variable, low, high) : size_words(variable, -high, -low);
+  return fmt::format("{} {} {}", words.subject, size, low > 0.0 ? words.positive : words.negative);
 }
 
 std::vector<RegionError> errors_by_region(std::span<const double> errors, const Conditions& conditions) {
@@ -141,4 +119,4 @@ std::optional<RegionError> worst_region(std::span<const RegionError> regions) {
   return worst;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch

@@ -12,7 +12,7 @@
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch {
 namespace {
 
 constexpr std::size_t most_points = 500;
@@ -151,4 +151,4 @@ std::vector<RunPicture> run_pictures(const Ship& given, const Ship& refitted, co
   return pictures;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch

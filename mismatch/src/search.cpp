@@ -9,7 +9,7 @@
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch::detail {
 namespace {
 
 // Log evidence is counted by evidence_excess: 5 is odds of e^(5/3), 5 to 1.
@@ -628,4 +628,4 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
   return s;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch::detail

@@ -12,7 +12,7 @@
 
 /// The search for effects that a ship lacks: all are screened, the best are fitted until they converge, runs that were
 /// not used decide. Not installed.
-namespace swayaw {
+namespace swayaw::inline mismatch::detail {
 
 /// A candidate, fitted beside the effects that are accepted already.
 struct FittedCandidate {
@@ -79,4 +79,4 @@ struct ActiveTime {
 /// `needed`. Neither lies within two ship lengths of way of the ends of the longest run, where the filter settles.
 ActiveTime active_time(const Trial& trial, const Search& s, std::size_t accepted, double needed);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch::detail

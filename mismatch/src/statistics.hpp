@@ -1,10 +1,11 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <span>
 
 /// Sums over samples of which some are missing. Not installed.
-namespace swayaw {
+namespace swayaw::inline mismatch::detail {
 
 /// Count, sum and sum of squares of the samples that are there.
 struct Sums {
@@ -38,4 +39,22 @@ inline double deviation(std::span<const double> values) {
   return about_mean.rms();
 }
 
-}  // namespace swayaw
+/// First and last of contiguous values.
+struct IndexRange {
+  std::size_t first, last;
+};
+
+/// The contiguous values with the largest sum; nothing where no sum is positive.
+inline std::optional<IndexRange> largest_sum(std::span<const double> values) {
+  std::optional<IndexRange> found;
+  double best = 0.0, now = 0.0;
+  std::size_t start = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (now <= 0.0) now = 0.0, start = i;
+    now += values[i];
+    if (now > best) best = now, found = IndexRange{start, i};
+  }
+  return found;
+}
+
+}  // namespace swayaw::inline mismatch::detail

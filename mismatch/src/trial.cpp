@@ -5,7 +5,7 @@
 
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch::detail {
 
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
   Trial trial{
@@ -135,4 +135,4 @@ Eigen::MatrixXd information(const Trial& trial, const LinearizedFit& baseline, c
   return J.transpose() * baseline.projected(J);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch::detail

@@ -10,7 +10,7 @@
 #include "swayaw/nonlinear/coefficients.hpp"
 
 /// A ship, her recorded runs, and the estimation of her parameters and of effects from them. Not installed.
-namespace swayaw {
+namespace swayaw::inline mismatch::detail {
 
 /// What is to be explained, and what is known before: the coefficients of the baseline as (value − mean)/deviation,
 /// normal with a precision matrix.
@@ -60,4 +60,4 @@ PredictedGain predicted_gain(const Trial& trial, const Hypothesis& accepted, con
 /// can: JᵀMJ.
 Eigen::MatrixXd information(const Trial& trial, const LinearizedFit& baseline, const EffectForm& form);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch::detail

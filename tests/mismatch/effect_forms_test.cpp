@@ -12,6 +12,8 @@
 
 /// Laws of the coordinates of every effect.
 namespace swayaw {
+using namespace mismatch::detail;
+
 namespace {
 
 /// A ship of each model, with something for the wind to take hold of.

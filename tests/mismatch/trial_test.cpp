@@ -18,6 +18,8 @@
 
 /// Fits of a ship's parameters and of effects, from inside.
 namespace swayaw {
+using namespace mismatch::detail;
+
 namespace {
 
 /// With parameters that are known to 2 %.

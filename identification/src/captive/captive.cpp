@@ -10,7 +10,8 @@
 #include "captive_force.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
+using namespace detail;
 namespace {
 
 using Eigen::Index;
@@ -164,4 +165,4 @@ CaptiveFit fit_captive(const Ship& ship, std::span<const CaptivePoint> points, c
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

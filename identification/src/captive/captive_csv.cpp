@@ -12,7 +12,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/identification/captive.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
 namespace {
 
 /// Pieces of a text between separators, without blanks around them.
@@ -214,4 +214,4 @@ std::vector<CaptivePoint> read_captive(const std::filesystem::path& file, const 
   return points;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

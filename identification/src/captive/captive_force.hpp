@@ -5,7 +5,7 @@
 #include "swayaw/nonlinear/coefficients.hpp"
 
 /// What a balance between carriage and model measures, for every model and scalar. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// Force that gives a ship and the entrained water this acceleration. The acceleration is affine in the force, a = A F
 /// + a_0, and surge is not coupled to sway and yaw. Forces are counted in units of the body's mass and inertia.
@@ -51,4 +51,4 @@ PlanarForce<S> captive_force(const Model<S>& ship, const RigidBody& body, const 
   return sum;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

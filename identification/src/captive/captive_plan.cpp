@@ -5,7 +5,8 @@
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
+using namespace detail;
 namespace {
 
 using Names = std::vector<std::string>;
@@ -90,4 +91,4 @@ CaptivePlan captive_plan(const Ship& ship, std::span<const CaptivePoint> points,
   return plan;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

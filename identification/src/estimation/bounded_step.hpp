@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 /// Steps of a least-squares fit between bounds. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// The step d that makes ½ dᵀH d + gᵀd least for low ≤ d ≤ high and |d| ≤ radius; low ≤ 0 ≤ high.
 ///
@@ -12,4 +12,4 @@ namespace swayaw {
 Eigen::VectorXd bounded_step(const Eigen::MatrixXd& H, const Eigen::VectorXd& g, const Eigen::VectorXd& low,
                              const Eigen::VectorXd& high, double radius);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

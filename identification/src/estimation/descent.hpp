@@ -5,7 +5,7 @@
 #include "bounded_step.hpp"
 
 /// Least squares with a normal prior between bounds, in a trust region. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// A x = b, to which the step of Gauss and Newton leads.
 struct NormalEquations {
@@ -60,4 +60,4 @@ void descend(Descent& here, const DescentOptions& options, Renew&& renew, At&& a
   }
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -4,7 +4,8 @@
 
 #include "swayaw/core/parallel.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
+using namespace detail;
 namespace {
 
 /// Variances of the channels of a run and of the process noise.
@@ -80,4 +81,4 @@ void difference(const EstimationProblem& problem, const Point& point, const Filt
   });
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

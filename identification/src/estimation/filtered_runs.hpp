@@ -6,10 +6,10 @@
 #include "swayaw/identification/map_fit.hpp"
 
 /// All runs of a problem under the filter, whatever the model. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification {
 
 struct FilteredRuns {
-  std::vector<FilteredRun<9>> runs;
+  std::vector<detail::FilteredRun<9>> runs;
 
   double log_likelihood() const;
 };
@@ -28,4 +28,4 @@ Eigen::VectorXd residuals_if_any(const EstimationProblem& problem, const Point& 
 void difference(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
                 const Eigen::VectorXd& here, Eigen::Index first, Eigen::MatrixXd& slopes);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -7,7 +7,8 @@
 #include "descent.hpp"
 #include "filtered_runs.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
+using namespace detail;
 
 // ---------------------------------------------------------------- problem
 
@@ -165,4 +166,4 @@ Eigen::MatrixXd further_slopes(const EstimationProblem& problem, const Linearize
   return J;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -5,7 +5,8 @@
 #include "filtered_runs.hpp"
 
 /// Noise that suits a ship best, by the likelihood of grids.
-namespace swayaw {
+namespace swayaw::inline identification {
+using namespace detail;
 
 PlanarAcceleration<double> process_noise(const Ship& ship, const Noise& noise) {
   const double U = service_speed(ship), L = length(ship), a = 0.002 * noise.scale * U * U / L;
@@ -113,4 +114,4 @@ Likelihood best_noise(const EstimationProblem& problem, const Point& point, cons
   return search.best;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -4,25 +4,8 @@
 #include "swayaw/identification/map_fit.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
 namespace {
-
-/// Standard deviation of white noise from third differences, by their median: robust against what moves slowly and
-/// against outliers.
-double noise_of(std::span<const double> values, double least) {
-  constexpr std::size_t enough = 10;    // differences, fewer of which tell no median
-  constexpr double quartile = 0.6745;   // of the normal distribution
-  const double gain = std::sqrt(20.0);  // of white noise by third differences, √(1 + 9 + 9 + 1)
-  std::vector<double> sizes;
-  for (std::size_t i = 3; i < values.size(); ++i) {
-    const double third = values[i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3];
-    if (std::isfinite(third)) sizes.push_back(std::abs(third));
-  }
-  if (sizes.size() < enough) return least;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::ranges::nth_element(sizes, middle);
-  return std::max(least, *middle / (quartile * gain));
-}
 
 /// The least that is believed of an instrument, whatever the smoothness of its record: of positions over L, of other
 /// channels over their unit.
@@ -37,7 +20,7 @@ PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Cha
   for (const auto channel : channels) {
     if (!run.has(channel)) continue;
     result.channels.push_back(channel);
-    result.deviation[index_of(channel)] = noise_of(run[channel], least_noise(channel, L, U));
+    result.deviation[index_of(channel)] = std::max(least_noise(channel, L, U), white_noise_of(run[channel]));
     result.measurements += std::ranges::count_if(run[channel], [](double x) { return !std::isnan(x); });
   }
   return result;
@@ -59,4 +42,4 @@ std::vector<Channel> recorded_motion(std::span<const Recording> runs) {
   return channels;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

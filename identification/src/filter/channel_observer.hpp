@@ -10,7 +10,7 @@
 #include "swayaw/nonlinear/instruments/instruments.hpp"
 
 /// What the channels of a run show of the state of a filter, and how that changes with the state. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// Derivative of a channel by x, y, psi, u, v, r.
 using ChannelSlope = Eigen::Matrix<double, 6, 1>;
@@ -90,4 +90,4 @@ class ChannelObserver {
   std::array<int, channel_count> alone_{};
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -9,7 +9,7 @@
 #include "swayaw/nonlinear/simulation/equations_of_motion.hpp"
 
 /// Rates of a ship with her effects, and their derivatives by the state. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// The state with derivatives by psi, u, v and r, on which alone rates and forces depend.
 inline ShipState<Dual<4>> in_duals(const ShipState<double>& s) {
@@ -109,4 +109,4 @@ extern template class LinearizedShip<PiShip<double>>;
 extern template class LinearizedShip<PuShip<double>>;
 extern template class LinearizedShip<AbkowitzShip<double>>;
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

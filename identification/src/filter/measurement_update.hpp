@@ -4,7 +4,7 @@
 #include "ship_predictor.hpp"
 
 /// What a measurement does to an estimate of the state, and what the future of a sample tells of it. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 // ---------------------------------------------------------------- forward
 
@@ -104,4 +104,4 @@ struct Smoother {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

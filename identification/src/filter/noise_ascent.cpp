@@ -2,7 +2,7 @@
 
 #include <optional>
 
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 namespace {
 
 struct Place {
@@ -55,4 +55,4 @@ NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const 
   }
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -4,7 +4,7 @@
 #include <functional>
 
 /// Likelihood climbed by the method of Broyden, Fletcher, Goldfarb and Shanno. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// Log likelihood at a place, and its slope.
 struct Slope {
@@ -25,4 +25,4 @@ struct NoiseAscent {
 NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const Eigen::VectorXd& start,
                   const Eigen::VectorXd& curvature, int most_iterations);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

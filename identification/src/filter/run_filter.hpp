@@ -11,7 +11,7 @@
 #include "swayaw/nonlinear/replay.hpp"
 
 /// Filter and smoother of a recorded run: any model, with all her effects and instruments. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// Variances of the channels and, at the end, of the unmodelled accelerations of surge, sway and yaw; or slopes of the
 /// log likelihood by their logarithms.
@@ -254,4 +254,4 @@ class RunFilter {
   double L_, U_0_;
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

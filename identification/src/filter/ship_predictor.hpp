@@ -8,7 +8,7 @@
 
 /// Prediction of a ship and of small deviations from her way, over N = 6 states (x, y, psi, u, v, r) or 9 (and
 /// unmodelled accelerations). Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 template <int N>
 using FilterVector = Eigen::Matrix<double, N, 1>;
@@ -212,4 +212,4 @@ class ShipPredictor {
   double longest_;  ///< way made in one step [m]
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -6,7 +6,8 @@
 #include "run_filter.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
+using namespace detail;
 namespace {
 
 // ---------------------------------------------------------------- what is known
@@ -37,22 +38,6 @@ void require_position_or_speed(const Recording& run, std::span<const Channel> us
 /// Least noise that a channel is credited with, over its unit: the rounding of files with six digits.
 constexpr double least_noise = 1e-5;
 
-/// Noise to begin with where none is known: the scatter of second differences, √(1/6) of their size for white noise.
-double rough_noise(std::span<const Recording> runs, Channel channel) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const auto& run : runs) {
-    const auto value = run[channel];
-    for (std::size_t i = 2; i < value.size(); ++i) {
-      const double second = value[i] - 2.0 * value[i - 1] + value[i - 2];
-      if (!std::isfinite(second)) continue;
-      sum += second * second;
-      ++count;
-    }
-  }
-  return count == 0 ? 0.0 : std::sqrt(sum / (6.0 * static_cast<double>(count)));
-}
-
 // ---------------------------------------------------------------- noise as a place on a hill
 
 /// The variances that are to be found, as σ² = least² + exp(2 p): no p makes a noise so small that rounding matters.
@@ -65,7 +50,11 @@ class NoisePlaces {
       const double least = least_noise * unit_of(c, L, U);
       if (const auto& known = options.noise[index_of(c)])
         noise_[place_of(c)] = std::pow(require_positive(*known, fmt::format("noise of {}", column_name(c))), 2);
-      else set_free(place_of(c), least, std::max(rough_noise(runs, c), 2.0 * least));
+      else {
+        double begin = 2.0 * least;
+        for (const auto& run : runs) begin = std::max(begin, white_noise_of(run[c]));
+        set_free(place_of(c), least, begin);
+      }
     }
     // U²/L and U²/L²; of white accelerations what they make of a velocity in L/U
     const double unit = options.coloured ? U * U / L : U * std::sqrt(U / L);
@@ -312,4 +301,4 @@ Recording StateEstimate::recording(const Recording& run) const {
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

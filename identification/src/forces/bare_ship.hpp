@@ -7,7 +7,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// Refuses effects of a ship that a fit does not know: forces, changed parameters and gusts, and those of instruments
 /// where `sensors` are not known. Steady wind, current, and what lies between indicator and rudder act.
@@ -24,4 +24,4 @@ inline void require_known_effects(const Ship& ship, std::string_view fit, bool s
   }
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

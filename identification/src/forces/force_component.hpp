@@ -7,7 +7,7 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Surge force, sway force and yaw moment one by one. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 inline constexpr std::array force_components{ForceComponent::X, ForceComponent::Y, ForceComponent::N};
 
@@ -28,4 +28,4 @@ S force_unit(const Ship& ship, const S& U, ForceComponent component) {
   return 0.5 * rho * L * L * U * U * (component == ForceComponent::N ? L : 1.0);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

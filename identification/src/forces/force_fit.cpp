@@ -13,7 +13,8 @@
 #include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
+using namespace detail;
 namespace {
 
 /// Force of the ship, and what one more of each number adds to it: a column X, Y, N for each.
@@ -281,4 +282,4 @@ ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, const For
   return fit_forces(ship, runs, std::move(states), options);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

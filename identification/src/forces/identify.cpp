@@ -16,7 +16,7 @@
 #include "swayaw/nonlinear/replay.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
 
 // ---------------------------------------------------------------- models
 
@@ -300,4 +300,4 @@ std::optional<std::vector<double>> simulated_overshoots(const Ship& ship, const 
   }
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -7,7 +7,8 @@
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
+using namespace detail;
 namespace {
 
 using D = Dual<7>;  // of psi, u, v, r and the unmodelled accelerations
@@ -80,4 +81,4 @@ std::vector<InverseDynamics> inverse_dynamics(const Ship& ship, const Recording&
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

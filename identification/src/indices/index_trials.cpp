@@ -9,7 +9,7 @@
 #include "swayaw/nonlinear/linearization.hpp"
 #include "swayaw/nonlinear/manoeuvres/index_slopes.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 namespace {
 
 template <class Indices>
@@ -105,4 +105,4 @@ Eigen::MatrixXd IndexTrials::slopes(const Ship& ship, const MeasuredTrial& trial
                        parameters.size());
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -8,7 +8,7 @@
 #include "swayaw/identification/index_tuning.hpp"
 
 /// Measured manoeuvres sailed by a ship. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// One manoeuvre as the ship sails it.
 struct SimulatedTrial {
@@ -46,4 +46,4 @@ class IndexTrials {
 /// Whether an index of the steady turn was measured.
 bool asks_for_steady_turn(const MeasuredTrial& trial);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

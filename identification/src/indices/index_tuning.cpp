@@ -14,7 +14,8 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/manoeuvres/index_slopes.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
+using namespace detail;
 namespace {
 
 using Vector = Eigen::VectorXd;
@@ -379,4 +380,4 @@ Tuning tune(const Ship& ship, const MeasuredIndices& measured, const TuningOptio
   return Tuner(ship, measured, options).run();
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -13,7 +13,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/manoeuvres/index_slopes.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
 namespace {
 
 /// An end of a key, "_deg", and the SI value of its unit.
@@ -216,4 +216,4 @@ MeasuredIndices read_indices(const std::filesystem::path& file, double L) {
   return parse_indices(read_text(file), file, L);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 namespace {
 
 /// p + (I + mu diag I)⁻¹ gradient. A noise changes by no more than a factor of 7 at once.
@@ -74,4 +74,4 @@ LinearAscent climb(const LinearProblem& problem, const Parameters& start) {
   return best;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

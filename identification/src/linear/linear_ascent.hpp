@@ -3,7 +3,7 @@
 #include "linear_likelihood.hpp"
 
 /// Fisher scoring. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 struct LinearAscent {
   Parameters p;
@@ -16,4 +16,4 @@ struct LinearAscent {
 /// 1e-3.
 LinearAscent climb(const LinearProblem& problem, const Parameters& start);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

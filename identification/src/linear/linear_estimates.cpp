@@ -6,7 +6,7 @@
 #include "../regression/standard_errors.hpp"
 #include "swayaw/core/dual.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 namespace {
 
 using D = Dual<6>;
@@ -93,4 +93,4 @@ void tell_constants(const FittedConstants& constants, LinearFit& fit) {
   fit.probability_stable = probability_of_stability(fit.transfer);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -5,7 +5,7 @@
 #include "swayaw/identification/linear_fit.hpp"
 
 /// What follows from fitted constants and their covariance. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// Fitted constants: a1, b1, c1, a2, b2, c2, or without drift e0, e1, nw0, nw1.
 struct FittedConstants {
@@ -25,4 +25,4 @@ SwayYawCoefficients<S> yaw_only_ship(const S& e0, const S& e1, const S& nw0, con
   return {.a1 = S(0.0), .b1 = -e0, .c1 = nw0, .a2 = S(1.0), .b2 = -e1, .c2 = nw1};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -9,7 +9,7 @@
 #include "swayaw/linear/response.hpp"
 
 /// Kalman filter of the sway–yaw equations, generic over double and duals. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// Everything a recording is explained by, except the start.
 template <class S>
@@ -136,4 +136,4 @@ void filter_run(LinearFilter<S>& filter, const LinearRun& run, Seen&& seen, Sail
   }
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -14,7 +14,8 @@
 #include "linear_start.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
+using namespace detail;
 namespace {
 
 // ---------------------------------------------------------------- start
@@ -299,4 +300,4 @@ LinearFit fit_linear(const Recording& run, const LinearFitOptions& options) {
   return fit_linear(std::span(&run, 1), options);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

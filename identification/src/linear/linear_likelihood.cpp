@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 double first_heading(const LinearRun& run) {
   const auto known = std::ranges::find_if(run, [](const LinearSample& x) { return !std::isnan(x.psi); });
@@ -36,4 +36,4 @@ LikelihoodSlope slope(const LinearProblem& problem, const Parameters& p) {
   return sum;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

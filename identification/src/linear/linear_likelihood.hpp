@@ -9,7 +9,7 @@
 #include "linear_run.hpp"
 
 /// Likelihood of recordings under the linear equations. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// Places in the vector of parameters. The constants are a1 … c2, or without drift e0, e1, nw0, nw1.
 /// Noises and disturbances are logarithms of standard deviations.
@@ -92,4 +92,4 @@ inline Eigen::MatrixXd of_free(const LinearProblem& problem, const Information& 
   return m(problem.free, problem.free);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -9,7 +9,7 @@
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 namespace {
 
 using OverTime = std::function<double(double)>;
@@ -61,4 +61,4 @@ LinearRun linear_run(const Recording& run, const LinearFitOptions& options) {
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

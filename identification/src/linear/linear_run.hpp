@@ -6,7 +6,7 @@
 #include "swayaw/identification/linear_fit.hpp"
 
 /// A recording as the linear equations see it. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// Time in ship lengths; a measurement that is missing or not used is NaN.
 struct LinearSample {
@@ -23,4 +23,4 @@ using LinearRun = std::vector<LinearSample>;
 /// @throws Refusal  as `fit_linear`
 LinearRun linear_run(const Recording& run, const LinearFitOptions& options);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

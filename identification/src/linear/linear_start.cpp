@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 namespace {
 
 constexpr double grid_step = 0.05;  // ship lengths
@@ -131,15 +131,11 @@ SwayYawTransfer<double> regressed_yaw(const std::vector<LinearRun>& runs, double
 }
 
 double noise_of(const std::vector<LinearRun>& runs, double LinearSample::*channel) {
-  std::vector<double> bends;
-  for (const auto& run : runs) {
-    const auto known = known_points(run, [&](const LinearSample& x) { return x.*channel; });
-    for (std::size_t i = 2; i < known.s.size(); ++i)
-      bends.push_back(std::abs(known.value[i] - 2.0 * known.value[i - 1] + known.value[i - 2]));
-  }
-  if (bends.empty()) return missing;
-  std::ranges::nth_element(bends, bends.begin() + static_cast<std::ptrdiff_t>(bends.size() / 2));
-  return bends[bends.size() / 2] / (0.6745 * std::sqrt(6.0));  // median of |N(0, 6 σ²)|
+  double largest = 0.0;
+  for (const auto& run : runs)
+    largest =
+        std::max(largest, white_noise_of(known_points(run, [&](const LinearSample& x) { return x.*channel; }).value));
+  return largest;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

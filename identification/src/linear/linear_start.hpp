@@ -11,7 +11,7 @@
 ///     −∫φ' beta ds = a1 ∫φ beta ds + b1 ∫φ omega' ds + c1 ∫φ delta ds + k ∫φ ds
 ///
 /// so that the noise is averaged and no sample is differentiated. One equation for each piece; least squares.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// Sway and yaw from drift and yaw rate.
 SwayYawCoefficients<double> regressed_coefficients(const std::vector<LinearRun>& runs, double width);
@@ -19,8 +19,7 @@ SwayYawCoefficients<double> regressed_coefficients(const std::vector<LinearRun>&
 /// e0, e1, nw0, nw1 from yaw rate alone; nb0 and nb1 are 0.
 SwayYawTransfer<double> regressed_yaw(const std::vector<LinearRun>& runs, double width);
 
-/// Guess of the white noise of a channel: from second differences, whose median is that of noise where the motion is
-/// smooth.
+/// Guess of the white noise of a channel.
 double noise_of(const std::vector<LinearRun>& runs, double LinearSample::*channel);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -10,7 +10,7 @@
 
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
 namespace {
 
 /// Heading, yaw rate and ∫ delta dt at the samples that have a heading.
@@ -95,4 +95,4 @@ NomotoZigzag nomoto_zigzag_analysis(const Recording& run) {
           .residual = residual};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace swayaw {
+namespace swayaw::inline identification {
 
 std::string_view in_words(Verdict verdict) {
   switch (verdict) {
@@ -27,4 +27,4 @@ std::string_view in_words(FitStatus status) {
   return "";
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -5,7 +5,7 @@
 #include "gram_kernel.hpp"
 #include "swayaw/linear/batch.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 namespace {
 
 gram::GramKernel best_kernel() {
@@ -36,4 +36,4 @@ Eigen::MatrixXd gram_of(const Eigen::MatrixXd& X, const Eigen::VectorXd& y) {
   return products;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 
 /// Products of the columns of a matrix. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// [X y]ᵀ [X y], with the widest packs of this processor.
 Eigen::MatrixXd gram_of(const Eigen::MatrixXd& X, const Eigen::VectorXd& y);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

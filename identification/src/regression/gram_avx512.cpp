@@ -1,7 +1,7 @@
 #include "gram_packs.hpp"
 
-namespace swayaw::gram {
+namespace swayaw::inline identification::gram {
 
 GramKernel avx512_gram() { return gram_packs<xsimd::avx512bw>; }
 
-}  // namespace swayaw::gram
+}  // namespace swayaw::inline identification::gram

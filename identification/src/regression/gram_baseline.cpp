@@ -3,7 +3,7 @@
 #include "gram_packs.hpp"
 #endif
 
-namespace swayaw::gram {
+namespace swayaw::inline identification::gram {
 
 GramKernel baseline_gram() {
 #if defined(SWAYAW_PACKS) && !defined(XSIMD_NO_SUPPORTED_ARCHITECTURE)
@@ -13,4 +13,4 @@ GramKernel baseline_gram() {
 #endif
 }
 
-}  // namespace swayaw::gram
+}  // namespace swayaw::inline identification::gram

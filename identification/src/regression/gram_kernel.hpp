@@ -6,7 +6,7 @@
 ///
 /// As the kernels of the floors below, these units hold nothing but templates over the instruction set: no function on
 /// plain parameters that the linker could take for the rest of the program.
-namespace swayaw::gram {
+namespace swayaw::inline identification::gram {
 
 /// Columns in, their products out: products[i + count · j] += Σ_t columns[i][t] columns[j][t], for i ≥ j.
 struct GramJob {
@@ -25,4 +25,4 @@ GramKernel baseline_gram();  ///< null without xsimd, or where it knows no instr
 GramKernel avx2_gram();      ///< AVX2 and fused multiply-add
 GramKernel avx512_gram();    ///< AVX-512 F, CD, DQ and BW
 
-}  // namespace swayaw::gram
+}  // namespace swayaw::inline identification::gram

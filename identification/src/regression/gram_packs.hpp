@@ -5,7 +5,7 @@
 #include "gram_kernel.hpp"
 
 /// Products of columns in packs. Not installed.
-namespace swayaw::gram {
+namespace swayaw::inline identification::gram {
 
 /// Products of three columns with four: twelve sums, three columns and one more number fit into sixteen registers.
 inline constexpr std::size_t few = 3, many = 4;
@@ -58,4 +58,4 @@ void gram_packs(const GramJob& job) {
   }
 }
 
-}  // namespace swayaw::gram
+}  // namespace swayaw::inline identification::gram

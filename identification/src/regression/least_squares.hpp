@@ -5,7 +5,7 @@
 #include "swayaw/identification/regression.hpp"
 
 /// The linear algebra of a regression. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// b = b_0 + Z c for every c: what linear constraints leave free.
 struct Freedom {
@@ -49,4 +49,4 @@ Solution solve(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Moments
 /// The largest multiple of the errors that leaves the moments positive, on what the constraints leave free.
 double largest_errors(const Moments& moments, const Freedom& free);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -14,7 +14,8 @@
 #include "spectrum.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
+using namespace detail;
 namespace {
 
 using Eigen::Index;
@@ -350,4 +351,4 @@ Regression regress(const Design& design, const RegressionOptions& options) {
   return fit;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

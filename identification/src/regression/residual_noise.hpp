@@ -4,7 +4,7 @@
 #include <vector>
 
 /// How the residuals of a regression hang together in time. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// Rows [first, first + count) of a run.
 struct RowRange {
@@ -36,4 +36,4 @@ Eigen::MatrixXd covariance_of_sum(const Eigen::MatrixXd& scores, const std::vect
 /// Effective number of independent residuals.
 double effective_samples(const Eigen::VectorXd& e, const std::vector<RowRange>& runs);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

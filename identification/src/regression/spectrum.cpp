@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -51,4 +51,4 @@ Spectrum spectrum_of_rows(const MatrixXd& R, double nothing) {
   return spectrum(size, lambda.reverse(), svd.matrixV().rowwise().reverse(), nothing);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

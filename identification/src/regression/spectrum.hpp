@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 /// What a symmetric matrix says along its axes, the columns measured in units that make its diagonal 1. Not installed.
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 
 /// A = D V λ Vᵀ D, positive semidefinite but for rounding.
 struct Spectrum {
@@ -43,4 +43,4 @@ PrincipalAxes principal_axes(const Eigen::MatrixXd& A);
 /// Sizes of columns from their squares; one that is not there counts as 1.
 Eigen::VectorXd column_sizes(const Eigen::VectorXd& squares);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace swayaw {
+namespace swayaw::inline identification::detail {
 namespace {
 
 constexpr double correlation_length = 1.0;  ///< over which residuals count as correlated [ship lengths]
@@ -50,4 +50,4 @@ std::string combination_words(std::span<const std::string> names, const Eigen::V
   return text + (std::isfinite(relative_error) ? fmt::format("to {:.2g} %", 100.0 * relative_error) : "not at all");
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification::detail

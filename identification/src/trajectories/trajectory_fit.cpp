@@ -11,7 +11,7 @@
 #include "trajectory_errors.hpp"
 #include "trajectory_search.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
 using namespace trajectory;
 
 namespace {
@@ -226,4 +226,4 @@ TrajectoryFit fit_trajectories(const Ship& ship, const Recording& run, const Tra
   return fit_trajectories(ship, std::span(&run, 1), options);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

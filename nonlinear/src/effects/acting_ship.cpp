@@ -8,7 +8,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 std::string_view name_of(const MmgShip<double>&) { return "mmg"; }
@@ -294,4 +294,4 @@ std::vector<Parameter> parameters_of(const Ship& ship, const Effect& effect) {
   return parameters;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

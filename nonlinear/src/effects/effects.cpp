@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 /// One of each kind, where it does nothing.
@@ -154,4 +154,4 @@ std::string_view never_steady(const Effect& effect) {
       effect);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

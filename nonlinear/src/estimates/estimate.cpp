@@ -8,7 +8,7 @@
 #include "swayaw/nonlinear/estimates/kijima.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 void require_hull(const HullDimensions<double>& hull) {
@@ -207,4 +207,4 @@ EstimatedShip estimated_mmg_ship(const HullDimensions<double>& hull, double serv
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

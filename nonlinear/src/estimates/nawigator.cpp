@@ -4,7 +4,7 @@
 
 #include "swayaw/nonlinear/published_ships.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 std::string_view text_of(SurgeReading surge) {
@@ -24,4 +24,4 @@ Ship nawigator_xxi(NawigatorHull hull, SurgeReading surge) {
   return ship;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

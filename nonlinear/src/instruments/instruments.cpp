@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 // ---------------------------------------------------------------- antenna
@@ -91,4 +91,4 @@ Recording as_it_was(Recording run, const Instruments<double>& instruments) {
   return run;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -5,7 +5,7 @@
 
 #include "../steady/small_matrices.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 std::optional<ValueAndRate> local_fit(const Recording& run, Channel channel, double time, double from, double to,
                                       int degree) {
@@ -36,4 +36,4 @@ std::optional<ValueAndRate> local_fit(const Recording& run, Channel channel, dou
   return ValueAndRate{c[0], c[1] / scale};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

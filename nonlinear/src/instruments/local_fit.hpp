@@ -5,7 +5,7 @@
 #include "swayaw/core/recording.hpp"
 
 /// Value and rate of a recorded quantity from the samples around a time. Not installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 struct ValueAndRate {
   double value;
@@ -19,4 +19,4 @@ struct ValueAndRate {
 std::optional<ValueAndRate> local_fit(const Recording& run, Channel channel, double time, double from, double to,
                                       int degree);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

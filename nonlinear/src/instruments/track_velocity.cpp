@@ -6,7 +6,7 @@
 
 #include "../steady/small_matrices.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 namespace {
 
 /// ∫ cos ψ, ∫ sin ψ, ∫ t cos ψ, ∫ t sin ψ over time, t from a given time on.
@@ -77,4 +77,4 @@ std::optional<SurgeSway> velocity_from_track(const Recording& run, const Current
   return SurgeSway{c[2], c[3]};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

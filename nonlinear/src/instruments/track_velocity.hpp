@@ -6,7 +6,7 @@
 #include "swayaw/nonlinear/surroundings/surroundings.hpp"
 
 /// Velocity through the water from a recorded track. Not installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 /// Surge and sway.
 struct SurgeSway {
@@ -26,4 +26,4 @@ struct SurgeSway {
 std::optional<SurgeSway> velocity_from_track(const Recording& run, const Current<double>& current, double time,
                                              double from, double to, int degree);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

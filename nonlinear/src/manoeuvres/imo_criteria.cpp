@@ -5,7 +5,7 @@
 
 #include "swayaw/core/angle.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 Criterion judged(std::string_view name, Side side, const std::optional<double>& value, double limit,
@@ -89,4 +89,4 @@ ImoCriteria imo_criteria(const Ship& ship, const ManoeuvreOptions& options) {
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -10,7 +10,8 @@
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 constexpr int lanes = static_cast<int>(slopes_at_once) + 1;  // and one for the time
@@ -226,4 +227,4 @@ ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, c
   });
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -5,7 +5,7 @@
 #include "swayaw/core/rounding.hpp"
 #include "swayaw/nonlinear/models/validity.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 namespace {
 
 /// 0, step, 2 step, … up to the end.
@@ -75,4 +75,4 @@ template Recording recording_of(const std::vector<Sample>&, const ActingShip<PiS
 template Recording recording_of(const std::vector<Sample>&, const ActingShip<PuShip<double>>&);
 template Recording recording_of(const std::vector<Sample>&, const ActingShip<AbkowitzShip<double>>&);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

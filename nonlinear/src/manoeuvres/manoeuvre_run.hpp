@@ -15,7 +15,7 @@
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 /// What the manoeuvres share. Not installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 /// Straight ahead at the origin.
 inline Sample approach(double speed, const Controls<double>& propulsion) {
@@ -53,4 +53,4 @@ extern template Recording recording_of(const std::vector<Sample>&, const ActingS
 extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<PuShip<double>>&);
 extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<AbkowitzShip<double>>&);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

@@ -7,7 +7,8 @@
 #include "swayaw/linear/indices.hpp"
 #include "swayaw/nonlinear/linearization.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 /// Share of the change of yaw rate that is left.
@@ -101,4 +102,4 @@ PullOut pull_out(const Ship& ship, const PullOutOrder& order, const ManoeuvreOpt
   return visit_acting(ship, both);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -12,7 +12,7 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Stepper until nothing changes but place and heading. Not installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 /// @throws Refusal  for a ship with effects whose turns never become steady, as in wind or waves
 inline void require_calm(const Ship& ship, std::string_view manoeuvre) {
@@ -42,4 +42,4 @@ inline bool settle(ShipStepper& stepper, const Settling& settling, double L, dou
   return false;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

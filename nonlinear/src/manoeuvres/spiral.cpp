@@ -7,7 +7,8 @@
 #include "manoeuvre_run.hpp"
 #include "settle.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 constexpr double differing = 1e-3;    // of yaw rates over U/L
@@ -133,4 +134,4 @@ std::vector<HeldYawRate> held_yaw_rates(const Ship& ship, const Controls<double>
   return points;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -12,7 +12,8 @@
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 using Point = Eigen::Vector4d;  ///< u/U, v/U, delta, psi
@@ -168,4 +169,4 @@ std::vector<WindRunRow> steady_runs_in_wind(const Ship& ship, const Windage<doub
   return rows;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -1,6 +1,7 @@
 #include "manoeuvre_run.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 /// Goes on until the heading has changed by `angle` towards the side.
@@ -75,4 +76,4 @@ TurningCircle turning_circle(const Ship& ship, const TurnOrder& order, const Man
   return circle;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

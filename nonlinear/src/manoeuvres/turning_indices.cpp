@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 std::array<double, 6> numbers(const TurningIndices& t) { return {t.u_s, t.v_s, t.r_s, t.D, t.Ad, t.Td}; }
@@ -41,4 +41,4 @@ IndexError index_error(std::span<const TurningIndices> turns, std::span<const Tu
   return error;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

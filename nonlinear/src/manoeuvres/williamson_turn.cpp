@@ -6,7 +6,8 @@
 
 #include "manoeuvre_run.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 TrackPlace place_of(const ShipStepper& stepper, double turn) {
@@ -75,4 +76,4 @@ WilliamsonTurn williamson_turn(const Ship& ship, const WilliamsonOrder& order, c
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

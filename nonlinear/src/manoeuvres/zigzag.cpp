@@ -1,6 +1,7 @@
 #include "manoeuvre_run.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 /// Adds a reversal and its overshoot to the zigzag. @return whether the run went on to the heading peak
@@ -60,4 +61,4 @@ Zigzag zigzag(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

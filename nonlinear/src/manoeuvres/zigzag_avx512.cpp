@@ -1,7 +1,7 @@
 #include "zigzag_lanes.hpp"
 
-namespace swayaw::mmg_batch {
+namespace swayaw::inline nonlinear::mmg_batch {
 
 ZigzagKernel avx512_zigzags() { return run_lanes<xsimd::avx512bw>; }
 
-}  // namespace swayaw::mmg_batch
+}  // namespace swayaw::inline nonlinear::mmg_batch

@@ -3,7 +3,7 @@
 #include "zigzag_lanes.hpp"
 #endif
 
-namespace swayaw::mmg_batch {
+namespace swayaw::inline nonlinear::mmg_batch {
 
 ZigzagKernel baseline_zigzags() {
 #if defined(SWAYAW_PACKS) && !defined(XSIMD_NO_SUPPORTED_ARCHITECTURE)
@@ -13,4 +13,4 @@ ZigzagKernel baseline_zigzags() {
 #endif
 }
 
-}  // namespace swayaw::mmg_batch
+}  // namespace swayaw::inline nonlinear::mmg_batch

@@ -6,7 +6,7 @@
 ///
 /// As those of the linear floor, these units hold nothing but templates over the instruction set: no function on plain
 /// numbers that the linker could take for the rest of the program.
-namespace swayaw::mmg_batch {
+namespace swayaw::inline nonlinear::mmg_batch {
 
 /// How a ship ended.
 enum class Left : unsigned char { complete, time_over, unbounded };
@@ -33,4 +33,4 @@ ZigzagKernel baseline_zigzags();  ///< null without xsimd, or where it knows no 
 ZigzagKernel avx2_zigzags();      ///< AVX2 and fused multiply-add
 ZigzagKernel avx512_zigzags();    ///< AVX-512 F, CD, DQ and BW
 
-}  // namespace swayaw::mmg_batch
+}  // namespace swayaw::inline nonlinear::mmg_batch

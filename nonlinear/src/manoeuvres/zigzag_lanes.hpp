@@ -14,7 +14,7 @@
 /// Each lane moves its own ship as EventStepper does (docs/simulation.md), with its own time and its own Dormand–Prince
 /// step. All lanes try a step at once. A lane whose error is too large tries a shorter one next time; a lane that runs
 /// over an event tries one that ends there; a lane that has finished takes the next ship.
-namespace swayaw::mmg_batch {
+namespace swayaw::inline nonlinear::mmg_batch {
 
 template <class Arch>
 class ZigzagLanes {
@@ -446,4 +446,4 @@ void run_lanes(const ZigzagJob& job) {
   ZigzagLanes<Arch>::run(x, y);
 }
 
-}  // namespace swayaw::mmg_batch
+}  // namespace swayaw::inline nonlinear::mmg_batch

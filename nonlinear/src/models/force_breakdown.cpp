@@ -12,7 +12,7 @@
 #include "swayaw/nonlinear/replay.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 template <class Model>
@@ -131,4 +131,4 @@ void add_forces(Recording& run, const Ship& ship) {
   run.extra.insert(run.extra.end(), columns.begin(), columns.end());
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

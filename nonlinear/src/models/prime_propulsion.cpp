@@ -7,7 +7,7 @@
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 /// At a thrust [N] or a shaft speed [1/s].
@@ -52,4 +52,4 @@ Controls<double> balanced(const Model<double>& model, double speed) {
 Controls<double> self_propulsion(const PiShip<double>& ship, double speed) { return balanced(ship, speed); }
 Controls<double> self_propulsion(const PuShip<double>& ship, double speed) { return balanced(ship, speed); }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

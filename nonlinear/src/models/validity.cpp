@@ -6,7 +6,7 @@
 
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 bool finite(const PlanarMotion<double>& m, const Controls<double>& c) {
@@ -51,4 +51,4 @@ void require_valid(const Ship& ship, const PlanarMotion<double>& motion, const C
   require_valid(motion, controls, length(ship));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

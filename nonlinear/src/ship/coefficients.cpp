@@ -8,7 +8,7 @@
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 Parameter ship_parameter(const FileParameter& p, std::size_t index, const Confidence& confidence) {
@@ -68,4 +68,4 @@ Ship with_values(const Ship& ship, std::span<const Parameter> parameters, std::s
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -9,7 +9,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 std::optional<std::string_view> published_text(std::string_view name) {
   const auto ships = published_ships();
@@ -25,4 +25,4 @@ Ship published_ship(std::string_view name) {
   throw Refusal(fmt::format("there is no published ship \"{}\"; there are {}", name, fmt::join(names, ", ")));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -1,6 +1,6 @@
 #include "swayaw/nonlinear/ship.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 double length(const Ship& ship) {
   return std::visit([](const auto& model) { return model.particulars.L; }, ship.model);
@@ -15,4 +15,4 @@ const SteeringGear<double>& steering_gear(const Ship& ship) {
       [](const auto& model) -> const auto& { return model.steering_gear; }, ship.model);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -16,7 +16,7 @@
 #include "swayaw/nonlinear/models/mmg/mmg_labels.hpp"
 #include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 // ---------------------------------------------------------------- what a model asks beyond its lists
@@ -302,4 +302,4 @@ void write_ship(const std::filesystem::path& file, const Ship& ship, std::string
 
 Ship read_ship(const std::filesystem::path& file) { return parse_ship(read_text(file), file); }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -9,7 +9,8 @@
 #include "../manoeuvres/zigzag_kernel.hpp"
 #include "swayaw/core/parallel.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -200,4 +201,4 @@ ZigzagBatch zigzag_batch(std::span<const MmgShip<double>> ships, const ZigzagOrd
   return batch;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -12,7 +12,7 @@
 #include "swayaw/nonlinear/simulation/runge_kutta.hpp"
 
 /// Classical Runge–Kutta steps in double or dual numbers, on one branch of the force model at a time. Not installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 /// Controls that change in straight lines over a time.
 struct ControlLine {
@@ -177,4 +177,4 @@ class BranchStepper {
   ShipBranch branch_{};
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

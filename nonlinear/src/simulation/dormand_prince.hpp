@@ -1,7 +1,7 @@
 #pragma once
 
 /// Coefficients of a step, and no functions: the kernels include them. Not installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 /// Dormand–Prince 5(4). Source: [Dormand1980]; the dense output: [Hairer1993] II.6
 struct DormandPrince {
@@ -21,4 +21,4 @@ struct DormandPrince {
                                   69997945.0 / 29380423};
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

@@ -31,7 +31,7 @@
 #include "swayaw/nonlinear/surroundings/surroundings.hpp"
 
 /// Integration of a ship from event to event (docs/simulation.md). Not installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 /// Propulsion that changes linearly in time.
 struct PropulsionLine {
@@ -438,4 +438,4 @@ std::unique_ptr<ShipStepper> make_stepper(const ActingShip<Model>& acting, const
   return std::make_unique<EventStepper<Model>>(acting, start, tolerance);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

@@ -1,7 +1,7 @@
 #include "event_stepper.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 template std::unique_ptr<ShipStepper> make_stepper(const ActingShip<AbkowitzShip<double>>&, const Sample&, double);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

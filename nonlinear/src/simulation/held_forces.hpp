@@ -24,7 +24,7 @@
 /// D is the drag of the hull as a plate in each direction, the classical model of low speeds:
 ///
 ///     X = −½ρLd C_X u|u|,   Y and N by strips across the flow with C_D
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 /// Range that is taken as it is; docs/simulation.md has the table.
 struct HeldRange {
@@ -173,4 +173,4 @@ PlanarForce<double> added_force(const HeldModel<Model>& ship, const HeldEffects&
   return a.given + added_force(ship.model, a.effects, at, hidden, held(controls));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

@@ -9,7 +9,8 @@
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/models/validity.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 // ---------------------------------------------------------------- recorded state
@@ -247,4 +248,4 @@ Recording replay(const Ship& ship, const Recording& run, const ReplayOptions& op
   return simulated;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

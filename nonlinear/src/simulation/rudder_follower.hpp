@@ -9,7 +9,7 @@
 
 /// A play and a lag that follow an angle line by line, in closed form. They hand on what they do piece by piece, so a
 /// track can keep the pieces and a simulator pass them by. Not installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 /// A play of that width: y rests while |x − y| < width/2.
 class PlayFollower {
@@ -97,4 +97,4 @@ class LagFollower {
   double T_, rate_, y_;
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

@@ -5,7 +5,8 @@
 
 #include "rudder_follower.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -114,4 +115,4 @@ double RudderTrack::at(double time) const {
   return motion.at(std::max(time, motion.start()));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

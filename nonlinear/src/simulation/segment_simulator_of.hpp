@@ -6,7 +6,7 @@
 #include "swayaw/nonlinear/simulation/segment_simulator.hpp"
 
 /// The simulator of a model. Not installed; included by one file for each model.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 template <template <class> class Model>
 class ModelSegmentSimulator : public SegmentSimulator {
@@ -113,10 +113,14 @@ class ModelSegmentSimulator : public SegmentSimulator {
   std::vector<Parameter> parameters_;
 };
 
+}  // namespace swayaw::inline nonlinear::detail
+
+namespace swayaw::inline nonlinear {
+
 template <template <class> class Model>
 std::unique_ptr<SegmentSimulator> segment_simulator(const Model<double>& model, const Surroundings<double>& around,
                                                     const std::vector<Parameter>& parameters) {
-  return std::make_unique<ModelSegmentSimulator<Model>>(model, around, parameters);
+  return std::make_unique<detail::ModelSegmentSimulator<Model>>(model, around, parameters);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

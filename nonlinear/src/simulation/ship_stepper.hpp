@@ -12,7 +12,7 @@
 #include "swayaw/nonlinear/simulation/rudder_track.hpp"
 
 /// A ship that is moved through time. Not installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 /// Where the ship is at a time, and her controls: angle of the rudder, shaft speed as ordered.
 struct Sample {
@@ -88,4 +88,4 @@ extern template std::unique_ptr<ShipStepper> make_stepper(const ActingShip<PuShi
 extern template std::unique_ptr<ShipStepper> make_stepper(const ActingShip<AbkowitzShip<double>>&, const Sample&,
                                                           double);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

@@ -15,7 +15,8 @@
 #include "swayaw/nonlinear/simulation/runge_kutta.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 double require_finite(double value, std::string_view quantity) {
@@ -415,4 +416,4 @@ std::span<const ForcePart<double>> Simulator::forces() const noexcept { return c
 std::array<double, channel_count> Simulator::instruments() const noexcept { return core_->instruments(); }
 SimulatorState Simulator::why() const noexcept { return core_->why(); }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -12,7 +12,7 @@
 #include "swayaw/nonlinear/surroundings/surroundings.hpp"
 
 /// Derivatives of a simulation. Not installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 /// Takes the steps of an EventStepper once more in duals.
 ///
@@ -132,4 +132,4 @@ class StepReplay {
   State state_;
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

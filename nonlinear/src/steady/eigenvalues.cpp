@@ -2,7 +2,7 @@
 
 #include "small_matrices.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 std::array<std::complex<double>, 3> eigenvalues(const Eigen::Matrix3d& J) {
   const Eigen::Vector3cd values = J.eigenvalues();
@@ -15,4 +15,4 @@ bool is_stable(const Eigen::Matrix3d& J) {
   return true;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

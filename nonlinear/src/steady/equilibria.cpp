@@ -7,7 +7,8 @@
 #include "steady_balance.hpp"
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 using Point = Eigen::Vector4d;  ///< u/U, v/U, rL/U, delta
@@ -201,4 +202,4 @@ std::optional<InstabilityLoop> instability_loop(const std::vector<SteadyTurn>& c
   return InstabilityLoop{.width = std::abs(first.delta - last.delta), .height = highest - lowest};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

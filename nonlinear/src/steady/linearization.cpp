@@ -11,7 +11,8 @@
 #include "swayaw/nonlinear/models/validity.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 using D = Dual<4>;
@@ -186,4 +187,4 @@ OperatingPoint straight_course(const Ship& ship, const Controls<double>& propuls
   return settled(ship, propulsion, service_speed(ship));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 Eigen::Vector3d solve(const Eigen::Matrix3d& A, const Eigen::Vector3d& b) { return A.partialPivLu().solve(b); }
 
@@ -12,4 +12,4 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) { retu
 
 Eigen::Vector4d kernel(const Eigen::Matrix<double, 3, 4>& A) { return A.fullPivLu().kernel().col(0).normalized(); }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

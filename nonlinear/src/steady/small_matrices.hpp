@@ -6,7 +6,7 @@
 
 /// Decompositions of small matrices, each compiled once: what Eigen makes of one takes the compiler seconds. Not
 /// installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 std::array<std::complex<double>, 3> eigenvalues(const Eigen::Matrix3d& J);
 
@@ -21,4 +21,4 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 /// Unit vector x with A x = 0.
 Eigen::Vector4d kernel(const Eigen::Matrix<double, 3, 4>& A);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

@@ -3,7 +3,7 @@
 #include "swayaw/core/dual.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 using D = Dual<4>;
 
@@ -47,4 +47,4 @@ SteadyBalance SteadyEquations::at(const PlanarMotion<double>& m, double delta) c
   return balance;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

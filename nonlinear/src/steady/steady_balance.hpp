@@ -6,7 +6,7 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Acceleration of a ship whose motion lasts. Not installed.
-namespace swayaw {
+namespace swayaw::inline nonlinear::detail {
 
 /// Acceleration (du, dv, dr)/dt and its derivatives by (u, v, r, delta).
 struct SteadyBalance {
@@ -35,4 +35,4 @@ class SteadyEquations {
   double L_;
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear::detail

@@ -9,7 +9,8 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
+using namespace detail;
 namespace {
 
 using Vector = Eigen::Vector3d;
@@ -101,4 +102,4 @@ std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<doubl
   return newton(SteadyEquations(ship, controls), controls.delta, guess);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

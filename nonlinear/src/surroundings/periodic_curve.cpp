@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 using Column = std::vector<double>;
@@ -89,4 +89,4 @@ PeriodicSpline periodic_spline(std::span<const double> angle, std::span<const do
   return spline;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

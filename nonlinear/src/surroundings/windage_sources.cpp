@@ -11,7 +11,7 @@
 
 #include "swayaw/core/refusal.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 namespace {
 
 /// Two angles closer than this are one [rad].
@@ -171,4 +171,4 @@ WindTable isherwood_table(const Windage<double>& w, const IsherwoodProfile& prof
   return both_sides(one_side);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -4,7 +4,7 @@
 #include <numbers>
 
 /// Angles are radians inside; degrees appear at the boundary only, with the unit in the name.
-namespace swayaw {
+namespace swayaw::inline core {
 
 inline constexpr double pi = std::numbers::pi;
 
@@ -20,4 +20,4 @@ inline double wrapped(double angle) { return std::remainder(angle, 2.0 * pi); }
 /// The same direction, less than half a turn from `previous`.
 inline double unwrapped(double angle, double previous) { return previous + wrapped(angle - previous); }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// The whole text of a file.
 /// @throws FileError  if it cannot be read
@@ -14,4 +14,4 @@ std::string read_text(const std::filesystem::path& file);
 /// @throws FileError  if it cannot be written; nothing is left behind
 void write_text(const std::filesystem::path& file, std::string_view text);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

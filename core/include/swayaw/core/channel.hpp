@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// What a recording can hold. SI, radians, rudder positive to port; docs/notation.md tells axes and signs.
 enum class Channel : std::size_t {
@@ -81,4 +81,4 @@ std::string_view short_name(Channel channel);
 /// The channel of a short name or of a column.
 std::optional<Channel> channel_named(std::string_view name);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

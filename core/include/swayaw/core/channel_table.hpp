@@ -13,7 +13,7 @@
 /// Everything that is known of a channel, in one row: its name, what kind of quantity it is, its columns in recording
 /// files with the SI value of their units, and what it shows of the motion of a ship. A new channel is a row here, in
 /// the order of the enumerators.
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// What an instrument at a point of the ship can look at.
 template <class S = double>
@@ -130,4 +130,4 @@ S observe(Channel channel, const Kinematics<S>& k) {
   return detail::observers<S>[index_of(channel)](k);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// How far the numbers of a ship are trusted: relative standard deviations of its coefficients.
 struct Confidence {
@@ -16,4 +16,4 @@ struct Confidence {
   double of(std::string_view key) const;
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -4,7 +4,7 @@
 
 /// Planar motion and force. Axes: x forward, y to starboard, z down, origin midship;
 /// docs/notation.md tells all signs.
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// Velocity of midship in body axes, and yaw rate.
 template <class Scalar = double>
@@ -67,4 +67,4 @@ Scalar drift_angle(const PlanarMotion<Scalar>& m) {
   return angle_of(Scalar(-m.v), m.u);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

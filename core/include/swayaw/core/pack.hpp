@@ -6,7 +6,7 @@
 
 /// Packs: many ships at once, one a lane. What a lane gives depends on that lane alone, so a ship may have any
 /// neighbours. This header, and no other, needs xsimd.
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// As many doubles as the instruction set of this translation unit handles at once.
 using Pack = xsimd::batch<double>;
@@ -93,4 +93,4 @@ struct Elementary<xsimd::batch<double, Arch>> {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

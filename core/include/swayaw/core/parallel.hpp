@@ -9,7 +9,7 @@
 #include <vector>
 
 /// Independent parts of a work on all cores. Whoever calls it links the threads of the platform.
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// Whether this thread works on a part already.
 inline thread_local bool on_a_part = false;
@@ -47,4 +47,4 @@ void in_parallel(std::size_t parts, unsigned threads, const Work& work) {
   if (trouble) std::rethrow_exception(trouble);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -11,7 +11,7 @@
 
 /// A part is a small struct of parameters. Its list of parameters is written once, beside the struct;
 /// ship files, confidence, fits and reports read that list.
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// Values that make sense, in the unit of the ship file. `low` itself is refused when `above_low`, 0 when `not_zero`.
 struct Range {
@@ -181,4 +181,4 @@ Ship<To> cast(const Ship<From>& ship) {
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

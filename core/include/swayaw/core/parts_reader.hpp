@@ -16,7 +16,7 @@
 /// How ship files are read: one set of rules for every model. A model lists its parts in `sections()` and each part its
 /// numbers in `parameters()`; every key of the lists must be there, no other may be, and every number must lie in its
 /// range.
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// Models of the ship files that this version understands.
 inline constexpr std::array<std::string_view, 5> ship_models{"linear", "mmg", "pi", "pu", "abkowitz"};
@@ -152,4 +152,4 @@ class PartsReader {
 /// @throws FileError
 std::string model_of(std::string_view text, const std::filesystem::path& name);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

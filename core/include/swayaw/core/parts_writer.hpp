@@ -5,7 +5,7 @@
 
 #include "swayaw/core/parts_reader.hpp"
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// The text of a ship file, which PartsReader reads back to the same numbers.
 ///
@@ -16,4 +16,4 @@ namespace swayaw {
 std::string ship_text(std::string_view model, const ShipFileHead& head, const FileKeys& keys,
                       const std::vector<FileEffect>& effects = {}, std::string_view remark = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -9,7 +9,7 @@
 
 #include "swayaw/core/channel.hpp"
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// Stands for a missing sample.
 inline constexpr double missing = std::numeric_limits<double>::quiet_NaN();
@@ -57,6 +57,10 @@ struct Recording {
   std::span<double> fill(Channel channel);
 };
 
+/// Standard deviation of the white noise on samples that change slowly otherwise, from the median of their third
+/// differences: robust against motion and outliers. 0 where fewer than ten tell it.
+double white_noise_of(std::span<const double> values);
+
 /// Samples of a channel joined by straight lines, across missing samples too.
 /// Before the first and after the last sample the value is held.
 class Interpolant {
@@ -74,4 +78,4 @@ class Interpolant {
   std::vector<double> value_;
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -7,7 +7,7 @@
 
 #include "swayaw/core/recording.hpp"
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// A recording and what its reader should be told.
 struct RecordingFile {
@@ -35,4 +35,4 @@ std::string recording_text(const Recording& recording);
 /// @throws FileError  if the file cannot be written
 void write_recording(const Recording& recording, const std::filesystem::path& file);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// A question that the data or the model cannot answer; `what()` says why in one line.
 class Refusal : public std::runtime_error {
@@ -30,4 +30,4 @@ class FileError : public Refusal {
 /// @throws std::domain_error  "ship length L [m] must be positive, got 0"
 double require_positive(double value, std::string_view quantity);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

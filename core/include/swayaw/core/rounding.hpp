@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// 1, 2 or 5 times a power of ten, not above x > 0.
 inline double round_down(double x) {
@@ -11,4 +11,4 @@ inline double round_down(double x) {
   return decade * (lead >= 5.0 ? 5.0 : lead >= 2.0 ? 2.0 : 1.0);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

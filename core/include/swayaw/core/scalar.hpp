@@ -9,7 +9,7 @@
 ///
 /// Unqualified `sqrt`, `sin`, … inside namespace swayaw find the std functions through these
 /// using-declarations and the functions of duals and packs through argument-dependent lookup.
-namespace swayaw {
+namespace swayaw::inline core {
 
 using std::abs;
 using std::atan;
@@ -106,4 +106,4 @@ Scalar positive_part(const Scalar& x) {
   return select(x > Scalar(0.0), x, Scalar(0.0));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// Port or starboard.
 enum class Side { port, starboard };
@@ -15,4 +15,4 @@ constexpr double rudder_sign(Side side) { return -yaw_sign(side); }
 
 constexpr std::string_view name_of(Side side) { return side == Side::starboard ? "starboard" : "port"; }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

@@ -7,7 +7,7 @@
 #include "swayaw/core/parameter.hpp"
 #include "swayaw/core/scalar.hpp"
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// How the rudder follows its order delta_c:
 ///
@@ -145,4 +145,4 @@ class RudderMotion {
   S final_ = S(0.0);       ///< angle at rest [rad]
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

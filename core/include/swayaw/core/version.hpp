@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-namespace swayaw {
+namespace swayaw::inline core {
 
 /// Version of the library, "major.minor.patch".
 std::string_view version();
 
-}  // namespace swayaw
+}  // namespace swayaw::inline core

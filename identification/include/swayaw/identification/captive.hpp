@@ -14,7 +14,7 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Captive tests: a carriage moves the model as it likes and measures the force that this takes. docs/captive_tests.md
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// A moment of a test. Force(s) of a test are Σ weight × force over its moments: one moment for a steady test, a
 /// cycle for a Fourier coefficient of an oscillating one.
@@ -150,4 +150,4 @@ enum class HullTerms { linear, cubic };
 /// @param max_drift  of the points that are used [rad]
 CaptivePlan captive_plan(const Ship& ship, std::span<const CaptivePoint> points, HullTerms terms, double max_drift);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -4,7 +4,7 @@
 #include <string_view>
 
 /// What every fit says of its parameters.
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// Do the data tell a constant?
 enum class Verdict {
@@ -34,4 +34,4 @@ enum class FitStatus {
 /// "converged", "iteration limit", "rank deficient"
 std::string_view in_words(FitStatus status);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

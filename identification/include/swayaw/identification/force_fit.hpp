@@ -13,7 +13,7 @@
 
 /// Coefficients from the forces that recorded ships must have felt: inverse dynamics and regression.
 /// docs/identification.md
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// How the forces are explained.
 struct ForceFitOptions {
@@ -69,4 +69,4 @@ ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, const For
 ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, std::vector<StateEstimate> states,
                     const ForceFitOptions& options);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -11,7 +11,7 @@
 
 /// What a user of recordings wants to know besides the coefficients: which ones to look for, whether the ship is
 /// stable, how much they depend on the choice of runs, and whether the ship steers as recorded. docs/identification.md
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// The ship in another model with the same hull, propeller and steering gear: "pi" and "pu" take each other's, a rudder
 /// polynomial begins at 0. Her own model is returned as it is.
@@ -72,4 +72,4 @@ std::vector<double> recorded_overshoots(const Recording& run, const ZigzagOrder&
 std::optional<std::vector<double>> simulated_overshoots(const Ship& ship, const Recording& run,
                                                         const ZigzagOrder& order, std::size_t most);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

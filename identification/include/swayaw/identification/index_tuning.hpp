@@ -11,7 +11,7 @@
 
 /// Coefficients of a ship from measured indices of her manoeuvres (docs/index_tuning.md). Source: [Kulbiej2021] section
 /// 4
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// Manoeuvres that were sailed; one more voyage for the derivatives of a manoeuvre counts as one.
 struct SimulationCount {
@@ -135,4 +135,4 @@ Tuning tune(const Ship& ship, const MeasuredIndices& measured, const TuningOptio
 /// @throws Refusal  as `tune` does
 std::vector<Parameter> tuned_parameters(const Ship& ship, const TuningOptions& options);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -6,7 +6,7 @@
 
 /// Forces that a recorded ship must have felt, from her estimated motion. docs/state_estimation.md describes the
 /// method.
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// X, Y, N as indices.
 using ForceCovariance = std::array<std::array<double, 3>, 3>;
@@ -57,4 +57,4 @@ PlanarForce<S> force_of(const Ship<S>& ship, const PlanarMotion<S>& motion, cons
 /// @throws Refusal  if the run has no rudder angle, or another number of samples than the estimate
 std::vector<InverseDynamics> inverse_dynamics(const Ship& ship, const Recording& run, const StateEstimate& estimate);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

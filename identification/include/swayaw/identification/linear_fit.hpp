@@ -15,7 +15,7 @@
 
 /// The linear sway–yaw equations that explain a recording, and what the recording tells about them.
 /// docs/linear_identification.md describes the method.
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// Standard deviations of white measurement noise.
 struct ChannelNoise {
@@ -109,4 +109,4 @@ LinearFit fit_linear(const Recording& run, const LinearFitOptions& options);
 /// The same equations and offsets for several recordings, each with a start of its own.
 LinearFit fit_linear(std::span<const Recording> runs, const LinearFitOptions& options);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

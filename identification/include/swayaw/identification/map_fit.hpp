@@ -15,7 +15,7 @@
 /// Unknowns of any kind estimated together from recorded runs: coefficients of a ship, effects, surroundings,
 /// instruments. Maximum of the posterior of all of them under a Kalman filter that carries what no model gets right,
 /// and its evidence. docs/estimation.md describes the method.
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// A recorded run made ready once for many fits.
 struct PreparedRun {
@@ -157,4 +157,4 @@ PredictedGain predicted_gain(const EstimationProblem& problem, const LinearizedF
 Eigen::MatrixXd further_slopes(const EstimationProblem& problem, const LinearizedFit& before,
                                std::span<const double> from, double step);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -10,7 +10,7 @@
 #include "swayaw/nonlinear/manoeuvre.hpp"
 
 /// Indices of manoeuvres that were measured, from a file (docs/formats.md).
-namespace swayaw {
+namespace swayaw::inline identification {
 
 using MeasuredManoeuvre = std::variant<TurnOrder, ZigzagOrder>;
 
@@ -48,4 +48,4 @@ MeasuredIndices read_indices(const std::filesystem::path& file, double L);
 /// The same from text; `name` stands for the file in messages.
 MeasuredIndices parse_indices(std::string_view text, const std::filesystem::path& name, double L);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -6,7 +6,7 @@
 
 #include "swayaw/core/channel.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// The channels that estimates of states and trajectory fits compare: those that show the motion, without heel.
 inline std::vector<Channel> measured_channels() {
@@ -19,4 +19,4 @@ inline std::vector<Channel> measured_channels() {
 /// Standard deviation of white measurement noise, channel by channel, SI; nothing where it is to be estimated.
 using MeasurementNoise = std::array<std::optional<double>, channel_count>;
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

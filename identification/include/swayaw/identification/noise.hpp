@@ -7,7 +7,7 @@
 #include "swayaw/core/motion.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// What no model and no instrument gets right, found by likelihood: process noise and the noise of the channels.
 struct Noise {
@@ -33,4 +33,4 @@ inline constexpr double ordinary_scale = 1.5;
 /// in surge, and 1.5/L of that in yaw.
 PlanarAcceleration<double> process_noise(const Ship& ship, const Noise& noise);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

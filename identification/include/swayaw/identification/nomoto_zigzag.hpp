@@ -2,7 +2,7 @@
 
 #include "swayaw/core/recording.hpp"
 
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// First-order equation T dr/dt + r = K (delta + delta_r), rudder positive to port, so K is negative for a stable ship.
 struct NomotoZigzag {
@@ -28,4 +28,4 @@ struct NomotoZigzag {
 /// @throws Refusal  if the run does not tell rudder or heading, or has fewer than three heading peaks
 NomotoZigzag nomoto_zigzag_analysis(const Recording& run);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -9,7 +9,7 @@
 #include "swayaw/identification/fit_report.hpp"
 
 /// Linear regression y = X b + e for forces: what the data tell about each coefficient, and what they do not.
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// Measurements that are linear in unknown coefficients. The rows of a run follow each other in equal steps of time.
 struct Design {
@@ -136,4 +136,4 @@ Eigen::MatrixXd correlation(const Regression& fit);
 ///                            for together with errors in features
 Regression regress(const Design& design, const RegressionOptions& options = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -11,7 +11,7 @@
 
 /// Where a recorded ship really was, how she moved, and what pushed her besides the model: extended Kalman filter with
 /// the ship as predictor, and smoother. docs/state_estimation.md describes the method.
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// What acts on the ship besides the model: random accelerations a of surge, sway and yaw.
 ///
@@ -96,4 +96,4 @@ StateEstimate estimate_states(const Ship& ship, const Recording& run, const Esti
 /// @throws  as estimate_states
 NoiseEstimate estimate_noise(const Ship& ship, std::span<const Recording> runs, const EstimationOptions& options = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -13,7 +13,7 @@
 
 /// The parameters of a nonlinear ship with which her simulation runs through recordings. docs/trajectory_fit.md
 /// describes the method.
-namespace swayaw {
+namespace swayaw::inline identification {
 
 /// What a fit tells while it works.
 struct TrajectoryProgress {
@@ -102,4 +102,4 @@ TrajectoryFit fit_trajectories(const Ship& ship, std::span<const Recording> runs
 /// The same for one recording.
 TrajectoryFit fit_trajectories(const Ship& ship, const Recording& run, const TrajectoryFitOptions& options);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline identification

@@ -8,7 +8,7 @@
 
 /// Many ships at once: over SIMD packs with the instruction set of the processor that runs the program, and over all
 /// cores. The results are those of the functions for one ship, whatever the instruction set and the number of threads.
-namespace swayaw {
+namespace swayaw::inline linear {
 
 enum class InstructionSet {
   best,      ///< the widest that this processor has
@@ -96,4 +96,4 @@ struct T3Map {
 T3Map t3_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& order, std::span<const double> T3b,
              std::span<const double> T3w, unsigned threads = 0);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -2,7 +2,7 @@
 
 #include "swayaw/linear/indices.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Length and speed that make quantities dimensionless: s' = tU/L, omega' = rL/U.
 struct PrimeScale {
@@ -61,4 +61,4 @@ SwayYawCoefficients<S> to_prime(const DimensionalSwayYaw<S>& d, const PrimeScale
           -d.r_v / (rate / L), d.r_r / rate, d.r_delta / (rate * rate)};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

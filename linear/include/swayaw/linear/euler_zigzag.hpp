@@ -4,7 +4,7 @@
 
 #include "swayaw/linear/zigzag.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// State at the start of a step.
 struct EulerStep {
@@ -34,4 +34,4 @@ struct EulerZigzag {
 /// Source: [Artyszuk2016] section 6
 EulerZigzag euler_zigzag(const SwayYawCoefficients<double>& ship, const LinearZigzagOrder& order, double step = 0.05);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

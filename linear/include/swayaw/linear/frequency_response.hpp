@@ -13,7 +13,7 @@
 /// To delta = cos(nu s') belongs one periodic motion, beta = Re[H exp(j nu s')], likewise omega' and psi; nu in radians
 /// per ship length. A stable ship settles into it from every start. An unstable or neutral ship has it too and leaves
 /// it when disturbed.
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Transfer function from the rudder to one motion, of the Laplace variable p:
 ///
@@ -124,4 +124,4 @@ struct Crossover {
 /// @throws std::domain_error  if k is not positive
 std::optional<Crossover> crossover(const SwayYawTransfer<double>& h, double k);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -4,7 +4,7 @@
 
 #include "swayaw/linear/sway_yaw.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Steering indices of the second-order equations of drift and yaw, dimensionless:
 ///
@@ -167,4 +167,4 @@ S inverse_distance(const SteeringIndices<S>& i) {
   return abs(i.T3b - i.T3w) / (abs(i.T3b) + abs(i.T3w));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -8,7 +8,7 @@
 
 /// From the indices to the coefficients of the coupled equations and on to hull and rudder, with what each result owes
 /// to each input.
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Inputs of an inversion. T1 and T2 vary with T1T2 and T1 + T2 as they make them; "known" is the known number of the
 /// ship.
@@ -61,4 +61,4 @@ KnownPart best_known(const std::array<KnownCondition, 5>& conditions);
 /// "Y_b", "Y_w", "N_b", "N_w", "c_Ry".
 std::string_view name_of(KnownPart known);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

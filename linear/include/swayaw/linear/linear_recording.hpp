@@ -6,7 +6,7 @@
 #include "swayaw/linear/dimensional.hpp"
 #include "swayaw/linear/zigzag.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// A motion in legs as a recording of samples every `step` seconds from t = 0: heading, yaw rate, rudder, the track
 /// from the origin, and the velocity of a constant speed, u = U cos(beta), v = −U sin(beta).
@@ -17,4 +17,4 @@ namespace swayaw {
 Recording recording_of(const SwayYawCoefficients<double>& ship, std::vector<Leg<double>> legs, const PrimeScale& scale,
                        double step);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

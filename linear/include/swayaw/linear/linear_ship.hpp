@@ -12,7 +12,7 @@
 #include "swayaw/linear/ship_parts.hpp"
 #include "swayaw/linear/sname.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// What gives a linear ship dimension.
 template <class S = double>
@@ -70,4 +70,4 @@ inline PrimeScale prime_scale(const LinearShip& ship, double speed) { return {.L
 /// `LinearHull`; the derivatives are left 0. m' = 2 c_B B/L
 SnameDerivatives<double> inertia(const LinearHull<double>& hull);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

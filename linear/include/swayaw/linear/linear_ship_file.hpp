@@ -6,7 +6,7 @@
 
 #include "swayaw/linear/linear_ship.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Reads the ship file of a linear ship (docs/formats.md), in one of its three forms: [hull] and [rudder], [linear], or
 /// [nomoto].
@@ -27,4 +27,4 @@ std::string ship_text(const LinearShip& ship, std::string_view remark = {});
 /// @throws FileError  if the file cannot be written
 void write_linear_ship(const std::filesystem::path& file, const LinearShip& ship, std::string_view remark = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

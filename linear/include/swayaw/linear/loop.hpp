@@ -8,7 +8,7 @@
 
 /// The closed curve that a zigzag draws in the plane of drift angle and yaw rate omega'. A first-order ship draws a
 /// line; the loop shows T3b and T3w.
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Measures of a loop. Length, width and inclination are those of the ellipse with the same area moments of second
 /// order.
@@ -56,4 +56,4 @@ struct LoopSensitivity {
 /// @throws std::domain_error  if T3b = T3w, where no such ship exists
 std::optional<LoopSensitivity> loop_sensitivity(const SteeringIndices<double>& indices, const LinearZigzagOrder& order);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

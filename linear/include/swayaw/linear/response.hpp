@@ -4,7 +4,7 @@
 #include "swayaw/linear/sway_yaw.hpp"
 
 /// Exact solution of the sway–yaw equations for a rudder that moves in straight lines of time.
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Drift, yaw rate and heading of a ship in linear motion, dimensionless time.
 template <class S = double>
@@ -69,4 +69,4 @@ LinearState<S> rates(const SwayYawCoefficients<S>& m, const LinearState<S>& x, c
   return {m.a1 * x.beta + m.b1 * x.omega + m.c1 * delta, m.a2 * x.beta + m.b2 * x.omega + m.c2 * delta, x.omega};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -5,7 +5,7 @@
 
 #include "swayaw/core/scalar.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Functions of time of which every response of the second-order equations to a piecewise linear rudder is made.
 ///
@@ -149,4 +149,4 @@ ResponseBasis<S> response_basis(const Poles<S>& p, const S& s) {
   return detail::basis_by_recursion(p.tr, p.det, p.q, s);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -9,7 +9,7 @@
 #include "swayaw/linear/zigzag.hpp"
 
 /// Exact response to a rudder that moves in straight lines of time.
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Rudder angle over dimensionless time, straight lines between the points and held after the last. Two points at one
 /// time are a step.
@@ -97,4 +97,4 @@ std::vector<LinearState<S>> response_to(const LinearResponse<S>& ship, const Rud
   return states;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -9,7 +9,7 @@
 
 /// The coefficients of the linear equations from hull and rudder, and back.
 /// Source: [Artyszuk2016] eqs (2)–(14), (44)–(46), with radii of gyration squared and (13) with x'_Reff squared.
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Hull of a ship in linear motion, dimensionless.
 template <class S = double>
@@ -177,4 +177,4 @@ LinearParts<S> parts_from(const SwayYawCoefficients<S>& m, LinearParts<S> ship, 
   return ship;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -2,7 +2,7 @@
 
 #include "swayaw/linear/sway_yaw.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Linear derivatives in the SNAME form, all primed in one system (½ρL³ for mass, ½ρL²U² for force, or their L²T
 /// twins):
@@ -64,4 +64,4 @@ SnameDerivatives<S> sname_derivatives(const SwayYawCoefficients<S>& c, SnameDeri
   return inertia;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

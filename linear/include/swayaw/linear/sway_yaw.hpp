@@ -5,7 +5,7 @@
 #include "swayaw/core/parameter.hpp"
 #include "swayaw/core/scalar.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Linear sway–yaw equations of a ship at constant speed, dimensionless time s' = tU/L:
 ///
@@ -108,4 +108,4 @@ SwayYawCoefficients<S> coefficients_from(const SwayYawTransfer<S>& h) {
   };
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

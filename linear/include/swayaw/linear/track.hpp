@@ -4,7 +4,7 @@
 
 #include "swayaw/linear/zigzag.hpp"
 
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Where the ship is, in ship lengths from the start of the first leg.
 struct TrackPoint {
@@ -25,4 +25,4 @@ TrackPoint run_along(const LinearResponse<double>& ship, const Leg<double>& leg,
 std::vector<TrackPoint> track(const LinearResponse<double>& ship, const std::vector<Leg<double>>& legs,
                               const std::vector<double>& times);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

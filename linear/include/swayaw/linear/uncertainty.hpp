@@ -10,7 +10,7 @@
 #include "swayaw/linear/ship_parts.hpp"
 
 /// How errors of the steering indices travel through the inverse formulas.
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Order of the indices in a covariance: T1T2, T1_plus_T2, T3b, T3w, Kb, Kw.
 using IndexCovariance = Eigen::Matrix<double, 6, 6>;
@@ -65,4 +65,4 @@ double separation(const SteeringIndices<double>& indices, const IndexCovariance&
 std::optional<std::string> separation_warning(const SteeringIndices<double>& indices,
                                               const IndexCovariance& covariance);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

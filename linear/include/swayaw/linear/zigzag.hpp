@@ -9,7 +9,7 @@
 #include "swayaw/linear/response.hpp"
 
 /// The zigzag of a ship in linear motion, exact: every leg is a closed form, every switch the root of one.
-namespace swayaw {
+namespace swayaw::inline linear {
 
 /// Zigzag D/H in dimensionless time.
 struct LinearZigzagOrder {
@@ -116,4 +116,4 @@ LinearZigzag<S> carried_through(const LinearZigzag<double>& zigzag, const SwayYa
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline linear

@@ -16,7 +16,7 @@
 ///
 /// The recorded rudder and shaft speed drive the ship from the recorded state, anew every two ship lengths of way, so
 /// that errors show where the model is wrong instead of piling up; and once more from the start of the run to its end.
-namespace swayaw {
+namespace swayaw::inline mismatch {
 
 struct CompareOptions {
   double window_lengths = 2.0;  ///< way made between restarts, in ship lengths
@@ -69,4 +69,4 @@ std::vector<QuantityError> pooled(const std::vector<Comparison>& comparisons);
 /// variation, and in which run, interval and region most. Position is left out: its variation is the length of the run.
 std::string verdict(const std::vector<Comparison>& comparisons);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch

@@ -15,7 +15,7 @@
 
 /// What a model left out: where it differs from recordings, which effect explains that, and whether runs that were not
 /// used gain by it. docs/diagnose.md describes the method.
-namespace swayaw {
+namespace swayaw::inline mismatch {
 
 struct DiagnosisOptions {
   double detection = 15.0;  ///< gain in log evidence that an effect must bring
@@ -124,4 +124,4 @@ struct Diagnosis {
 Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference,
                    std::span<const Recording> holdout, const DiagnosisOptions& options = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch

@@ -8,7 +8,7 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Recordings and a model seen by the linear floor: what K, T and the drift–yaw loop of zigzags say of a mismatch.
-namespace swayaw {
+namespace swayaw::inline mismatch {
 
 /// A zigzag by Nomoto's first-order equation and its loop in the plane of drift and yaw rate.
 struct ZigzagView {
@@ -33,4 +33,4 @@ std::vector<LinearView> linear_view(const Ship& model, std::span<const Recording
 /// tenth, and the offsets within 0.3 deg.
 std::string words_of(std::span<const LinearView> views);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch

@@ -6,7 +6,7 @@
 
 #include "swayaw/core/recording.hpp"
 
-namespace swayaw {
+namespace swayaw::inline mismatch {
 
 /// What is compared between two recordings.
 enum class Quantity {
@@ -39,4 +39,4 @@ std::vector<double> errors_of(const Recording& simulated, const Recording& recor
 /// Root-mean-square distance of the quantity from its mean over the run; of position, of both axes together.
 double variation_of(const Recording& run, Quantity quantity);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch

@@ -12,7 +12,7 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// A recorded run as people look at it: which force is missing and when, and what each ship makes of the run.
-namespace swayaw {
+namespace swayaw::inline mismatch {
 
 /// What drives a ship beyond her model at a time, given the whole run: mean and standard deviation.
 struct MissingForce {
@@ -54,4 +54,4 @@ RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& afte
 std::vector<RunPicture> run_pictures(const Ship& given, const Ship& refitted, const Ship& after,
                                      std::span<const Recording> runs, const Noise& noise);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline mismatch

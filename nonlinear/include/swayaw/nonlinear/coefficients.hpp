@@ -11,7 +11,7 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// The parameters of a ship by name, to be changed one by one: by a fit, in a sensitivity, with a prior.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// All parameters of the ship's model; a coefficient is known as well as the confidence of the ship says.
 std::vector<Parameter> parameters_of(const Ship& ship);
@@ -50,4 +50,4 @@ Model<Dual<N>> seeded(const Model<double>& model, std::span<const Parameter> num
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -16,7 +16,7 @@
 #include "swayaw/nonlinear/effects/other_values.hpp"
 
 /// What a model left out, as values: added to a ship, written to her file, simulated and fitted.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 using Effect = EffectIn<double>;
 
@@ -163,4 +163,4 @@ bool is_ordinary(const Effect& effect, std::span<const Parameter> parameters);
 /// Why no turn is ever steady with it, in words: "in wind"; empty where turns are.
 std::string_view never_steady(const Effect& effect);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

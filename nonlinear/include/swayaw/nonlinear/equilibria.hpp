@@ -6,7 +6,7 @@
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 /// Steady turns: where they are, how many there are, and which of them last.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A point of the r–delta curve.
 struct SteadyTurn {
@@ -49,4 +49,4 @@ struct InstabilityLoop {
 /// Nothing for a ship with one steady turn at every rudder angle.
 std::optional<InstabilityLoop> instability_loop(const std::vector<SteadyTurn>& curve);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -6,7 +6,7 @@
 /// Numbers of the MMG standard model from main dimensions, in its primes and signs (mmg_ship.hpp).
 ///
 /// Each coefficient was compared with public programs; docs/estimates.md tells which agree and what remains doubtful.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Added masses, a fit of Motora's charts. With m' = 2 C_B B/L:
 ///
@@ -133,4 +133,4 @@ inline constexpr HullRange merchant_ships{.C_B = {0.50, 0.85},
                                           .trim_over_d = {0.0, 0.0},
                                           .fineness_trimmed = {0.0, 1.0}};
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -11,7 +11,7 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// Small motions about a steady one, by exact derivatives of the ship's forces.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A motion and the controls that keep it.
 struct OperatingPoint {
@@ -74,4 +74,4 @@ OperatingPoint straight_course(const Ship& ship, double speed);
 /// @throws Refusal  if there is none
 OperatingPoint straight_course(const Ship& ship, const Controls<double>& propulsion);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

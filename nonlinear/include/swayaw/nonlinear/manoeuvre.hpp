@@ -12,7 +12,7 @@
 /// Standard manoeuvres. Each begins at t = 0, where the first rudder order is given, at the origin on heading 0
 /// straight ahead through the water, with the propulsion held that carries the ship at the approach speed, unless
 /// another is given.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 struct ManoeuvreOptions {
   std::optional<double> speed;     ///< approach speed [m/s]; the service speed unless given
@@ -89,4 +89,4 @@ struct TurningCircle {
 /// @throws as zigzag does
 TurningCircle turning_circle(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -7,7 +7,7 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// The ships of the folder ships/, which are part of the library. The files are the only place of their numbers.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A ship file, known by its name without the ending.
 struct PublishedShip {
@@ -26,4 +26,4 @@ std::optional<std::string_view> published_text(std::string_view name);
 /// @throws FileError  if it is linear
 Ship published_ship(std::string_view name);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -9,7 +9,7 @@
 #include "swayaw/nonlinear/simulation/rudder_track.hpp"
 
 /// Simulation with the rudder and shaft speed of a recording, beside that recording.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Where a replay takes its shaft speed or thrust from.
 enum class Shaft {
@@ -88,4 +88,4 @@ Recording replay_from(const Ship& ship, const RecordedControls& controls, const 
 /// @throws Refusal  if the run does not tell rudder or speed
 Recording replay(const Ship& ship, const Recording& run, const ReplayOptions& options = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

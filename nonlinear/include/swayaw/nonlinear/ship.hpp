@@ -9,7 +9,7 @@
 #include "swayaw/nonlinear/models/models.hpp"
 #include "swayaw/nonlinear/surroundings/surroundings.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A ship: one of the models, its name, the trust in its numbers, what surrounds her, and what the model leaves out.
 ///
@@ -32,4 +32,4 @@ double service_speed(const Ship& ship);
 /// What the steering gear can do.
 const SteeringGear<double>& steering_gear(const Ship& ship);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

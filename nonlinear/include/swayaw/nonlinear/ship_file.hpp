@@ -6,7 +6,7 @@
 
 #include "swayaw/nonlinear/ship.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Reads a ship file (docs/formats.md).
 ///
@@ -31,4 +31,4 @@ std::string ship_text(const Ship& ship, std::string_view remark = {});
 /// @throws FileError  if the file cannot be written
 void write_ship(const std::filesystem::path& file, const Ship& ship, std::string_view remark = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

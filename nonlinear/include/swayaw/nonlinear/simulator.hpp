@@ -16,7 +16,7 @@
 ///     Simulator ship(read_ship("kvlcc2.toml"));
 ///     ship.order_rudder(radians(-20));
 ///     while (running) ship.step(0.02);
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 struct Ship;
 
@@ -114,4 +114,4 @@ class Simulator {
   std::unique_ptr<Core> core_;
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

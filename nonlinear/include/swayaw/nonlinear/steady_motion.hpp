@@ -6,7 +6,7 @@
 #include "swayaw/nonlinear/models/controls.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Shaft speed at which thrust carries the ship straight ahead at that speed [1/s].
 ///
@@ -58,4 +58,4 @@ struct SteadyMotion {
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,
                                           const PlanarMotion<double>& guess);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

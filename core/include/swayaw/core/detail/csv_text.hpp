@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Text of comma-separated files. Not installed.
-namespace swayaw::detail {
+namespace swayaw::inline core::detail {
 
 inline constexpr std::string_view blanks = " \t\r";
 
@@ -111,4 +111,4 @@ inline std::string shown(std::string_view text) {
   return long_text ? result + "..." : result;
 }
 
-}  // namespace swayaw::detail
+}  // namespace swayaw::inline core::detail

@@ -12,7 +12,7 @@
 #include "swayaw/core/refusal.hpp"
 
 /// TOML files, every mistake told with its place. Not installed.
-namespace swayaw::detail {
+namespace swayaw::inline core::detail {
 
 /// @param name  stands for the file in messages
 /// @throws FileError  if the text is not TOML
@@ -63,4 +63,4 @@ class TomlText {
   const std::filesystem::path& file_;
 };
 
-}  // namespace swayaw::detail
+}  // namespace swayaw::inline core::detail

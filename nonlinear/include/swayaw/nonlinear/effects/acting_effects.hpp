@@ -13,7 +13,7 @@
 
 /// Effects that act in the equations of motion: forces that a model has no place for, and what the engine does. Written
 /// once for double and dual; each in its own file, see effects/effect.hpp.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 // ---------------------------------------------------------------- which kinds
 
@@ -275,4 +275,4 @@ ActingEffects<S> acting_effects(const Model& model, std::span<const EffectIn<S>>
   return a;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -14,7 +14,7 @@
 /// Effects act in this order: parameters of the model, air and water, added forces, actuators, sensors. Whatever
 /// simulates, balances or linearizes a ship takes her from here; without effects the model and her surroundings are
 /// those of the ship.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// What begins or ends to act at a time: a gust, an unknown force.
 struct Change {
@@ -96,4 +96,4 @@ extern template ActingShip<PiShip<double>> acting_ship(const Ship&, const PiShip
 extern template ActingShip<PuShip<double>> acting_ship(const Ship&, const PuShip<double>&);
 extern template ActingShip<AbkowitzShip<double>> acting_ship(const Ship&, const AbkowitzShip<double>&);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/effect.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Added masses as they are: m_x, m_y, J_z of the MMG model, acceleration derivatives of the others.
 template <class S = double>
@@ -30,4 +30,4 @@ struct AddedMass {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -3,7 +3,7 @@
 #include "swayaw/nonlinear/effects/effect.hpp"
 #include "swayaw/nonlinear/models/models.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Resistance straight ahead times 1 + relative_increase: R_0, or X_0 and X_u. Fouling, roughness.
 template <class S = double>
@@ -39,4 +39,4 @@ void change(Ship& ship, const AddedResistance<typename Ship::Scalar>& e) {
   ship.hull.X_u = ship.hull.X_u * (1.0 + e.relative_increase);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

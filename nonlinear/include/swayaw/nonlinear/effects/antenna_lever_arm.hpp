@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/instrument.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// The recorded position is not that of midship but of a point of the ship, p + R(psi) l; so is the velocity over
 /// ground.
@@ -48,4 +48,4 @@ void put_on(Instruments<S>& instruments, const AntennaLeverArm<S>& e) {
   instruments.antenna_y = e.y;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/instrument.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A channel is recorded late, recorded(t) = true(t − delay). The two coordinates of a position are of one receiver: x
 /// stands for both.
@@ -53,4 +53,4 @@ inline void actuate(const ChannelDelay<>& e, RudderActuator& actuator) {
   if (e.channel == Channel::delta) actuator.record_delay = e.delay;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -3,7 +3,7 @@
 #include "swayaw/core/scalar.hpp"
 #include "swayaw/nonlinear/effects/effect.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Drag of the strips of the hull across the flow, beside the polynomial of the model, in closed form.
 ///
@@ -50,4 +50,4 @@ PlanarForce<S> force(const CrossFlowDrag<S>& e, const Model&, const Circumstance
   return {.X = S(0.0), .Y = q * Y, .N = q * N};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -30,7 +30,7 @@
 /// `search_form(null, context)`, the coordinates of a search; `onset` and `end`; `channel`, that it is of;
 /// `completed(facts)`, where the ship gives parameters; `without_heading()` and `never_steady`; `takes_rudder_lift`;
 /// `is_of_every_ship(effect, parameters)`; of an instrument `shows_wrong()`.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Where an effect acts.
 enum class EffectPlace { air, water, force, actuator, sensor };
@@ -152,4 +152,4 @@ struct RudderActuator {
   bool moves() const { return width > 0.0 || lag > 0.0 || rate < std::numeric_limits<double>::infinity(); }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -35,7 +35,7 @@
 #include "swayaw/nonlinear/effects/wake_change.hpp"
 #include "swayaw/nonlinear/effects/wave_drift.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Every effect, in the order of the table of docs/effects.md. All else that holds one of each kind is made from this
 /// list: file keys, casts, forces that act, forms of the search, words, tests.
@@ -48,4 +48,4 @@ using EffectIn =
                  SteeringGearLag<S>, SteeringGearBacklash<S>, RollCoupling<S>, FluidMemory<S>, HeadingBias<S>,
                  GyroBias<S>, GyroScale<S>, LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>, UnknownForce<S>>;
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/effect.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Flow straightening at the rudder, as it is: gamma_R and l_R of the MMG model, kappa_v and kappa_r of the lifting
 /// line.
@@ -29,4 +29,4 @@ struct FlowStraightening {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

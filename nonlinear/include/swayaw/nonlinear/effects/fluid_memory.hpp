@@ -3,7 +3,7 @@
 #include "swayaw/nonlinear/effects/search_form.hpp"
 #include "swayaw/nonlinear/models/models.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A share of the linear damping of sway and yaw that follows the motion late.
 ///
@@ -96,4 +96,4 @@ inline SearchForm<FluidMemory<>> search_form(const FluidMemory<>& null, const Se
   return by_moves(null, {std::move(tau), from_null(context["share"])}, {{0.5, 0.5}});
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

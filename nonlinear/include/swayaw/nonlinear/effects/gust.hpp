@@ -5,7 +5,7 @@
 #include "swayaw/nonlinear/effects/search_form.hpp"
 #include "swayaw/nonlinear/surroundings/wind.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Wind from onset to end, in the time of the run, on top of a steady one.
 template <class S = double>
@@ -79,4 +79,4 @@ inline SearchForm<Gust<>> search_form(const Gust<>& null, const SearchContext& c
   return form;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

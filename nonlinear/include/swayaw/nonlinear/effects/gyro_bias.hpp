@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/instrument.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Recorded minus true yaw rate.
 template <class S = double>
@@ -36,4 +36,4 @@ void put_on(Instruments<S>& instruments, const GyroBias<S>& e) {
   instruments[Channel::r].bias = e.bias;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

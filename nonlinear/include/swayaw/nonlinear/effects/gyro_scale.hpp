@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/instrument.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Recorded over true yaw rate.
 template <class S = double>
@@ -37,4 +37,4 @@ void put_on(Instruments<S>& instruments, const GyroScale<S>& e) {
   instruments[Channel::r].scale = e.scale;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

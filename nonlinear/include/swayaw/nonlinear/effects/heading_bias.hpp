@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/instrument.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Recorded minus true heading.
 template <class S = double>
@@ -37,4 +37,4 @@ void put_on(Instruments<S>& instruments, const HeadingBias<S>& e) {
   instruments[Channel::psi].bias = e.bias;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/effect.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Y_v, Y_r, N_v, N_r as they are.
 template <class S = double>
@@ -26,4 +26,4 @@ struct HullLinearDerivatives {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

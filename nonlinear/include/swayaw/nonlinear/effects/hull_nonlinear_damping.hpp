@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/effect.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Cubic terms of sway and yaw as they are.
 template <class S = double>
@@ -29,4 +29,4 @@ struct HullNonlinearDamping {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

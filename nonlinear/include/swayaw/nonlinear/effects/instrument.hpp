@@ -7,7 +7,7 @@
 /// Instruments that do not show what is.
 ///
 ///     put_on(instruments, effect)    changes what the instruments of a ship show
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// What an instrument makes of a quantity q: it shows scale q(t − delay) + bias at the time t.
 template <class S = double>
@@ -48,4 +48,4 @@ Instruments<To> cast(const Instruments<From>& from) {
   return to;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/instrument.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Recorded over true speed through the water.
 template <class S = double>
@@ -36,4 +36,4 @@ void put_on(Instruments<S>& instruments, const LogScale<S>& e) {
   instruments[Channel::u].scale = instruments[Channel::speed_through_water].scale = e.scale;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

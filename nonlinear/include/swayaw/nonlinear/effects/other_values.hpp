@@ -11,7 +11,7 @@
 #include "swayaw/nonlinear/models/models.hpp"
 
 /// Changes of the parameters of a model, in any scalar.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Calls visit(parameter, value) for every parameter of a table.
 template <class Model, class Visit>
@@ -68,4 +68,4 @@ constexpr bool puts_values() {
   return !Kind::parameters()[0].table.empty();
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/effect.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Race increase factor kappa, as it is.
 template <class S = double>
@@ -22,4 +22,4 @@ struct RaceOnRudder {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/search_form.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Transverse force of a single screw, at the propeller, positive to starboard.
 ///
@@ -54,4 +54,4 @@ inline SearchForm<PropellerSideForce<>> search_form(const PropellerSideForce<>& 
   return by_parameters(null, context.parameters.first(1));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -3,7 +3,7 @@
 #include "swayaw/core/scalar.hpp"
 #include "swayaw/nonlinear/effects/search_form.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Heel that changes sway force and yaw moment. The ship heels as the centrifugal force of a turn makes her.
 ///
@@ -125,4 +125,4 @@ inline SearchForm<RollCoupling<>> search_form(const RollCoupling<>& null, const 
                   {{0.0, 0.1, -0.1, 0.0}, {-1.2, 0.1, -0.1, 0.0}});
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/other_values.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Lift of the rudder times a factor.
 template <class S = double>
@@ -47,4 +47,4 @@ void change(AbkowitzShip<S>& ship, const RudderEffectiveness<S>& e) {
   scale_coefficients(ship, "rudder", e.factor);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

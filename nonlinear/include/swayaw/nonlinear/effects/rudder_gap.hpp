@@ -3,7 +3,7 @@
 #include "swayaw/nonlinear/effects/search_form.hpp"
 #include "swayaw/nonlinear/models/parts/rudder_lift_loss.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Lift lost to the gap between rudder and horn, 1 + s (|delta| − delta_lim)² beyond delta_lim, in place of a gap of
 /// her own. Source: [Alexandersson2024] eq (30)
@@ -80,4 +80,4 @@ inline SearchForm<RudderGap<>> usual_lift_loss() {
           .starts = {{0.0}}};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/effect.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// What the rudder induces on the hull, as it is.
 template <class S = double>
@@ -24,4 +24,4 @@ struct RudderHullInteraction {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

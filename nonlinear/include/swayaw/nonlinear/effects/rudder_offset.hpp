@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/effect.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Actual minus recorded rudder angle, positive to port.
 template <class S = double>
@@ -30,4 +30,4 @@ struct RudderOffset {
 
 inline void actuate(const RudderOffset<>& e, RudderActuator& actuator) { actuator.offset = e.offset; }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -3,7 +3,7 @@
 #include "swayaw/nonlinear/effects/search_form.hpp"
 #include "swayaw/nonlinear/models/parts/rudder_lift_loss.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Lift lost beyond an angle of attack; see stall_factor.
 template <class S = double>
@@ -73,4 +73,4 @@ inline bool is_of_every_ship(const RudderStall<>& e, std::span<const Parameter>)
   return 1.0 - stall_factor(Stall<double>{e.angle, e.depth, e.width}, radians(35.0)) <= ordinary_lift_loss_at_35_deg;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -11,7 +11,7 @@
 #include "swayaw/nonlinear/effects/effect.hpp"
 
 /// An effect in the coordinates that a search moves.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// One coordinate of an effect: 0 or `centre` where little is known, of order 1 where the effect has its usual size.
 struct Coordinate {
@@ -173,4 +173,4 @@ SearchForm<Kind> usual_form(const Kind& null, const SearchContext& context) {
   return direction ? by_parts(null, *size, *direction) : by_parameters(null, context.parameters);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

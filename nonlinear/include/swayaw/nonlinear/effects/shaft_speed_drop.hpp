@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/effect.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// The shaft turns slower than recorded where the ship has lost speed, n (1 − relative_drop (1 − u/U_0)): an engine at
 /// its limit of torque. It counts the loss of speed alone; drift at the propeller loads the engine too.
@@ -42,4 +42,4 @@ void drive(const ShaftSpeedDrop<S>& e, const ShipFacts<S>& ship, const PlanarMot
   controls.rev = controls.rev * (1.0 - e.relative_drop * (1.0 - m.u / ship.U_0));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -6,7 +6,7 @@
 #include "swayaw/nonlinear/effects/shallow_water_derivatives.hpp"
 #include "swayaw/nonlinear/models/models.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Water of finite depth: factors on hull, added mass, wake and flow straightening; see shallow_water_factors.
 template <class S = double>
@@ -123,4 +123,4 @@ inline SearchForm<ShallowWater<>> search_form(const ShallowWater<>&, const Searc
   return form;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include "swayaw/core/scalar.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// How much of the usual growth in shallow water a ship shows; 1 is the middle of what tests of other ships show, where
 /// most lie between 0.6 and 1.6.
@@ -56,4 +56,4 @@ ShallowWaterFactors<S> shallow_water_factors(const S& C_B, const S& depth_over_d
   };
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

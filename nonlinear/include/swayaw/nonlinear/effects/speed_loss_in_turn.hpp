@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/effect.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Surge derivatives as they are.
 template <class S = double>
@@ -27,4 +27,4 @@ struct SpeedLossInTurn {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

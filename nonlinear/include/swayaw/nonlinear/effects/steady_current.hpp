@@ -3,7 +3,7 @@
 #include "swayaw/nonlinear/effects/search_form.hpp"
 #include "swayaw/nonlinear/surroundings/surroundings.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A uniform stream: it carries the ship along.
 template <class S = double>
@@ -53,4 +53,4 @@ inline SearchForm<SteadyCurrent<>> search_form(const SteadyCurrent<>& null, cons
   return form;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

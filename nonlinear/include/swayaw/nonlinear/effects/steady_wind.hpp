@@ -3,7 +3,7 @@
 #include "swayaw/nonlinear/effects/effect.hpp"
 #include "swayaw/nonlinear/surroundings/wind.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Wind that blows all the time; its load is that of wind.hpp.
 template <class S = double>
@@ -46,4 +46,4 @@ Wind<S> wind(const SteadyWind<S>& e) {
   return {e.speed, e.from};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

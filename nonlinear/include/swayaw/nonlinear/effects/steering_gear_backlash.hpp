@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/search_form.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Play between the recorded angle and the rudder: she rests until the angle has come the width back.
 template <class S = double>
@@ -37,4 +37,4 @@ inline SearchForm<SteeringGearBacklash<>> search_form(const SteeringGearBacklash
   return form;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

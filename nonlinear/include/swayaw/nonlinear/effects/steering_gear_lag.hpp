@@ -4,7 +4,7 @@
 
 #include "swayaw/nonlinear/effects/search_form.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// The rudder follows the recorded angle late: d(delta)/dt = (delta_rec − delta)/T, at most the rate.
 template <class S = double>
@@ -61,4 +61,4 @@ inline SearchForm<SteeringGearLag<>> search_form(const SteeringGearLag<>&, const
   return form;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

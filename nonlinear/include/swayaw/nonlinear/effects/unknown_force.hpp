@@ -6,7 +6,7 @@
 #include "swayaw/core/scalar.hpp"
 #include "swayaw/nonlinear/effects/search_form.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A force that no other effect knows, from onset to end, as a map of what it goes with: nothing at all, the heading,
 /// the motion.
@@ -127,4 +127,4 @@ inline SearchForm<UnknownForce<>> search_form(const UnknownForce<>& null, const 
   return form;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/effects/effect.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Wake change in a turn, as it is.
 template <class S = double>
@@ -32,4 +32,4 @@ void prepare(Model& model, const WakeChange<S>&) {
   if constexpr (requires { model.propeller.wake; }) model.propeller.wake.index = 1;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

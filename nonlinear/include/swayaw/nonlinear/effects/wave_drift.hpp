@@ -3,7 +3,7 @@
 #include "swayaw/core/scalar.hpp"
 #include "swayaw/nonlinear/effects/search_form.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Mean second-order force of waves that come in at alpha = from − psi, 0 from ahead.
 ///
@@ -73,4 +73,4 @@ inline SearchForm<WaveDrift<>> search_form(const WaveDrift<>& null, const Search
                   {from_null(context["ahead"]), from_null(context["moment"])});
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -5,7 +5,7 @@
 
 /// Linear derivatives and added masses in the primes of SNAME, and the way between these and the primes of the MMG
 /// standard.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Primes of ½ρL²U² (force), ½ρL³U² (moment), ½ρL³ (mass), ½ρL⁴ and ½ρL⁵; v' = v/U, r' = rL/U; about midship.
 template <class S = double>
@@ -78,4 +78,4 @@ inline constexpr HullRange clarke_ships{.C_B = {0.45, 0.85},
                                         .trim_over_d = {0.0, 0.0},
                                         .fineness_trimmed = {0.0, 1.0}};
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

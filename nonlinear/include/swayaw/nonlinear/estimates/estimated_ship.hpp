@@ -7,7 +7,7 @@
 #include "swayaw/nonlinear/estimate.hpp"
 
 /// A ship that can sail, from her main dimensions.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 enum class HullFormula {
   yoshimura_masumoto,  ///< yoshimura_masumoto_hull; even keel only
@@ -74,4 +74,4 @@ double estimated_resistance(const HullDimensions<double>& hull, double speed, do
 EstimatedShip estimated_mmg_ship(const HullDimensions<double>& hull, double service_speed,
                                  const EstimateOptions& options = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -7,7 +7,7 @@
 #include "swayaw/core/scalar.hpp"
 
 /// Main dimensions, from which estimate.hpp, kijima.hpp and clarke.hpp guess what was not measured.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 template <class S = double>
 struct HullDimensions {
@@ -59,4 +59,4 @@ struct HullRange {
 /// @throws std::domain_error  if length, beam, draught or block coefficient is not positive
 std::vector<std::string> outside(const HullDimensions<double>& hull, const HullRange& range);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

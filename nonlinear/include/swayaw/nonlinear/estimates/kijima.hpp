@@ -3,7 +3,7 @@
 #include "swayaw/nonlinear/estimate.hpp"
 
 /// Hull derivatives for a ship in any loading, with squares |beta| beta and |r'| r' where the MMG standard has cubes.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Primes as in mmg_ship.hpp; the force on the drift angle beta = −v':
 ///
@@ -88,4 +88,4 @@ inline constexpr HullRange loaded_ships{.C_B = {0.50, 0.85},
                                         .trim_over_d = {0.0, 0.2},
                                         .fineness_trimmed = {0.0, 0.1}};
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

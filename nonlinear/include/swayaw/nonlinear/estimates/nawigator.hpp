@@ -2,7 +2,7 @@
 
 #include "swayaw/nonlinear/ship.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// The two columns of table 3.
 enum class NawigatorHull {
@@ -27,4 +27,4 @@ Ship nawigator_xxi(NawigatorHull hull, SurgeReading surge = SurgeReading::as_pri
 /// Shaft speed of the paper, table 1 [1/s]; it does not propel the ship at the service speed but at 5.387 m/s.
 inline constexpr double nawigator_rev = 3.7;
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -9,7 +9,7 @@
 #include "swayaw/nonlinear/surroundings/surroundings.hpp"
 
 /// What the instruments make of a motion: the same law in simulation, filter and fit. docs/effects.md tells signs.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// The instruments as the effects make them; effects of other kinds are passed over.
 template <class S>
@@ -72,4 +72,4 @@ Recording as_recorded(Recording truth, const Instruments<double>& instruments);
 /// A recorded run without what the instruments did to it: the inverse.
 Recording as_it_was(Recording recorded, const Instruments<double>& instruments);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

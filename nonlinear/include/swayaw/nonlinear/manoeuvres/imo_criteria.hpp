@@ -12,7 +12,7 @@
 /// They are made for full-scale ships of 100 m and more, all chemical tankers and gas carriers, at a test speed of at
 /// least 90 % of that at 85 % of the engine's largest output, in deep water and calm. A scale model has another L/V and
 /// with it other limits.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// One number that must not be exceeded.
 struct Criterion {
@@ -59,4 +59,4 @@ struct ImoCriteria {
 /// @throws as zigzag does
 ImoCriteria imo_criteria(const Ship& ship, const ManoeuvreOptions& options = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

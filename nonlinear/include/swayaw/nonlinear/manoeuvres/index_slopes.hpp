@@ -11,7 +11,7 @@
 #include "swayaw/nonlinear/manoeuvre.hpp"
 
 /// Indices of manoeuvres and their exact derivatives by the numbers of the ship (docs/index_tuning.md).
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// All indices of a turning circle, told as of a turn to starboard. What does not exist is not a number.
 template <class S = double>
@@ -97,4 +97,4 @@ ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, c
 /// How many numbers one more pass takes.
 inline constexpr std::size_t slopes_at_once = 19;
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

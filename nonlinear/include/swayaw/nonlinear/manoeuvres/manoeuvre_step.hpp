@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// No model has more branch functions.
 inline constexpr std::size_t most_branches = 6;
@@ -24,4 +24,4 @@ struct ManoeuvreStep {
   std::size_t function;                    ///< branch function that passed zero at its end
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -6,7 +6,7 @@
 #include "swayaw/nonlinear/manoeuvres/settling.hpp"
 
 /// Pull-out: what is left of a turn once the rudder is amidships. docs/manoeuvres.md tells definitions.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 struct PullOutOrder {
   double rudder;      ///< of the turn [rad], positive
@@ -46,4 +46,4 @@ struct PullOut {
 /// Source: [MSC/Circ.1053] appendix 4
 PullOut pull_out(const Ship& ship, const PullOutOrder& order, const ManoeuvreOptions& options = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// When a motion counts as steady, and how long it is waited for.
 struct Settling {
@@ -8,4 +8,4 @@ struct Settling {
   double longest = 300.0;   ///< time in L/U after which waiting ends
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

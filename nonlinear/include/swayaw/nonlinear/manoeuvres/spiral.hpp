@@ -10,7 +10,7 @@
 #include "swayaw/nonlinear/manoeuvres/settling.hpp"
 
 /// Spiral tests: which yaw rate belongs to which rudder angle. docs/manoeuvres.md tells definitions.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 // ---------------------------------------------------------------- direct spiral
 
@@ -92,4 +92,4 @@ ReverseSpiral reverse_spiral(const Ship& ship, const ReverseSpiralOrder& order =
 std::vector<HeldYawRate> held_yaw_rates(const Ship& ship, const Controls<double>& propulsion,
                                         std::span<const double> yaw_rates, double largest);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

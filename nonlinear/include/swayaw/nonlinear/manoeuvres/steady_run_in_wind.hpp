@@ -8,7 +8,7 @@
 #include "swayaw/nonlinear/surroundings/wind.hpp"
 
 /// Straight runs in steady wind: the drift and the helm that keep a course. docs/manoeuvres.md tells the equations.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// What is kept: the heading, or the course over ground.
 enum class Kept { heading, course };
@@ -62,4 +62,4 @@ struct WindRunRow {
 std::vector<WindRunRow> steady_runs_in_wind(const Ship& ship, const Windage<double>& windage, double wind_speed,
                                             std::span<const double> relative, const WindRunOrder& order = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

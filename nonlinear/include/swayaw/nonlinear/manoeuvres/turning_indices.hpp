@@ -5,7 +5,7 @@
 
 #include "swayaw/nonlinear/manoeuvre.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Six numbers that tell a turning circle. A turn to port is told as its mirror image to starboard.
 /// Source: [Kulbiej2021] section 4.1
@@ -33,4 +33,4 @@ struct IndexError {
 /// @throws std::domain_error  if the turns are not as many, or a measured index is 0
 IndexError index_error(std::span<const TurningIndices> turns, std::span<const TurningIndices> measured);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -6,7 +6,7 @@
 #include "swayaw/nonlinear/manoeuvre.hpp"
 
 /// Williamson turn: back along the own track. docs/manoeuvres.md tells the definition.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 struct WilliamsonOrder {
   double rudder = radians(35.0);   ///< both ways [rad], positive
@@ -45,4 +45,4 @@ struct WilliamsonTurn {
 WilliamsonTurn williamson_turn(const Ship& ship, const WilliamsonOrder& order = {},
                                const ManoeuvreOptions& options = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -17,7 +17,7 @@
 ///     rigid_body(ship)                           mass without entrained water
 ///
 /// Why the branch is an argument: docs/decisions/001
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Which of the branch functions are positive.
 template <class S, std::size_t N>
@@ -53,4 +53,4 @@ struct ForcePart {
   PlanarForce<S> force;
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// One value on each side of the ship.
 template <class S = double>
@@ -44,4 +44,4 @@ Controls<T> between(const Controls<double>& a, const Controls<double>& b, const 
           a.by_thrust};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

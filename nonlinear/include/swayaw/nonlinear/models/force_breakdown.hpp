@@ -6,7 +6,7 @@
 #include "swayaw/nonlinear/ship.hpp"
 
 /// From which part does a force come?
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Forces about midship, split by part, and what they do to the ship.
 struct ForceBreakdown {
@@ -27,4 +27,4 @@ ForceBreakdown force_breakdown(const Ship& ship, const ShipState<double>& state,
 /// @throws Refusal  if the run lacks u, v, r, rudder, or shaft speed and thrust, altogether
 void add_forces(Recording& run, const Ship& ship);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -11,7 +11,7 @@
 /// The models are polynomials in v/U and rL/U with a propeller in its first quadrant: they hold for way ahead and a
 /// shaft that turns ahead. Whatever asks for one force, or begins a simulation, refuses the rest in words; the
 /// Simulator, which must go on, carries the forces on by a rule of its own and tells so.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 enum class Validity {
   valid,
@@ -35,4 +35,4 @@ Validity validity_of(const PlanarMotion<double>& motion, const Controls<double>&
 void require_valid(const PlanarMotion<double>& motion, const Controls<double>& controls, double L);
 void require_valid(const Ship& ship, const PlanarMotion<double>& motion, const Controls<double>& controls);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

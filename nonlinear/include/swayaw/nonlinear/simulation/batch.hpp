@@ -12,7 +12,7 @@
 
 /// Many ships at once, in calm water: over SIMD packs with the instruction set of the processor that runs the program,
 /// and over all cores. What comes of a ship does not depend on the others, nor on the number of threads.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// As in ManoeuvreOptions, for every ship.
 struct ZigzagBatchOptions {
@@ -57,4 +57,4 @@ struct ZigzagBatch {
 ZigzagBatch zigzag_batch(std::span<const MmgShip<double>> ships, const ZigzagOrder& order,
                          const ZigzagBatchOptions& options = {});
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

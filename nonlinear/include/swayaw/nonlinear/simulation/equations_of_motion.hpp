@@ -9,7 +9,7 @@
 ///
 /// Effects that add forces or slow the shaft (acting_effects.hpp) come as an argument, and so does what surrounds the
 /// ship. Where there are none, NoEffects and StillSurroundings leave nothing to compute and nothing to ask.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A ship without effects.
 struct NoEffects {};
@@ -61,4 +61,4 @@ StateVector<S> rates_of(const Model& ship, const Surroundings<S>& around, const 
   return rates_of(ship, around, NoEffects{}, state, NoEffects{}, controls, branch);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

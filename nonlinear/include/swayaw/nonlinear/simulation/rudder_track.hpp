@@ -7,7 +7,7 @@
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 
 /// From the recorded rudder angle to that of the rudder: play, lag, rate and offset in closed form.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A straight line from a time on, until the next one begins.
 struct AngleLine {
@@ -56,4 +56,4 @@ class RudderTrack {
   double offset_ = 0.0;
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 /// The classical Runge–Kutta step, for every stepper of fixed steps.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A state some time along its rates.
 template <class S, std::size_t N, class T>
@@ -27,4 +27,4 @@ std::array<S, N> runge_kutta_step(const std::array<S, N>& s, const T& h, Begin&&
   return next;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

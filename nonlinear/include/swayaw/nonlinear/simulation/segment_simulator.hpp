@@ -11,7 +11,7 @@
 
 /// Segments of recorded runs, simulated with exact derivatives by the state at their beginning and by parameters of the
 /// ship.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A value that a channel has at a sample.
 struct Measurement {
@@ -61,4 +61,4 @@ template <template <class> class Model>
 std::unique_ptr<SegmentSimulator> segment_simulator(const Model<double>& model, const Surroundings<double>& around,
                                                     const std::vector<Parameter>& parameters);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -10,7 +10,7 @@
 #include "swayaw/core/scalar.hpp"
 
 /// Smooth functions of a direction: what they are at −pi they are at pi, with all derivatives they have.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// f(alpha) = a_0 + sum over k = 1, 2, … of a_k cos(k alpha) + b_k sin(k alpha).
 template <class S = double>
@@ -90,4 +90,4 @@ S value_at(const PeriodicSpline& spline, const S& angle) {
   return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

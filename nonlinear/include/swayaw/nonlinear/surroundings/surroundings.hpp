@@ -7,7 +7,7 @@
 #include "swayaw/nonlinear/surroundings/wind.hpp"
 
 /// Water and air around the ship.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A uniform stream. Motion of the ship is counted through the water, so the stream only carries her along:
 /// in axes that drift with it nothing else changes.
@@ -80,4 +80,4 @@ ShipState<S> state_of(const StateVector<S>& s) {
   return {s[0], s[1], s[2], {s[3], s[4], s[5]}};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -6,7 +6,7 @@
 /// Load of the wind on the ship above water. docs/wind.md tells formulas, signs and sources.
 ///
 /// Wind from ahead pushes X < 0, wind from starboard pushes Y < 0.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Steady true wind over the ground.
 template <class S = double>
@@ -75,4 +75,4 @@ PlanarForce<S> wind_force(const Windage<S>& windage, const Wind<S>& wind, const 
   return wind_force(windage, apparent_wind(wind, over_ground, psi));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -11,7 +11,7 @@
 ///
 /// alpha is where the air comes from, seen from the moving ship: 0 ahead, pi/2 on the starboard beam, pi astern.
 /// C_X < 0 in wind from ahead, C_Y < 0 in wind from starboard. docs/wind.md tells formulas, signs and sources.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// C_X, C_Y, C_N at one angle, or their curves over all angles, in body axes about midship:
 ///
@@ -133,4 +133,4 @@ Windage<To> cast_part(const Windage<From>& windage) {
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -8,7 +8,7 @@
 #include "swayaw/nonlinear/surroundings/windage.hpp"
 
 /// Where the numbers of a windage come from: ship types, profiles of merchant ships, tables of a wind tunnel.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Drag and cross force of a type of ship.
 struct BlendermannShip {
@@ -102,4 +102,4 @@ struct IsherwoodProfile {
 /// @throws std::domain_error  if area, length or beam is not positive
 WindTable isherwood_table(const Windage<double>& windage, const IsherwoodProfile& profile);
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

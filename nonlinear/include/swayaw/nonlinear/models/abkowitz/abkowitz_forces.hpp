@@ -11,7 +11,7 @@
 /// Valid near the speed U_0 and within the drift, yaw rate and rudder angles the coefficients were found for; the
 /// propeller runs as it does straight ahead at U_0, whatever the controls say. Not for u ≤ 0 (validity.hpp). Source:
 /// [Abkowitz1964], [Chislett1965]
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// The polynomial has one piece.
 template <class S>
@@ -156,4 +156,4 @@ PlanarAcceleration<S> acceleration(const AbkowitzShip<S>& ship, const PlanarMoti
   };
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -18,7 +18,7 @@
 /// with (u − U_0)/V, v/V and rL/V; V is the speed U of the moment or U_0, see AbkowitzParticulars. Origin is midship.
 ///
 /// Source: [Abkowitz1964], [Chislett1965]
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 template <class S = double>
 struct AbkowitzParticulars {
@@ -183,4 +183,4 @@ struct AbkowitzShip {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

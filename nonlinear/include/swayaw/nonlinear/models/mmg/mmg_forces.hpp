@@ -9,7 +9,7 @@
 
 /// Forces of the MMG standard model, written once for double, dual and pack.
 /// Valid for way ahead, u > 0, and a shaft that turns ahead, or a given thrust (validity.hpp). Source: [Yasukawa2015]
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Drift angles as propeller and rudder see them.
 template <class S>
@@ -227,4 +227,4 @@ PlanarAcceleration<S> acceleration(const MmgShip<S>& ship, const PlanarMotion<S>
   };
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -7,7 +7,7 @@
 #include "swayaw/nonlinear/models/mmg/mmg_ship.hpp"
 
 /// Hull derivatives that a source prints under other names than their own.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A name in the table of a source, and the derivative whose number stands there.
 struct PermutedLabel {
@@ -49,4 +49,4 @@ MmgHull<S> relabelled(const MmgHull<S>& hull) {
   return result;
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

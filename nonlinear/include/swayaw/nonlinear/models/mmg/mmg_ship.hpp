@@ -15,7 +15,7 @@
 /// functions in mmg_forces.hpp take the angle positive to port, as everywhere in swayaw.
 ///
 /// Source: [Yasukawa2015] eqs (4)–(24)
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 template <class S = double>
 struct Water {
@@ -294,4 +294,4 @@ struct MmgShip {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

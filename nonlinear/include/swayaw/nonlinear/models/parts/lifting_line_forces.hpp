@@ -10,7 +10,7 @@
 
 /// Lift and drag of the semi-empirical rudder in the race of its propeller. Valid for way ahead.
 /// Source: [Alexandersson2024] section 2.2, appendix B.2
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Water that meets one rudder, from ahead.
 template <class S>
@@ -151,4 +151,4 @@ PlanarForce<S> rudder_hull_interaction(const LiftingLineRudder<S>& k, const Plan
   return {.X = S(0.0), .Y = k.a_H * rudder.Y, .N = k.x_H * k.x_R * rudder.Y};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -6,7 +6,7 @@
 #include "swayaw/core/scalar.hpp"
 #include "swayaw/nonlinear/models/parts/rudder_lift_loss.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// The semi-empirical rudder of the physics-informed model: a lifting line in the race of its propeller.
 ///
@@ -107,4 +107,4 @@ struct LiftingLineRudder {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

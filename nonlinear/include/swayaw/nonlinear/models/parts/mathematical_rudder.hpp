@@ -5,7 +5,7 @@
 #include "swayaw/core/parameter.hpp"
 #include "swayaw/nonlinear/models/parts/prime_forces.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// The rudder of the physics-uninformed model: a third-order Taylor expansion in rudder angle, drift and yaw rate.
 /// Terms that a ship file does not name are zero. Thrust does not enter; the hull's share is inside.
@@ -66,4 +66,4 @@ PlanarForce<S> rudder_force(const MathematicalRudder<S>& k, const S& L, const Pr
   return {.X = m.q * k.X_deltadelta * dd, .Y = m.q * Y, .N = m.q * L * N};
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -9,7 +9,7 @@
 /// Hull, propellers and equations of motion that the physics-informed and the physics-uninformed model share.
 /// Valid for way ahead, u > 0, and a shaft that turns ahead, or a given thrust (validity.hpp). Source:
 /// [Alexandersson2024]
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A ship made of the parts of prime_parts.hpp and a rudder.
 template <class Ship>
@@ -174,4 +174,4 @@ PlanarAcceleration<typename Ship::Scalar> acceleration(const Ship& ship,
   };
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -12,7 +12,7 @@
 /// equations of motion of this model leave out; they are not those of the MMG model in another scale.
 ///
 /// Source: [Alexandersson2024] section 2.1, table 1, appendix A
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 template <class S = double>
 struct ViscousWater {
@@ -163,4 +163,4 @@ struct PrimePropeller {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -3,7 +3,7 @@
 #include "swayaw/nonlinear/models/pi/pi_forces.hpp"
 #include "swayaw/nonlinear/models/pu/pu_forces.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Rudder amidships and what carries the ship straight ahead at that speed: the shaft speed where the propeller has an
 /// open-water curve, else the thrust, equal on both sides.
@@ -19,4 +19,4 @@ Controls<double> self_propulsion(const PuShip<double>& ship, double speed);
 inline bool takes_shaft_speed(const PiShip<double>& ship) { return ship.propeller.has_open_water_curve(); }
 inline bool takes_shaft_speed(const PuShip<double>& ship) { return ship.propeller.has_open_water_curve(); }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -8,7 +8,7 @@
 /// The race of a propeller and what it does to the rudder in it.
 /// Valid for way ahead and thrust that does not turn the flow, 2T > −πρ r_0² V_A².
 /// Source: [Alexandersson2024] appendix B.2.2
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// The race of a propeller where it meets the rudder.
 template <class S>
@@ -50,4 +50,4 @@ S lift_diminution(const PropellerRace<S>& race, const S& chord) {
   return exp(2.0 / (w4 * w4) * log(race.V_A / race.V_corr));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -3,7 +3,7 @@
 #include "swayaw/core/scalar.hpp"
 
 /// What a rudder loses of its lift: to stall, and to the gap above it.
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// 1/(1 + exp(−x)).
 template <class S>
@@ -44,4 +44,4 @@ S open_gap_factor(const S& delta_lim, const S& s, const S& delta) {
   return positive_part(S(1.0 + s * beyond * beyond));
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

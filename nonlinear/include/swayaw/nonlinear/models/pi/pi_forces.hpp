@@ -9,7 +9,7 @@
 /// Forces of the physics-informed model, written once for double, dual and pack.
 /// Valid for way ahead, u > 0, and a shaft that turns ahead, or a given thrust (validity.hpp). Source:
 /// [Alexandersson2024]
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// Names of the branches.
 struct PiBranch {
@@ -142,4 +142,4 @@ PiForces<S> forces(const PiShip<S>& ship, const PlanarMotion<S>& m, const Contro
   return forces(ship, m, controls.delta, flow, branch);
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

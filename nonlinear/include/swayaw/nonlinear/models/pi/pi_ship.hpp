@@ -7,7 +7,7 @@
 #include "swayaw/nonlinear/models/parts/lifting_line_rudder.hpp"
 #include "swayaw/nonlinear/models/parts/prime_parts.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A single- or twin-screw ship in the physics-informed model: linear or cubic hull, semi-empirical rudder.
 /// Source: [Alexandersson2024]
@@ -39,4 +39,4 @@ struct PiShip {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -8,7 +8,7 @@
 /// Forces of the physics-uninformed model, written once for double, dual and pack.
 /// Valid for way ahead, u > 0, and a shaft that turns ahead, or a given thrust (validity.hpp). Source:
 /// [Alexandersson2024]
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// The sign of beta_P selects the wake change.
 template <class S>
@@ -41,4 +41,4 @@ PuForces<S> forces(const PuShip<S>& ship, const PlanarMotion<S>& motion, const C
   };
 }
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear

@@ -7,7 +7,7 @@
 #include "swayaw/nonlinear/models/parts/mathematical_rudder.hpp"
 #include "swayaw/nonlinear/models/parts/prime_parts.hpp"
 
-namespace swayaw {
+namespace swayaw::inline nonlinear {
 
 /// A single- or twin-screw ship in the physics-uninformed model: linear or cubic hull, polynomial rudder.
 /// Source: [Alexandersson2024]
@@ -39,4 +39,4 @@ struct PuShip {
   }
 };
 
-}  // namespace swayaw
+}  // namespace swayaw::inline nonlinear
