@@ -69,3 +69,8 @@ function(swayaw_set_warnings target)
     target_link_options(${target} PRIVATE -flto=auto -Wodr -Werror=odr -Werror=lto-type-mismatch)
   endif()
 endfunction()
+
+# Programs, examples and tests leave the work to the library: what they wait for is the compiler.
+function(swayaw_optimise_little target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()

@@ -8,9 +8,6 @@ if(SWAYAW_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
   set(SWAYAW_TEST_TIMEOUT 3000)
 endif()
 
-# What tests do is soon done; what they wait for is the compiler.
-set(SWAYAW_TEST_OPTIMISATION $<$<CONFIG:Release>:-O1>)
-
 #   swayaw_add_tests(core SOURCES recording_test.cpp DEPENDS swayaw::core)
 #     ctest -R core.recording; or build/dev/tests/core/swayaw_test_core "name of a case"
 function(swayaw_add_tests floor)
@@ -24,7 +21,7 @@ function(swayaw_add_tests floor)
     SWAYAW_TEST_GOLDEN="${PROJECT_SOURCE_DIR}/tests/golden"
     SWAYAW_TEST_EXAMPLES="${PROJECT_SOURCE_DIR}/examples/recordings"
     SWAYAW_TEST_SHARED="${SWAYAW_SHARED}")
-  target_compile_options(${target} PRIVATE ${SWAYAW_TEST_OPTIMISATION})
+  swayaw_optimise_little(${target})
   swayaw_set_warnings(${target})
   foreach(source ${TESTS_SOURCES})
     get_filename_component(file ${source} NAME_WE)

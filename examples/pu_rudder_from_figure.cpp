@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <fstream>

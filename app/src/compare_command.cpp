@@ -110,7 +110,7 @@ Json series_json(const Comparison& c) {
 
 void write_report(Json document, const std::vector<Comparison>& comparisons, const std::filesystem::path& file) {
   for (std::size_t i = 0; i < comparisons.size(); ++i) document["runs"][i]["series"] = series_json(comparisons[i]);
-  write_text(file, comparison_page(nlohmann::json::parse(document.dump())));
+  write_text(file, comparison_page(for_page(document)));
   fmt::print(stderr, "swayaw: report written to {}\n", file.string());
 }
 

@@ -113,7 +113,7 @@ void write_diagnosis_report(Json document, const Ship& ship, const Diagnosis& di
   document["effect_names"] = effect_names();
   keep_order(document["effects"], diagnosis.effects);
   document["runs"] = pictures_json(ship, diagnosis);
-  write_text(page, diagnosis_page(nlohmann::json::parse(document.dump())));
+  write_text(page, diagnosis_page(for_page(document)));
   fmt::print(stderr, "swayaw: report written to {}\n", page.string());
 }
 

@@ -21,4 +21,7 @@ inline Json parameters(std::span<const double> values) {
   return list;
 }
 
+/// As a page takes it.
+nlohmann::json for_page(const Json& document);
+
 }  // namespace swayaw::app

@@ -281,7 +281,7 @@ Json page_document(const LinearShip& ship, const Finding& f, const LoopArguments
 }
 
 void write_page(const LinearShip& ship, const Finding& f, const LoopArguments& a) {
-  write_text(a.report, loop_page(nlohmann::json::parse(page_document(ship, f, a).dump())));
+  write_text(a.report, loop_page(for_page(page_document(ship, f, a))));
   fmt::print(stderr, "swayaw: report written to {}\n", a.report.string());
 }
 

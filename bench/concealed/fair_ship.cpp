@@ -1,6 +1,6 @@
 #include "fair_ship.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <cmath>
 #include <functional>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "rivals.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,6 +25,9 @@ struct Jet {
   double value, rate, second;
 };
 
+/// Of all x that bring A x nearest to b.
+Vector shortest_solution(const Matrix& A, const Vector& b) { return A.completeOrthogonalDecomposition().solve(b); }
+
 Jet local_cubic(std::span<const double> time, std::span<const double> values, std::size_t middle) {
   Matrix A(2 * half_window + 1, 4);
   Vector b(2 * half_window + 1);
@@ -35,7 +38,7 @@ Jet local_cubic(std::span<const double> time, std::span<const double> values, st
     A.row(i + half_window) << 1.0, t, t * t, t * t * t;
     b[i + half_window] = values[k];
   }
-  const Vector c = A.householderQr().solve(b);
+  const Vector c = shortest_solution(A, b);
   return {c[0], c[1] / unit, 2.0 * c[2] / (unit * unit)};
 }
 
@@ -168,7 +171,7 @@ std::vector<std::string> by_bic(const Ship& ship, const std::vector<Sample>& sam
   std::vector<Scored> scored;
   for (const auto& [id, A] : all) {
     if (A.cols() == 0) continue;
-    const Vector left = residual - A * A.completeOrthogonalDecomposition().solve(residual);
+    const Vector left = residual - A * shortest_solution(A, residual);
     scored.push_back(
         {id, n * std::log(residual.squaredNorm() / left.squaredNorm()) - static_cast<double>(A.cols()) * std::log(n)});
   }
@@ -234,7 +237,7 @@ std::vector<std::pair<double, std::size_t>> survivors(const Matrix& terms, const
     Matrix A(terms.rows(), static_cast<Eigen::Index>(kept.size()));
     for (std::size_t i = 0; i < kept.size(); ++i)
       A.col(static_cast<Eigen::Index>(i)) = terms.col(static_cast<Eigen::Index>(kept[i]));
-    const Vector weights = A.completeOrthogonalDecomposition().solve(residual);
+    const Vector weights = shortest_solution(A, residual);
     std::vector<std::pair<double, std::size_t>> left;
     for (std::size_t i = 0; i < kept.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);

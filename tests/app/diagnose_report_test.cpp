@@ -3,6 +3,7 @@
 #include <string>
 
 #include "files.hpp"
+#include "json.hpp"
 #include "program.hpp"
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
@@ -51,7 +52,7 @@ TEST_CASE("diagnose writes a page that holds its document, the missing force and
   const auto outcome = run(scratch, "diagnose " + ship_path + " " + write_runs(scratch) + " --json --report " + file);
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
-  const auto printed = json::parse(outcome.out);
+  const auto printed = test::json_of(outcome.out);
   auto page = read_text(file);
   CHECK(page.size() < 3'000'000);
 
@@ -61,7 +62,7 @@ TEST_CASE("diagnose writes a page that holds its document, the missing force and
   CHECK_THAT(page, !ContainsSubstring("http://") && !ContainsSubstring("https://") && !ContainsSubstring("src="));
   CHECK_THAT(text, !ContainsSubstring("NaN") && !ContainsSubstring("nan") && !ContainsSubstring("inf,"));
 
-  const auto shown = json::parse(text);
+  const auto shown = test::json_of(text);
   for (const auto& [key, value] : printed.items())
     if (key != "effects") CHECK(shown.at(key) == value);
   REQUIRE(printed.at("effects").size() > 0);

@@ -1,9 +1,9 @@
 #include <catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "files.hpp"
+#include "json.hpp"
 #include "program.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
@@ -27,10 +27,7 @@ const std::string mmg_ship = test::ship_file("kvlcc2_l7.toml");
 /// The reference counts 13.39 s to the ship length.
 const std::string reference_speed = "--speed 7.274085138162808";
 
-json golden() {
-  std::ifstream file(test::golden / "artyszuk_linear.json");
-  return json::parse(file).at("artyszuk");
-}
+json golden() { return test::json_in(test::golden / "artyszuk_linear.json").at("artyszuk"); }
 
 /// A ship file with that form in the folder.
 std::string written(const Scratch& folder, const std::string& form) {
@@ -51,7 +48,7 @@ Told told(const std::string& form, const std::string& command, const std::string
   const Scratch folder;
   const auto ship = written(folder, form);
   const auto outcome = run(folder, command + " " + ship + " " + rest + " --json");
-  return {outcome.code, outcome.out.empty() ? json() : json::parse(outcome.out), outcome.err};
+  return {outcome.code, outcome.out.empty() ? json() : test::json_of(outcome.out), outcome.err};
 }
 
 std::string coefficients_form(double a1, double b1, double c1, double a2, double b2, double c2) {
@@ -343,7 +340,7 @@ TEST_CASE("invert tells how sure the coefficients of uncertain indices are", "[a
     write_text(scratch / "ship.toml", text + "\n[confidence]\n" + confidence + "\n");
     const auto outcome = run(scratch, "invert " + (scratch / "ship.toml").string() + " --json");
     REQUIRE(outcome.code == 0);
-    return json::parse(outcome.out).at("uncertainty");
+    return test::json_of(outcome.out).at("uncertainty");
   };
   const auto sure = uncertainty_with("coefficients = 0.01"), unsure = uncertainty_with("coefficients = 0.02");
   CHECK_THAT(unsure.at("standard_error").at("a1").get<double>(),

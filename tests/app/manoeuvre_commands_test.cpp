@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files.hpp"
+#include "json.hpp"
 #include "program.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/recording_csv.hpp"
@@ -22,7 +23,7 @@ json document(const Scratch& scratch, const std::string& manoeuvre) {
   const auto outcome = run(scratch, ship + " " + manoeuvre + " --json");
   REQUIRE(outcome.code == 0);
   CHECK(outcome.err.empty());
-  return json::parse(outcome.out);
+  return test::json_of(outcome.out);
 }
 
 /// Whether each list of the object is as long as the first.
@@ -113,8 +114,8 @@ TEST_CASE("zigzag and turning circle judge themselves by the criteria they conce
   CHECK(names("--zigzag 20/10").empty());
   CHECK(names("--turn 35") == "advance tactical_diameter ");
   CHECK(names("--turn 10") == "initial_turning ");
-  const auto linear =
-      json::parse(run(scratch, "simulate " + (test::ships / "tanker97.toml").string() + " --zigzag 10/10 --json").out);
+  const auto linear = test::json_of(
+      run(scratch, "simulate " + (test::ships / "tanker97.toml").string() + " --zigzag 10/10 --json").out);
   REQUIRE(linear.at("criteria").size() == 3);
   CHECK(linear.at("criteria")[1].at("value") == linear.at("overshoot_deg")[0]);
 }
@@ -128,7 +129,7 @@ TEST_CASE("a straight run tells the drift and the helm that keep a course in the
                          "\n[windage]\nfrontal_area_m2 = 1200\nlateral_area_m2 = 3700\nlength_over_all_m = 333\n" +
                          "\n[[effect]]\nkind = \"steady_wind\"\nwind_speed_m_s = 20\nwind_from_rad = " +
                          std::to_string(from) + "\n");
-    return json::parse(run(scratch, "simulate " + file.string() + " --straight 0 --json").out);
+    return test::json_of(run(scratch, "simulate " + file.string() + " --straight 0 --json").out);
   };
   const auto starboard = windy("s.toml", 1.0), port = windy("p.toml", -1.0);
   CHECK(starboard.at("wind_force").at("Y") < 0.0);
@@ -137,7 +138,7 @@ TEST_CASE("a straight run tells the drift and the helm that keep a course in the
   CHECK(std::abs(starboard.at("course_rad").get<double>()) < 1e-9);
   CHECK(std::abs(starboard.at("helm_rad").get<double>()) > 1e-3);
   CHECK(std::signbit(starboard.at("helm_rad").get<double>()) != std::signbit(port.at("helm_rad").get<double>()));
-  const auto calm = json::parse(run(scratch, ship + " --straight 30 --json").out);
+  const auto calm = test::json_of(run(scratch, ship + " --straight 30 --json").out);
   CHECK(std::abs(calm.at("helm_rad").get<double>()) < 1e-9);
   CHECK(calm.at("heading_rad").get<double>() == Approx(radians(30)));
 }

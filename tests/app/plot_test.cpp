@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files.hpp"
+#include "json.hpp"
 #include "program.hpp"
 #include "swayaw/core/atomic_file.hpp"
 
@@ -194,7 +195,7 @@ TEST_CASE("with T3b = T3w plot and page draw drift proportional to yaw", "[app][
   const auto text = read_text(page);
   const auto cycle = text.find("\"cycle\":{");
   REQUIRE(cycle != std::string::npos);
-  const auto columns = nlohmann::json::parse(text.substr(cycle + 8, text.find('}', cycle) - cycle - 7));
+  const auto columns = test::json_of(text.substr(cycle + 8, text.find('}', cycle) - cycle - 7));
   REQUIRE(columns.at("omega").size() > 100);
   for (std::size_t i = 0; i < columns.at("omega").size(); ++i)
     CHECK_THAT(columns.at("beta_rad")[i].get<double>(), WithinAbs(0.75 * columns.at("omega")[i].get<double>(), 1e-12));

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "files.hpp"
+#include "json.hpp"
 #include "program.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/recording_csv.hpp"
@@ -89,7 +89,7 @@ TEST_CASE("simulate prints the indices of a zigzag as JSON", "[app]") {
   const auto outcome = run(scratch, "simulate " + ship + " --zigzag 20/10 --first port --json");
   REQUIRE(outcome.code == 0);
   CHECK(outcome.err.empty());
-  const auto document = json::parse(outcome.out);
+  const auto document = test::json_of(outcome.out);
   CHECK(document.at("manoeuvre") == "zigzag 20/10");
   CHECK(document.at("first") == "port");
   CHECK(document.at("execute_s").front() == 0.0);
@@ -127,7 +127,7 @@ TEST_CASE("compare prints a document without NaN, a table, and a page", "[app]")
   const auto outcome =
       run(scratch, "compare " + ship + " " + example_zigzag + " " + example_turn + " --json --report " + page);
   REQUIRE(outcome.code == 0);
-  const auto document = json::parse(outcome.out);
+  const auto document = test::json_of(outcome.out);
   CHECK(document.at("schema") == "swayaw.comparison/1");
   REQUIRE(document.at("runs").size() == 2);
   CHECK(document.at("runs")[0].at("run") == "weak_rudder_zz10_10.csv");

@@ -1,9 +1,9 @@
 #include <catch.hpp>
-#include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "files.hpp"
+#include "json.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/identification/captive.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
@@ -47,8 +47,8 @@ struct Published {
 };
 
 std::optional<nlohmann::json> reference() {
-  std::ifstream file(std::filesystem::path(SWAYAW_TEST_SHARED) / "reference" / "kvlcc2_pi.json");
-  if (file) return nlohmann::json::parse(file);
+  const auto file = std::filesystem::path(SWAYAW_TEST_SHARED) / "reference" / "kvlcc2_pi.json";
+  if (std::filesystem::exists(file)) return test::json_in(file);
   std::cout << "[skipped] no reference/kvlcc2_pi.json\n";
   return std::nullopt;
 }

@@ -1,9 +1,9 @@
 #include "swayaw/identification/index_tuning.hpp"
+#include "json.hpp"
 
 #include <algorithm>
 #include <catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "random_ships.hpp"
@@ -200,7 +200,7 @@ TEST_CASE("eighteen turning indices tell six or seven of sixteen combinations of
 
 TEST_CASE("ten per cent of each number change the turns of MV Nawigator XXI as an independent program says",
           "[identification][published]") {
-  const auto golden = nlohmann::json::parse(std::ifstream(test::golden / "kulbiej2021.json"));
+  const auto golden = test::json_in(test::golden / "kulbiej2021.json");
   const auto parameters = tuned_parameters(nawigator(), {});
   const auto s = index_sensitivity(nawigator(), nawigator_turns(), parameters);
   const auto& table = golden["sensitivity_10percent"]["table_percent"];

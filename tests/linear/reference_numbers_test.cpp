@@ -4,7 +4,6 @@
 #include <array>
 #include <catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "swayaw/core/angle.hpp"

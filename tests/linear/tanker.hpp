@@ -1,10 +1,10 @@
 #pragma once
 
 #include <array>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "files.hpp"
+#include "json.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/linear/indices.hpp"
 #include "swayaw/linear/ship_parts.hpp"
@@ -15,7 +15,7 @@ namespace swayaw::test {
 
 /// tests/golden/artyszuk_linear.json
 inline const nlohmann::json& reference() {
-  static const auto all = nlohmann::json::parse(std::ifstream(golden / "artyszuk_linear.json")).at("artyszuk");
+  static const auto all = json_in(golden / "artyszuk_linear.json").at("artyszuk");
   return all;
 }
 

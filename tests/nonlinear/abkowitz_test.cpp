@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "abkowitz_ships.hpp"
+#include "json.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/pack.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -438,10 +438,7 @@ TEST_CASE("a 20/20 zigzag of the Mariner is that of mariner.m", "[nonlinear][sec
   CHECK(reversals >= 3);
 }
 
-nlohmann::json published_mariner() {
-  std::ifstream file(test::golden / "mariner.json");
-  return nlohmann::json::parse(file);
-}
+nlohmann::json published_mariner() { return test::json_in(test::golden / "mariner.json"); }
 
 /// Half a unit of the last digit that is printed.
 double rounding(double unit) { return 0.5 * unit * (1.0 + 1e-9); }

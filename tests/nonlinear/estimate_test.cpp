@@ -1,7 +1,7 @@
 #include <catch.hpp>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "json.hpp"
 #include "random_ships.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -15,10 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-json reference(const std::string& ship) {
-  std::ifstream file(test::golden / "estimates.json");
-  return json::parse(file).at(ship);
-}
+json reference(const std::string& ship) { return test::json_in(test::golden / "estimates.json").at(ship); }
 
 HullDimensions<double> dimensions(const json& ship) {
   return {.L = ship.at("L_m"), .B = ship.at("B_m"), .d = ship.at("d_m"), .C_B = ship.at("C_B")};

@@ -1,10 +1,10 @@
 #include "swayaw/nonlinear/estimates/nawigator.hpp"
+#include "json.hpp"
 
 #include <algorithm>
 #include <array>
 #include <catch.hpp>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -29,7 +29,7 @@ namespace {
 using nlohmann::json;
 
 const json& golden() {
-  static const json file = json::parse(std::ifstream(test::golden / "kulbiej2021.json"));
+  static const json file = test::json_in(test::golden / "kulbiej2021.json");
   return file;
 }
 

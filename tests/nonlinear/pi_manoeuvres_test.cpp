@@ -1,5 +1,7 @@
 #include <catch.hpp>
 
+#include "alexandersson2024.hpp"
+#include "json.hpp"
 #include "prime_manoeuvres.hpp"
 #include "swayaw/core/angle.hpp"
 
@@ -8,10 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-json figure_10() {
-  std::ifstream file(test::golden / "alexandersson2024_figure_10.json");
-  return json::parse(file);
-}
+json figure_10() { return test::json_in(test::golden / "alexandersson2024_figure_10.json"); }
 
 // ---------------------------------------------------------------- against the independent program
 

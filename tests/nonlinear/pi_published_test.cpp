@@ -1,5 +1,6 @@
 #include <catch.hpp>
 
+#include "alexandersson2024.hpp"
 #include "prime_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/dual.hpp"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "files.hpp"
@@ -12,11 +10,6 @@
 
 /// Ships of the physics-informed and the physics-uninformed model, and seeded relatives of them.
 namespace swayaw::test {
-
-inline nlohmann::json alexandersson2024() {
-  std::ifstream file(golden / "alexandersson2024.json");
-  return nlohmann::json::parse(file);
-}
 
 template <class Ship>
 Ship prime_ship(const std::string& name) {

@@ -1,8 +1,8 @@
 #include <catch.hpp>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "files.hpp"
+#include "json.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/recording.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
@@ -14,10 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-json reference_cases() {
-  std::ifstream file(test::golden / "mmg_manoeuvres.json");
-  return json::parse(file).at("cases");
-}
+json reference_cases() { return test::json_in(test::golden / "mmg_manoeuvres.json").at("cases"); }
 
 json reference_case(const std::string& manoeuvre) {
   for (const auto& c : reference_cases())

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "files.hpp"
+#include "json.hpp"
 #include "swayaw/core/atomic_file.hpp"
 
 /// The program from the outside. SWAYAW_PROGRAM is set by CMake.
@@ -40,7 +41,7 @@ inline nlohmann::json document(const std::string& arguments) {
   const auto outcome = run(scratch, arguments + " --json");
   INFO(arguments << "\n" << outcome.err);
   REQUIRE(outcome.code == 0);
-  return nlohmann::json::parse(outcome.out);
+  return json_of(outcome.out);
 }
 
 /// The line that a command says that must fail.

@@ -1,0 +1,7 @@
+#include "json.hpp"
+
+namespace swayaw::app {
+
+nlohmann::json for_page(const Json& document) { return nlohmann::json::parse(document.dump()); }
+
+}  // namespace swayaw::app
