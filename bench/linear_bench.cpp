@@ -85,7 +85,7 @@ void linear_zigzag_batch(benchmark::State& state, InstructionSet set) {
       benchmark::Counter(4096.0, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   tell_ratio(state, 4096.0);
 }
-BENCHMARK_CAPTURE(linear_zigzag_batch, parameters, InstructionSet::parameters)->Arg(3);
+BENCHMARK_CAPTURE(linear_zigzag_batch, numbers, InstructionSet::numbers)->Arg(3);
 BENCHMARK_CAPTURE(linear_zigzag_batch, baseline, InstructionSet::baseline)->Arg(3);
 BENCHMARK_CAPTURE(linear_zigzag_batch, avx2, InstructionSet::avx2)->Arg(3);
 BENCHMARK_CAPTURE(linear_zigzag_batch, avx512, InstructionSet::avx512)->Arg(3)->Arg(6);

@@ -81,7 +81,7 @@ void kvlcc2_zigzag_batch_10000(benchmark::State& state, InstructionSet set) {
   const auto ships = perturbed(10'000);
   const ZigzagOrder order{.rudder = radians(10), .heading = radians(10), .first = Side::starboard};
   const double tolerance = std::pow(10.0, -static_cast<double>(state.range(0)));
-  const auto sail = [&](std::size_t count, double to) {
+  const auto simulate = [&](std::size_t count, double to) {
     return zigzag_batch(std::span(ships).first(count), order,
                         {.reversals = 8, .duration = 100.0, .tolerance = to, .batch = {.threads = 1, .set = set}});
   };

@@ -2,7 +2,7 @@
 #   cmake -D FOLDER=ships -D OUTPUT=published_ship_texts.cpp -P EmbedShips.cmake
 file(GLOB files ${FOLDER}/*.toml)
 list(SORT files)
-set(source "#include \"swayaw/nonlinear/published_ships.hpp\"\n\nnamespace swayaw {\nnamespace {\n\nconstexpr PublishedShip ships[] = {\n")
+set(source "#include \"swayaw/nonlinear/published_ships.hpp\"\n\nnamespace swayaw::inline nonlinear {\nnamespace {\n\nconstexpr PublishedShip ships[] = {\n")
 foreach(file IN LISTS files)
   get_filename_component(name ${file} NAME_WE)
   file(READ ${file} text)

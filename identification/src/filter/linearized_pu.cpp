@@ -1,3 +1,3 @@
 #include "linearized_ship.hpp"
 
-template class swayaw::LinearizedShip<swayaw::PuShip<double>>;
+template class swayaw::identification::detail::LinearizedShip<swayaw::PuShip<double>>;

@@ -6,7 +6,7 @@
 #include "../regression/spectrum.hpp"
 #include "../regression/standard_errors.hpp"
 
-namespace swayaw::inline identification::trajectory {
+namespace swayaw::inline identification::detail {
 
 ParameterErrors parameter_errors(const TrajectoryProblem& problem, const Linearization& at,
                                  const Eigen::VectorXd& prior) {
@@ -55,4 +55,4 @@ Combinations combinations_of(const std::vector<Parameter>& parameters, std::span
   return result;
 }
 
-}  // namespace swayaw::inline identification::trajectory
+}  // namespace swayaw::inline identification::detail

@@ -3,7 +3,7 @@
 #include "trajectory_shooting.hpp"
 
 /// What segments tell about the parameters at the end of a fit. Not installed.
-namespace swayaw::inline identification::trajectory {
+namespace swayaw::inline identification::detail {
 
 struct ParameterErrors {
   Eigen::MatrixXd covariance;   ///< infinite on the diagonal for a number that is not told
@@ -25,4 +25,4 @@ struct Combinations {
 Combinations combinations_of(const std::vector<Parameter>& parameters, std::span<const double> values,
                              const ParameterErrors& errors);
 
-}  // namespace swayaw::inline identification::trajectory
+}  // namespace swayaw::inline identification::detail

@@ -12,7 +12,7 @@
 #include "trajectory_search.hpp"
 
 namespace swayaw::inline identification {
-using namespace trajectory;
+using namespace detail;
 
 namespace {
 

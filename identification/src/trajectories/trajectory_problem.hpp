@@ -8,7 +8,7 @@
 #include "swayaw/nonlinear/simulation/segment_simulator.hpp"
 
 /// What a trajectory fit works on. Not installed.
-namespace swayaw::inline identification::trajectory {
+namespace swayaw::inline identification::detail {
 
 struct TrajectoryProblem {
   std::vector<SampledRun> runs;
@@ -54,4 +54,4 @@ Weighted weighted(const SegmentResponse& response, const RunSegment& segment, co
 /// Ship units of x, y, psi, u, v, r: L, 1, U and U/L.
 Eigen::Vector<double, 6> state_units(const TrajectoryProblem& problem);
 
-}  // namespace swayaw::inline identification::trajectory
+}  // namespace swayaw::inline identification::detail

@@ -6,7 +6,7 @@
 
 #include "swayaw/core/angle.hpp"
 
-namespace swayaw::inline identification::trajectory {
+namespace swayaw::inline identification::detail {
 namespace {
 
 // ---------------------------------------------------------------- noise
@@ -296,4 +296,4 @@ class Searcher {
 
 Found search_from(const SearchTask& task, const Iterate& start) { return Searcher(task, start).run(); }
 
-}  // namespace swayaw::inline identification::trajectory
+}  // namespace swayaw::inline identification::detail

@@ -3,7 +3,7 @@
 #include "trajectory_shooting.hpp"
 
 /// The search for the most likely parameters. Not installed.
-namespace swayaw::inline identification::trajectory {
+namespace swayaw::inline identification::detail {
 
 /// What a search works with.
 struct SearchTask {
@@ -31,4 +31,4 @@ Found search_from(const SearchTask& task, const Iterate& start);
 double log_likelihood(const std::vector<ShootingSegment>& segments, const std::vector<SegmentResponse>& responses,
                       const Weights& weights);
 
-}  // namespace swayaw::inline identification::trajectory
+}  // namespace swayaw::inline identification::detail

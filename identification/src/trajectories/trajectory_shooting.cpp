@@ -6,7 +6,7 @@
 #include "../regression/spectrum.hpp"
 #include "swayaw/core/parallel.hpp"
 
-namespace swayaw::inline identification::trajectory {
+namespace swayaw::inline identification::detail {
 
 // ---------------------------------------------------------------- places
 
@@ -187,4 +187,4 @@ std::vector<std::vector<Eigen::VectorXd>> Linearization::scores() const {
   return result;
 }
 
-}  // namespace swayaw::inline identification::trajectory
+}  // namespace swayaw::inline identification::detail

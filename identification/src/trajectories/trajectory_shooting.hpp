@@ -3,7 +3,7 @@
 #include "trajectory_problem.hpp"
 
 /// Multiple shooting: segments that need not fit together while the parameters are looked for. Not installed.
-namespace swayaw::inline identification::trajectory {
+namespace swayaw::inline identification::detail {
 
 /// Information over the largest that counts as none.
 inline constexpr double no_information = 1e-12;
@@ -90,4 +90,4 @@ class Linearization {
   Eigen::MatrixXd information_;
 };
 
-}  // namespace swayaw::inline identification::trajectory
+}  // namespace swayaw::inline identification::detail

@@ -20,7 +20,7 @@ template <class Arch>
 class ZigzagLanes {
   using P = xsimd::batch<double, Arch>;
   using M = xsimd::batch_bool<double, Arch>;
-  using Tableau = DormandPrince;
+  using Tableau = detail::DormandPrince;
 
  public:
   /// @param next  the ship of the job that is loaded next; shared by packs that run side by side

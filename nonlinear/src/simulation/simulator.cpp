@@ -229,7 +229,7 @@ class Simulator::CoreOf : public Simulator::Core {
     const auto c = driven(effects_, state.motion, controls());
     std::size_t count = 0;
     const auto add = [&](std::string_view name, const PlanarForce<double>& force) { parts_[count++] = {name, force}; };
-    const auto split = swayaw::forces(ship_, state.motion, c, held_branch(ship_, state.motion, c));
+    const auto split = detail::forces(ship_, state.motion, c, held_branch(ship_, state.motion, c));
     for (const auto& part : split.part) add(part.name, part.force);
     if (around.windy) add("wind", wind_load(around, state));
     auto at = state;
