@@ -113,8 +113,7 @@ Outcome by_ceres(const EstimationProblem& problem, const FilteredRuns& passes, d
 }
 
 void compare(const Ship& truth, std::span<const Recording> runs, double tenths) {
-  const std::vector<std::string> names{"Y_v",   "Y_r",   "N_v", "N_r",     "Y_vvv",
-                                       "N_vvv", "N_rrr", "R_0", "f_alpha", "a_H"};
+  const std::vector<std::string> names{"Y_v", "Y_r", "N_v", "N_r", "Y_vvv", "N_vvv", "N_rrr", "R_0", "f_alpha", "a_H"};
   std::vector<double> off;
   for (const auto& p : parameters_of(truth, names))
     off.push_back(p.value * (1.0 + (off.size() % 2 == 0 ? 0.1 : -0.1) * tenths));
@@ -152,6 +151,8 @@ int main() {
   std::vector<Recording> runs;
   for (const double angle : {20.0, 10.0, 15.0})
     runs.push_back(bench::noisy_zigzag(ship, angle, static_cast<unsigned>(runs.size() + 1)));
-  fmt::print("| coefficients off by | descent | cost at its end | runs filtered | time |\n| ---: | --- | ---: | ---: | ---: |\n");
+  fmt::print(
+      "| coefficients off by | descent | cost at its end | runs filtered | time |\n| ---: | --- | ---: | ---: | ---: "
+      "|\n");
   for (const double tenths : {0.5, 1.0, 2.0, 4.0}) bench::compare(ship, runs, tenths);
 }

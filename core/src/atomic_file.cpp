@@ -71,4 +71,4 @@ void write_text(const fs::path& file, std::string_view text) {
   fail({.file = file}, "cannot be written");
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

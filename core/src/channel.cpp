@@ -71,4 +71,4 @@ std::optional<Channel> channel_named(std::string_view name) {
   return column ? std::optional(column->channel) : std::nullopt;
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -9,4 +9,4 @@ double Confidence::of(std::string_view key) const {
   return found == named.end() ? coefficients : found->second;
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -272,4 +272,4 @@ std::string model_of(std::string_view text, const std::filesystem::path& name) {
   return PartsReader(text, name).model();
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

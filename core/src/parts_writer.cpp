@@ -126,4 +126,4 @@ std::string ship_text(std::string_view model, const ShipFileHead& head, const Fi
   return text;
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -55,4 +55,4 @@ double white_noise_of(std::span<const double> values) {
   return *middle / (quartile * gain);
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

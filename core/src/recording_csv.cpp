@@ -394,4 +394,4 @@ void write_recording(const Recording& recording, const std::filesystem::path& fi
   write_text(file, recording_text(recording));
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -19,4 +19,4 @@ double require_positive(double value, std::string_view quantity) {
   throw std::domain_error(fmt::format("{} must be positive, got {}", quantity, value));
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

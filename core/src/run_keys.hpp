@@ -127,4 +127,4 @@ class RunKeyReader {
   std::vector<std::string> seen_;
 };
 
-}  // namespace swayaw::inline core::detail
+}  // namespace swayaw::core::detail

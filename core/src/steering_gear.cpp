@@ -15,4 +15,4 @@ void require_rudder(double angle, const SteeringGear<double>& gear) {
                                       degrees(angle), degrees(gear.max_angle)));
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -135,4 +135,4 @@ void zigzag_batch(const ShipColumns& ships, const LinearZigzagOrder& order, Zigz
   table.by_numbers = by_numbers;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

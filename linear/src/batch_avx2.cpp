@@ -7,4 +7,4 @@ ZigzagKernel avx2_zigzags() { return sail_packs<xsimd::fma3<xsimd::avx2>>; }
 
 SampleKernel avx2_samples() { return sample_blocks<struct Avx2>; }
 
-}  // namespace swayaw::inline linear::batch
+}  // namespace swayaw::linear::batch

@@ -4,4 +4,4 @@ namespace swayaw::inline linear::batch {
 
 ZigzagKernel avx512_zigzags() { return sail_packs<xsimd::avx512bw>; }
 
-}  // namespace swayaw::inline linear::batch
+}  // namespace swayaw::linear::batch

@@ -15,4 +15,4 @@ ZigzagKernel baseline_zigzags() {
 
 SampleKernel baseline_samples() { return sample_blocks<struct Baseline>; }
 
-}  // namespace swayaw::inline linear::batch
+}  // namespace swayaw::linear::batch

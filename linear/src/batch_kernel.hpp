@@ -56,4 +56,4 @@ SampleKernel avx2_samples();  ///< AVX2 and fused multiply-add
 /// The kernel for this processor.
 SampleKernel best_samples();
 
-}  // namespace swayaw::inline linear::batch
+}  // namespace swayaw::linear::batch

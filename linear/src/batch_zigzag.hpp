@@ -353,4 +353,4 @@ void sail_packs(const ZigzagJob& job, std::size_t first, std::size_t last) {
   }
 }
 
-}  // namespace swayaw::inline linear::batch
+}  // namespace swayaw::linear::batch

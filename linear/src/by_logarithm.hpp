@@ -21,4 +21,4 @@ SwayYawCoefficients<Dual<N>> by_logarithms(const SwayYawCoefficients<double>& m)
           by_logarithm<N>(m.a2, 3), by_logarithm<N>(m.b2, 4), by_logarithm<N>(m.c2, 5)};
 }
 
-}  // namespace swayaw::inline linear::detail
+}  // namespace swayaw::linear::detail

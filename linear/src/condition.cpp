@@ -21,4 +21,4 @@ double condition_number(const SwayYawCoefficients<double>& m) {
   return singular[5] > 0.0 ? singular[0] / singular[5] : std::numeric_limits<double>::infinity();
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

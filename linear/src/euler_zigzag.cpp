@@ -50,4 +50,4 @@ EulerZigzag euler_zigzag(const SwayYawCoefficients<double>& ship, const LinearZi
   return result;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

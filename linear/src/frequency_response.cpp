@@ -92,4 +92,4 @@ std::optional<Crossover> crossover(const SwayYawTransfer<double>& h, double k) {
   return Crossover{.frequency = *nu, .phase_margin = wrapped(phase(heading, *nu))};
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -150,4 +150,4 @@ std::string_view name_of(KnownPart known) {
   return names[static_cast<std::size_t>(known)];
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

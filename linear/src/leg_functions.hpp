@@ -250,4 +250,4 @@ void for_each_zero(const LegShip& ship, LinearState<double> start, RudderLine<do
   }
 }
 
-}  // namespace swayaw::inline linear::detail
+}  // namespace swayaw::linear::detail

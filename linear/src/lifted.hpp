@@ -13,4 +13,4 @@ LinearParts<S> lifted(const LinearParts<double>& ship) {
           .rudder = {S(r.area_ratio), S(r.w), S(r.c_Th), S(r.lift_slope), S(r.a_H), S(r.c_Ry), S(r.x_Reff)}};
 }
 
-}  // namespace swayaw::inline linear::detail
+}  // namespace swayaw::linear::detail

@@ -67,4 +67,4 @@ Recording recording_of(const SwayYawCoefficients<double>& coefficients, std::vec
   return run;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -66,4 +66,4 @@ SnameDerivatives<double> inertia(const LinearHull<double>& hull) {
   return d;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

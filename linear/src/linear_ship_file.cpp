@@ -143,4 +143,4 @@ LinearShip parse_linear_ship(std::string_view text, const std::filesystem::path&
 
 LinearShip read_linear_ship(const std::filesystem::path& file) { return parse_linear_ship(read_text(file), file); }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

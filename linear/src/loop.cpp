@@ -275,4 +275,4 @@ std::optional<LoopSensitivity> loop_sensitivity(const SteeringIndices<double>& i
   return result;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

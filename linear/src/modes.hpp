@@ -62,4 +62,4 @@ struct Modes {
   }
 };
 
-}  // namespace swayaw::inline linear::detail
+}  // namespace swayaw::linear::detail

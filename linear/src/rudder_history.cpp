@@ -41,4 +41,4 @@ void require_history(const RudderHistory& history) {
   if (!std::is_sorted(s.begin(), s.end())) throw std::domain_error("times of a rudder history must not descend");
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

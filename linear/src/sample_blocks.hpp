@@ -26,4 +26,4 @@ void sample_blocks(const BlockMap& m, SampleJob& job) {
   job.beta = beta, job.omega = omega, job.psi = psi, job.angle = angle;
 }
 
-}  // namespace swayaw::inline linear::batch
+}  // namespace swayaw::linear::batch

@@ -98,4 +98,4 @@ void sample_legs(const SwayYawCoefficients<double>& ship, std::span<const Leg<do
   }
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

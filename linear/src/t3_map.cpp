@@ -144,4 +144,4 @@ T3Map t3_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& or
   return map;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

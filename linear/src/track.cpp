@@ -78,4 +78,4 @@ std::vector<TrackPoint> track(const LinearResponse<double>& ship, const std::vec
   return points;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -153,4 +153,4 @@ std::optional<std::string> separation_warning(const SteeringIndices<double>& ind
       distance);
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

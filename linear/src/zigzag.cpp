@@ -101,4 +101,4 @@ LinearZigzag<double> linear_zigzag(const SwayYawCoefficients<double>& ship, cons
   return result;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -171,4 +171,4 @@ std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s
   return sizes;
 }
 
-}  // namespace swayaw::inline mismatch::detail
+}  // namespace swayaw::mismatch::detail

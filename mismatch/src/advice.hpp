@@ -20,4 +20,4 @@ std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& search);
 std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& search,
                                              std::span<const EffectForm> forms, double detection);
 
-}  // namespace swayaw::inline mismatch::detail
+}  // namespace swayaw::mismatch::detail

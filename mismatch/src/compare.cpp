@@ -277,4 +277,4 @@ std::string verdict(const std::vector<Comparison>& comparisons) {
   return text + '.';
 }
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

@@ -306,4 +306,4 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   return d;
 }
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

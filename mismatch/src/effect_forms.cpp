@@ -99,4 +99,4 @@ bool is_finding(const Ship& ship, const Effect& effect) {
                              [](const Parameter& p) { return p.decides && !(std::abs(p.value - p.null) <= p.floor); });
 }
 
-}  // namespace swayaw::inline mismatch::detail
+}  // namespace swayaw::mismatch::detail

@@ -33,4 +33,4 @@ EffectForm unknown_map(const Ship& ship);
 /// Whether an effect is larger than the practical floor in any of its parameters that decide.
 bool is_finding(const Ship& ship, const Effect& effect);
 
-}  // namespace swayaw::inline mismatch::detail
+}  // namespace swayaw::mismatch::detail

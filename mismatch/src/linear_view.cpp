@@ -112,4 +112,4 @@ std::string words_of(std::span<const LinearView> views) {
   return words.empty() ? words : words + ".";
 }
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

@@ -234,4 +234,4 @@ std::optional<std::pair<double, double>> common_interval(const Located& located,
   return std::pair(from[from.size() / 2], to[to.size() / 2]);
 }
 
-}  // namespace swayaw::inline mismatch::detail
+}  // namespace swayaw::mismatch::detail

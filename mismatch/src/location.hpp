@@ -22,4 +22,4 @@ Located located(const Trial& trial, const Ship& ship, const Noise& noise);
 /// From when to when most of the missing force acts, if the runs agree within two lengths of way [s].
 std::optional<std::pair<double, double>> common_interval(const Located& located, double time_unit);
 
-}  // namespace swayaw::inline mismatch::detail
+}  // namespace swayaw::mismatch::detail

@@ -74,4 +74,4 @@ double variation_of(const Recording& run, Quantity quantity) {
   return deviation(values_of(run, quantity));
 }
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

@@ -119,4 +119,4 @@ std::optional<RegionError> worst_region(std::span<const RegionError> regions) {
   return worst;
 }
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

@@ -151,4 +151,4 @@ std::vector<RunPicture> run_pictures(const Ship& given, const Ship& refitted, co
   return pictures;
 }
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

@@ -628,4 +628,4 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
   return s;
 }
 
-}  // namespace swayaw::inline mismatch::detail
+}  // namespace swayaw::mismatch::detail

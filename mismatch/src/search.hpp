@@ -79,4 +79,4 @@ struct ActiveTime {
 /// `needed`. Neither lies within two ship lengths of way of the ends of the longest run, where the filter settles.
 ActiveTime active_time(const Trial& trial, const Search& s, std::size_t accepted, double needed);
 
-}  // namespace swayaw::inline mismatch::detail
+}  // namespace swayaw::mismatch::detail

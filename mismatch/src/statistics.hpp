@@ -57,4 +57,4 @@ inline std::optional<IndexRange> largest_sum(std::span<const double> values) {
   return found;
 }
 
-}  // namespace swayaw::inline mismatch::detail
+}  // namespace swayaw::mismatch::detail

@@ -135,4 +135,4 @@ Eigen::MatrixXd information(const Trial& trial, const LinearizedFit& baseline, c
   return J.transpose() * baseline.projected(J);
 }
 
-}  // namespace swayaw::inline mismatch::detail
+}  // namespace swayaw::mismatch::detail

@@ -60,4 +60,4 @@ PredictedGain predicted_gain(const Trial& trial, const Hypothesis& accepted, con
 /// can: JᵀMJ.
 Eigen::MatrixXd information(const Trial& trial, const LinearizedFit& baseline, const EffectForm& form);
 
-}  // namespace swayaw::inline mismatch::detail
+}  // namespace swayaw::mismatch::detail

@@ -165,4 +165,4 @@ CaptiveFit fit_captive(const Ship& ship, std::span<const CaptivePoint> points, c
   return result;
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -214,4 +214,4 @@ std::vector<CaptivePoint> read_captive(const std::filesystem::path& file, const 
   return points;
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -51,4 +51,4 @@ PlanarForce<S> captive_force(const Model<S>& ship, const RigidBody& body, const 
   return sum;
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -91,4 +91,4 @@ CaptivePlan captive_plan(const Ship& ship, std::span<const CaptivePoint> points,
   return plan;
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

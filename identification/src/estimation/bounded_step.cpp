@@ -68,4 +68,4 @@ Vector bounded_step(const Matrix& H, const Vector& g, const Vector& low, const V
   return d;
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

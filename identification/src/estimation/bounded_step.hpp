@@ -12,4 +12,4 @@ namespace swayaw::inline identification::detail {
 Eigen::VectorXd bounded_step(const Eigen::MatrixXd& H, const Eigen::VectorXd& g, const Eigen::VectorXd& low,
                              const Eigen::VectorXd& high, double radius);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -60,4 +60,4 @@ void descend(Descent& here, const DescentOptions& options, Renew&& renew, At&& a
   }
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -81,4 +81,4 @@ void difference(const EstimationProblem& problem, const Point& point, const Filt
   });
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -28,4 +28,4 @@ Eigen::VectorXd residuals_if_any(const EstimationProblem& problem, const Point& 
 void difference(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
                 const Eigen::VectorXd& here, Eigen::Index first, Eigen::MatrixXd& slopes);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

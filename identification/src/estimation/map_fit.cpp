@@ -166,4 +166,4 @@ Eigen::MatrixXd further_slopes(const EstimationProblem& problem, const Linearize
   return J;
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

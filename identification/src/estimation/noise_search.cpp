@@ -114,4 +114,4 @@ Likelihood best_noise(const EstimationProblem& problem, const Point& point, cons
   return search.best;
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -42,4 +42,4 @@ std::vector<Channel> recorded_motion(std::span<const Recording> runs) {
   return channels;
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

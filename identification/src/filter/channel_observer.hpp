@@ -90,4 +90,4 @@ class ChannelObserver {
   std::array<int, channel_count> alone_{};
 };
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -109,4 +109,4 @@ extern template class LinearizedShip<PiShip<double>>;
 extern template class LinearizedShip<PuShip<double>>;
 extern template class LinearizedShip<AbkowitzShip<double>>;
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -104,4 +104,4 @@ struct Smoother {
   }
 };
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

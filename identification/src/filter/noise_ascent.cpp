@@ -55,4 +55,4 @@ NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const 
   }
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

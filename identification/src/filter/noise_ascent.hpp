@@ -25,4 +25,4 @@ struct NoiseAscent {
 NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const Eigen::VectorXd& start,
                   const Eigen::VectorXd& curvature, int most_iterations);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

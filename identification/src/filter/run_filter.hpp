@@ -254,4 +254,4 @@ class RunFilter {
   double L_, U_0_;
 };
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -212,4 +212,4 @@ class ShipPredictor {
   double longest_;  ///< way made in one step [m]
 };
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

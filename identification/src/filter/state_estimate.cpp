@@ -301,4 +301,4 @@ Recording StateEstimate::recording(const Recording& run) const {
   return result;
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

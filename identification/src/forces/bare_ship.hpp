@@ -24,4 +24,4 @@ inline void require_known_effects(const Ship& ship, std::string_view fit, bool s
   }
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

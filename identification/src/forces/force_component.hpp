@@ -28,4 +28,4 @@ S force_unit(const Ship& ship, const S& U, ForceComponent component) {
   return 0.5 * rho * L * L * U * U * (component == ForceComponent::N ? L : 1.0);
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

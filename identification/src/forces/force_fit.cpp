@@ -282,4 +282,4 @@ ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, const For
   return fit_forces(ship, runs, std::move(states), options);
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

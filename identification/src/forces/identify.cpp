@@ -300,4 +300,4 @@ std::optional<std::vector<double>> simulated_overshoots(const Ship& ship, const 
   }
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -81,4 +81,4 @@ std::vector<InverseDynamics> inverse_dynamics(const Ship& ship, const Recording&
   return result;
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -105,4 +105,4 @@ Eigen::MatrixXd IndexTrials::slopes(const Ship& ship, const MeasuredTrial& trial
                        parameters.size());
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -46,4 +46,4 @@ class IndexTrials {
 /// Whether an index of the steady turn was measured.
 bool asks_for_steady_turn(const MeasuredTrial& trial);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -380,4 +380,4 @@ Tuning tune(const Ship& ship, const MeasuredIndices& measured, const TuningOptio
   return Tuner(ship, measured, options).run();
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

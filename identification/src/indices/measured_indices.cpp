@@ -216,4 +216,4 @@ MeasuredIndices read_indices(const std::filesystem::path& file, double L) {
   return parse_indices(read_text(file), file, L);
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -74,4 +74,4 @@ LinearAscent climb(const LinearProblem& problem, const Parameters& start) {
   return best;
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

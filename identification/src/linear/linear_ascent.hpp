@@ -16,4 +16,4 @@ struct LinearAscent {
 /// 1e-3.
 LinearAscent climb(const LinearProblem& problem, const Parameters& start);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -93,4 +93,4 @@ void tell_constants(const FittedConstants& constants, LinearFit& fit) {
   fit.probability_stable = probability_of_stability(fit.transfer);
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -25,4 +25,4 @@ SwayYawCoefficients<S> yaw_only_ship(const S& e0, const S& e1, const S& nw0, con
   return {.a1 = S(0.0), .b1 = -e0, .c1 = nw0, .a2 = S(1.0), .b2 = -e1, .c2 = nw1};
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -136,4 +136,4 @@ void filter_run(LinearFilter<S>& filter, const LinearRun& run, Seen&& seen, Sail
   }
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

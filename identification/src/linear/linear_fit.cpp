@@ -300,4 +300,4 @@ LinearFit fit_linear(const Recording& run, const LinearFitOptions& options) {
   return fit_linear(std::span(&run, 1), options);
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -36,4 +36,4 @@ LikelihoodSlope slope(const LinearProblem& problem, const Parameters& p) {
   return sum;
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

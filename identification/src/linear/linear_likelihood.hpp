@@ -92,4 +92,4 @@ inline Eigen::MatrixXd of_free(const LinearProblem& problem, const Information& 
   return m(problem.free, problem.free);
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

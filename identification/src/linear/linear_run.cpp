@@ -61,4 +61,4 @@ LinearRun linear_run(const Recording& run, const LinearFitOptions& options) {
   return result;
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -23,4 +23,4 @@ using LinearRun = std::vector<LinearSample>;
 /// @throws Refusal  as `fit_linear`
 LinearRun linear_run(const Recording& run, const LinearFitOptions& options);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -138,4 +138,4 @@ double noise_of(const std::vector<LinearRun>& runs, double LinearSample::*channe
   return largest;
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

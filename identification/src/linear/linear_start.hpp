@@ -22,4 +22,4 @@ SwayYawTransfer<double> regressed_yaw(const std::vector<LinearRun>& runs, double
 /// Guess of the white noise of a channel.
 double noise_of(const std::vector<LinearRun>& runs, double LinearSample::*channel);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

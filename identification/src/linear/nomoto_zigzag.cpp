@@ -95,4 +95,4 @@ NomotoZigzag nomoto_zigzag_analysis(const Recording& run) {
           .residual = residual};
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

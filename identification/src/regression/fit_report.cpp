@@ -27,4 +27,4 @@ std::string_view in_words(FitStatus status) {
   return "";
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

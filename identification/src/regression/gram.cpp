@@ -36,4 +36,4 @@ Eigen::MatrixXd gram_of(const Eigen::MatrixXd& X, const Eigen::VectorXd& y) {
   return products;
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

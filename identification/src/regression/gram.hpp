@@ -8,4 +8,4 @@ namespace swayaw::inline identification::detail {
 /// [X y]ᵀ [X y], with the widest packs of this processor.
 Eigen::MatrixXd gram_of(const Eigen::MatrixXd& X, const Eigen::VectorXd& y);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -4,4 +4,4 @@ namespace swayaw::inline identification::gram {
 
 GramKernel avx2_gram() { return gram_packs<xsimd::fma3<xsimd::avx2>>; }
 
-}  // namespace swayaw::inline identification::gram
+}  // namespace swayaw::identification::gram

@@ -4,4 +4,4 @@ namespace swayaw::inline identification::gram {
 
 GramKernel avx512_gram() { return gram_packs<xsimd::avx512bw>; }
 
-}  // namespace swayaw::inline identification::gram
+}  // namespace swayaw::identification::gram

@@ -13,4 +13,4 @@ GramKernel baseline_gram() {
 #endif
 }
 
-}  // namespace swayaw::inline identification::gram
+}  // namespace swayaw::identification::gram

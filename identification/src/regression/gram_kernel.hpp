@@ -25,4 +25,4 @@ GramKernel baseline_gram();  ///< null without xsimd, or where it knows no instr
 GramKernel avx2_gram();      ///< AVX2 and fused multiply-add
 GramKernel avx512_gram();    ///< AVX-512 F, CD, DQ and BW
 
-}  // namespace swayaw::inline identification::gram
+}  // namespace swayaw::identification::gram

@@ -58,4 +58,4 @@ void gram_packs(const GramJob& job) {
   }
 }
 
-}  // namespace swayaw::inline identification::gram
+}  // namespace swayaw::identification::gram

@@ -164,4 +164,4 @@ double largest_errors(const Moments& moments, const Freedom& free) {
   return largest > 0.0 ? 1.0 / largest : 0.0;
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

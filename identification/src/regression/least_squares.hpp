@@ -49,4 +49,4 @@ Solution solve(const Eigen::MatrixXd& X, const Eigen::VectorXd& y, const Moments
 /// The largest multiple of the errors that leaves the moments positive, on what the constraints leave free.
 double largest_errors(const Moments& moments, const Freedom& free);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

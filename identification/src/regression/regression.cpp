@@ -351,4 +351,4 @@ Regression regress(const Design& design, const RegressionOptions& options) {
   return fit;
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

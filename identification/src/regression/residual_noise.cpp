@@ -139,4 +139,4 @@ double effective_samples(const VectorXd& e, const std::vector<RowRange>& runs) {
   return std::clamp(n / std::max(rows_for_one, 1.0 / n), 1.0, n);
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -36,4 +36,4 @@ Eigen::MatrixXd covariance_of_sum(const Eigen::MatrixXd& scores, const std::vect
 /// Effective number of independent residuals.
 double effective_samples(const Eigen::VectorXd& e, const std::vector<RowRange>& runs);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -51,4 +51,4 @@ Spectrum spectrum_of_rows(const MatrixXd& R, double nothing) {
   return spectrum(size, lambda.reverse(), svd.matrixV().rowwise().reverse(), nothing);
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -43,4 +43,4 @@ PrincipalAxes principal_axes(const Eigen::MatrixXd& A);
 /// Sizes of columns from their squares; one that is not there counts as 1.
 Eigen::VectorXd column_sizes(const Eigen::VectorXd& squares);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -50,4 +50,4 @@ std::string combination_words(std::span<const std::string> names, const Eigen::V
   return text + (std::isfinite(relative_error) ? fmt::format("to {:.2g} %", 100.0 * relative_error) : "not at all");
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

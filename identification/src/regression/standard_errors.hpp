@@ -28,4 +28,4 @@ void enlarge_for_correlation(Eigen::MatrixXd& C, std::span<const RunScores> runs
 /// "|Y_v|^0.71 |N_v|^-0.70 to 0.4 %", factors with small powers left out; "not at all" where the error is infinite.
 std::string combination_words(std::span<const std::string> names, const Eigen::VectorXd& powers, double relative_error);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

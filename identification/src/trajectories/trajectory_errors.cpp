@@ -55,4 +55,4 @@ Combinations combinations_of(const std::vector<Parameter>& parameters, std::span
   return result;
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

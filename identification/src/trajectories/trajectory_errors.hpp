@@ -25,4 +25,4 @@ struct Combinations {
 Combinations combinations_of(const std::vector<Parameter>& parameters, std::span<const double> values,
                              const ParameterErrors& errors);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

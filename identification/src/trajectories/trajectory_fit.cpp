@@ -226,4 +226,4 @@ TrajectoryFit fit_trajectories(const Ship& ship, const Recording& run, const Tra
   return fit_trajectories(ship, std::span(&run, 1), options);
 }
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

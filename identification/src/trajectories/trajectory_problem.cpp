@@ -182,4 +182,4 @@ Eigen::Vector<double, 6> state_units(const TrajectoryProblem& problem) {
   return {problem.L, problem.L, 1.0, problem.U, problem.U, problem.U / problem.L};
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -54,4 +54,4 @@ Weighted weighted(const SegmentResponse& response, const RunSegment& segment, co
 /// Ship units of x, y, psi, u, v, r: L, 1, U and U/L.
 Eigen::Vector<double, 6> state_units(const TrajectoryProblem& problem);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -296,4 +296,4 @@ class Searcher {
 
 Found search_from(const SearchTask& task, const Iterate& start) { return Searcher(task, start).run(); }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -31,4 +31,4 @@ Found search_from(const SearchTask& task, const Iterate& start);
 double log_likelihood(const std::vector<ShootingSegment>& segments, const std::vector<SegmentResponse>& responses,
                       const Weights& weights);
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -187,4 +187,4 @@ std::vector<std::vector<Eigen::VectorXd>> Linearization::scores() const {
   return result;
 }
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

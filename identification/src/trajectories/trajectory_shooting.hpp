@@ -90,4 +90,4 @@ class Linearization {
   Eigen::MatrixXd information_;
 };
 
-}  // namespace swayaw::inline identification::detail
+}  // namespace swayaw::identification::detail

@@ -294,4 +294,4 @@ std::vector<Parameter> parameters_of(const Ship& ship, const Effect& effect) {
   return parameters;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

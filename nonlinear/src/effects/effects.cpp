@@ -154,4 +154,4 @@ std::string_view never_steady(const Effect& effect) {
       effect);
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

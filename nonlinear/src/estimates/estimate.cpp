@@ -207,4 +207,4 @@ EstimatedShip estimated_mmg_ship(const HullDimensions<double>& hull, double serv
   return result;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -24,4 +24,4 @@ Ship nawigator_xxi(NawigatorHull hull, SurgeReading surge) {
   return ship;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -91,4 +91,4 @@ Recording as_it_was(Recording run, const Instruments<double>& instruments) {
   return run;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -36,4 +36,4 @@ std::optional<ValueAndRate> local_fit(const Recording& run, Channel channel, dou
   return ValueAndRate{c[0], c[1] / scale};
 }
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

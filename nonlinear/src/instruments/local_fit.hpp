@@ -19,4 +19,4 @@ struct ValueAndRate {
 std::optional<ValueAndRate> local_fit(const Recording& run, Channel channel, double time, double from, double to,
                                       int degree);
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

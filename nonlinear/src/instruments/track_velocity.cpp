@@ -77,4 +77,4 @@ std::optional<SurgeSway> velocity_from_track(const Recording& run, const Current
   return SurgeSway{c[2], c[3]};
 }
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

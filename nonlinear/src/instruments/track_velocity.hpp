@@ -26,4 +26,4 @@ struct SurgeSway {
 std::optional<SurgeSway> velocity_from_track(const Recording& run, const Current<double>& current, double time,
                                              double from, double to, int degree);
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

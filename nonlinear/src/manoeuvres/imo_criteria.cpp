@@ -89,4 +89,4 @@ ImoCriteria imo_criteria(const Ship& ship, const ManoeuvreOptions& options) {
   return result;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

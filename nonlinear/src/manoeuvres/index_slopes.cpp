@@ -227,4 +227,4 @@ ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, c
   });
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

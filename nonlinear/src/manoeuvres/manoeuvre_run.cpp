@@ -75,4 +75,4 @@ template Recording recording_of(const std::vector<Sample>&, const ActingShip<PiS
 template Recording recording_of(const std::vector<Sample>&, const ActingShip<PuShip<double>>&);
 template Recording recording_of(const std::vector<Sample>&, const ActingShip<AbkowitzShip<double>>&);
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

@@ -53,4 +53,4 @@ extern template Recording recording_of(const std::vector<Sample>&, const ActingS
 extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<PuShip<double>>&);
 extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<AbkowitzShip<double>>&);
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

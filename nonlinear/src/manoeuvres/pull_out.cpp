@@ -102,4 +102,4 @@ PullOut pull_out(const Ship& ship, const PullOutOrder& order, const ManoeuvreOpt
   return visit_acting(ship, both);
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

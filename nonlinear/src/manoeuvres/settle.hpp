@@ -42,4 +42,4 @@ inline bool settle(ShipStepper& stepper, const Settling& settling, double L, dou
   return false;
 }
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

@@ -134,4 +134,4 @@ std::vector<HeldYawRate> held_yaw_rates(const Ship& ship, const Controls<double>
   return points;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

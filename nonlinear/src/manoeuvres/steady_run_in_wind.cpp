@@ -169,4 +169,4 @@ std::vector<WindRunRow> steady_runs_in_wind(const Ship& ship, const Windage<doub
   return rows;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

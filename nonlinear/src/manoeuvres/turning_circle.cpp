@@ -76,4 +76,4 @@ TurningCircle turning_circle(const Ship& ship, const TurnOrder& order, const Man
   return circle;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -41,4 +41,4 @@ IndexError index_error(std::span<const TurningIndices> turns, std::span<const Tu
   return error;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -76,4 +76,4 @@ WilliamsonTurn williamson_turn(const Ship& ship, const WilliamsonOrder& order, c
   return result;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

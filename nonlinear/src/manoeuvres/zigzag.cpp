@@ -61,4 +61,4 @@ Zigzag zigzag(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions
   return result;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -4,4 +4,4 @@ namespace swayaw::inline nonlinear::mmg_batch {
 
 ZigzagKernel avx2_zigzags() { return run_lanes<xsimd::fma3<xsimd::avx2>>; }
 
-}  // namespace swayaw::inline nonlinear::mmg_batch
+}  // namespace swayaw::nonlinear::mmg_batch

@@ -4,4 +4,4 @@ namespace swayaw::inline nonlinear::mmg_batch {
 
 ZigzagKernel avx512_zigzags() { return run_lanes<xsimd::avx512bw>; }
 
-}  // namespace swayaw::inline nonlinear::mmg_batch
+}  // namespace swayaw::nonlinear::mmg_batch

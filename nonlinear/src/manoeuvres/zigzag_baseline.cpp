@@ -13,4 +13,4 @@ ZigzagKernel baseline_zigzags() {
 #endif
 }
 
-}  // namespace swayaw::inline nonlinear::mmg_batch
+}  // namespace swayaw::nonlinear::mmg_batch

@@ -33,4 +33,4 @@ ZigzagKernel baseline_zigzags();  ///< null without xsimd, or where it knows no 
 ZigzagKernel avx2_zigzags();      ///< AVX2 and fused multiply-add
 ZigzagKernel avx512_zigzags();    ///< AVX-512 F, CD, DQ and BW
 
-}  // namespace swayaw::inline nonlinear::mmg_batch
+}  // namespace swayaw::nonlinear::mmg_batch

@@ -446,4 +446,4 @@ void run_lanes(const ZigzagJob& job) {
   ZigzagLanes<Arch>::run(x, y);
 }
 
-}  // namespace swayaw::inline nonlinear::mmg_batch
+}  // namespace swayaw::nonlinear::mmg_batch

@@ -131,4 +131,4 @@ void add_forces(Recording& run, const Ship& ship) {
   run.extra.insert(run.extra.end(), columns.begin(), columns.end());
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -52,4 +52,4 @@ Controls<double> balanced(const Model<double>& model, double speed) {
 Controls<double> self_propulsion(const PiShip<double>& ship, double speed) { return balanced(ship, speed); }
 Controls<double> self_propulsion(const PuShip<double>& ship, double speed) { return balanced(ship, speed); }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -51,4 +51,4 @@ void require_valid(const Ship& ship, const PlanarMotion<double>& motion, const C
   require_valid(motion, controls, length(ship));
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

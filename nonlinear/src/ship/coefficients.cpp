@@ -68,4 +68,4 @@ Ship with_values(const Ship& ship, std::span<const Parameter> parameters, std::s
   return result;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -25,4 +25,4 @@ Ship published_ship(std::string_view name) {
   throw Refusal(fmt::format("there is no published ship \"{}\"; there are {}", name, fmt::join(names, ", ")));
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

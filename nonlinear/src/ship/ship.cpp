@@ -15,4 +15,4 @@ const SteeringGear<double>& steering_gear(const Ship& ship) {
       [](const auto& model) -> const auto& { return model.steering_gear; }, ship.model);
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -302,4 +302,4 @@ void write_ship(const std::filesystem::path& file, const Ship& ship, std::string
 
 Ship read_ship(const std::filesystem::path& file) { return parse_ship(read_text(file), file); }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -201,4 +201,4 @@ ZigzagBatch zigzag_batch(std::span<const MmgShip<double>> ships, const ZigzagOrd
   return batch;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

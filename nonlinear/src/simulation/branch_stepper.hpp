@@ -177,4 +177,4 @@ class BranchStepper {
   ShipBranch branch_{};
 };
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

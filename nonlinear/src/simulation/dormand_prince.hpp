@@ -21,4 +21,4 @@ struct DormandPrince {
                                   69997945.0 / 29380423};
 };
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

@@ -438,4 +438,4 @@ std::unique_ptr<ShipStepper> make_stepper(const ActingShip<Model>& acting, const
   return std::make_unique<EventStepper<Model>>(acting, start, tolerance);
 }
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

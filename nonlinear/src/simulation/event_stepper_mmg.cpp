@@ -4,4 +4,4 @@ namespace swayaw::inline nonlinear::detail {
 
 template std::unique_ptr<ShipStepper> make_stepper(const ActingShip<MmgShip<double>>&, const Sample&, double);
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

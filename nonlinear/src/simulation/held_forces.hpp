@@ -173,4 +173,4 @@ PlanarForce<double> added_force(const HeldModel<Model>& ship, const HeldEffects&
   return a.given + added_force(ship.model, a.effects, at, hidden, held(controls));
 }
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

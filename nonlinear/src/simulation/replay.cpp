@@ -248,4 +248,4 @@ Recording replay(const Ship& ship, const Recording& run, const ReplayOptions& op
   return simulated;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -97,4 +97,4 @@ class LagFollower {
   double T_, rate_, y_;
 };
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

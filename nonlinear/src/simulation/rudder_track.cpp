@@ -115,4 +115,4 @@ double RudderTrack::at(double time) const {
   return motion.at(std::max(time, motion.start()));
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

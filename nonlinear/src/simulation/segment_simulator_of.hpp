@@ -113,7 +113,7 @@ class ModelSegmentSimulator : public SegmentSimulator {
   std::vector<Parameter> parameters_;
 };
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail
 
 namespace swayaw::inline nonlinear {
 
@@ -123,4 +123,4 @@ std::unique_ptr<SegmentSimulator> segment_simulator(const Model<double>& model, 
   return std::make_unique<detail::ModelSegmentSimulator<Model>>(model, around, parameters);
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

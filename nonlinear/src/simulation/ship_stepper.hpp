@@ -88,4 +88,4 @@ extern template std::unique_ptr<ShipStepper> make_stepper(const ActingShip<PuShi
 extern template std::unique_ptr<ShipStepper> make_stepper(const ActingShip<AbkowitzShip<double>>&, const Sample&,
                                                           double);
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

@@ -416,4 +416,4 @@ std::span<const ForcePart<double>> Simulator::forces() const noexcept { return c
 std::array<double, channel_count> Simulator::instruments() const noexcept { return core_->instruments(); }
 SimulatorState Simulator::why() const noexcept { return core_->why(); }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -132,4 +132,4 @@ class StepReplay {
   State state_;
 };
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

@@ -15,4 +15,4 @@ bool is_stable(const Eigen::Matrix3d& J) {
   return true;
 }
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

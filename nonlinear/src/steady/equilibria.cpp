@@ -202,4 +202,4 @@ std::optional<InstabilityLoop> instability_loop(const std::vector<SteadyTurn>& c
   return InstabilityLoop{.width = std::abs(first.delta - last.delta), .height = highest - lowest};
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

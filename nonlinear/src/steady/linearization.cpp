@@ -187,4 +187,4 @@ OperatingPoint straight_course(const Ship& ship, const Controls<double>& propuls
   return settled(ship, propulsion, service_speed(ship));
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -12,4 +12,4 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b) { retu
 
 Eigen::Vector4d kernel(const Eigen::Matrix<double, 3, 4>& A) { return A.fullPivLu().kernel().col(0).normalized(); }
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

@@ -21,4 +21,4 @@ Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 /// Unit vector x with A x = 0.
 Eigen::Vector4d kernel(const Eigen::Matrix<double, 3, 4>& A);
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

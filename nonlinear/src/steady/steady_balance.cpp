@@ -47,4 +47,4 @@ SteadyBalance SteadyEquations::at(const PlanarMotion<double>& m, double delta) c
   return balance;
 }
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

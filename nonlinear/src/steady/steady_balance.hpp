@@ -35,4 +35,4 @@ class SteadyEquations {
   double L_;
 };
 
-}  // namespace swayaw::inline nonlinear::detail
+}  // namespace swayaw::nonlinear::detail

@@ -102,4 +102,4 @@ std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<doubl
   return newton(SteadyEquations(ship, controls), controls.delta, guess);
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

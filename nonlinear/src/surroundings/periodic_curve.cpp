@@ -89,4 +89,4 @@ PeriodicSpline periodic_spline(std::span<const double> angle, std::span<const do
   return spline;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -171,4 +171,4 @@ WindTable isherwood_table(const Windage<double>& w, const IsherwoodProfile& prof
   return both_sides(one_side);
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -20,4 +20,4 @@ inline double wrapped(double angle) { return std::remainder(angle, 2.0 * pi); }
 /// The same direction, less than half a turn from `previous`.
 inline double unwrapped(double angle, double previous) { return previous + wrapped(angle - previous); }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

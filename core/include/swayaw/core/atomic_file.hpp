@@ -14,4 +14,4 @@ std::string read_text(const std::filesystem::path& file);
 /// @throws FileError  if it cannot be written; nothing is left behind
 void write_text(const std::filesystem::path& file, std::string_view text);
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -81,4 +81,4 @@ std::string_view short_name(Channel channel);
 /// The channel of a short name or of a column.
 std::optional<Channel> channel_named(std::string_view name);
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

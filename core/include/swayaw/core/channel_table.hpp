@@ -130,4 +130,4 @@ S observe(Channel channel, const Kinematics<S>& k) {
   return detail::observers<S>[index_of(channel)](k);
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -16,4 +16,4 @@ struct Confidence {
   double of(std::string_view key) const;
 };
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

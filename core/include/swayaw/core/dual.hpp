@@ -10,4 +10,4 @@ namespace swayaw::inline core {
 template <int N>
 using Dual = ceres::Jet<double, N>;
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -67,4 +67,4 @@ Scalar drift_angle(const PlanarMotion<Scalar>& m) {
   return angle_of(Scalar(-m.v), m.u);
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

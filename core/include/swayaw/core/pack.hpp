@@ -93,4 +93,4 @@ struct Elementary<xsimd::batch<double, Arch>> {
   }
 };
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -47,4 +47,4 @@ void in_parallel(std::size_t parts, unsigned threads, const Work& work) {
   if (trouble) std::rethrow_exception(trouble);
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

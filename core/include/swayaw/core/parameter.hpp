@@ -181,4 +181,4 @@ Ship<To> cast(const Ship<From>& ship) {
   return result;
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -152,4 +152,4 @@ class PartsReader {
 /// @throws FileError
 std::string model_of(std::string_view text, const std::filesystem::path& name);
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -16,4 +16,4 @@ namespace swayaw::inline core {
 std::string ship_text(std::string_view model, const ShipFileHead& head, const FileKeys& keys,
                       const std::vector<FileEffect>& effects = {}, std::string_view remark = {});
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

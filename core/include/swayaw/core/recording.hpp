@@ -78,4 +78,4 @@ class Interpolant {
   std::vector<double> value_;
 };
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

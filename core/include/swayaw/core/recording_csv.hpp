@@ -35,4 +35,4 @@ std::string recording_text(const Recording& recording);
 /// @throws FileError  if the file cannot be written
 void write_recording(const Recording& recording, const std::filesystem::path& file);
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -30,4 +30,4 @@ class FileError : public Refusal {
 /// @throws std::domain_error  "ship length L [m] must be positive, got 0"
 double require_positive(double value, std::string_view quantity);
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -11,4 +11,4 @@ inline double round_down(double x) {
   return decade * (lead >= 5.0 ? 5.0 : lead >= 2.0 ? 2.0 : 1.0);
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -106,4 +106,4 @@ Scalar positive_part(const Scalar& x) {
   return select(x > Scalar(0.0), x, Scalar(0.0));
 }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -15,4 +15,4 @@ constexpr double rudder_sign(Side side) { return -yaw_sign(side); }
 
 constexpr std::string_view name_of(Side side) { return side == Side::starboard ? "starboard" : "port"; }
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

@@ -145,4 +145,4 @@ class RudderMotion {
   S final_ = S(0.0);       ///< angle at rest [rad]
 };
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

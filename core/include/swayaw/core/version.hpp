@@ -7,4 +7,4 @@ namespace swayaw::inline core {
 /// Version of the library, "major.minor.patch".
 std::string_view version();
 
-}  // namespace swayaw::inline core
+}  // namespace swayaw::core

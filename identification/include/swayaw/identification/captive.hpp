@@ -150,4 +150,4 @@ enum class HullTerms { linear, cubic };
 /// @param max_drift  of the points that are used [rad]
 CaptivePlan captive_plan(const Ship& ship, std::span<const CaptivePoint> points, HullTerms terms, double max_drift);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

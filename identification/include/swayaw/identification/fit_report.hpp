@@ -34,4 +34,4 @@ enum class FitStatus {
 /// "converged", "iteration limit", "rank deficient"
 std::string_view in_words(FitStatus status);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

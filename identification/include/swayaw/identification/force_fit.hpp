@@ -69,4 +69,4 @@ ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, const For
 ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, std::vector<StateEstimate> states,
                     const ForceFitOptions& options);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

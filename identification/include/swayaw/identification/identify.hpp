@@ -72,4 +72,4 @@ std::vector<double> recorded_overshoots(const Recording& run, const ZigzagOrder&
 std::optional<std::vector<double>> simulated_overshoots(const Ship& ship, const Recording& run,
                                                         const ZigzagOrder& order, std::size_t most);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -135,4 +135,4 @@ Tuning tune(const Ship& ship, const MeasuredIndices& measured, const TuningOptio
 /// @throws Refusal  as `tune` does
 std::vector<Parameter> tuned_parameters(const Ship& ship, const TuningOptions& options);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

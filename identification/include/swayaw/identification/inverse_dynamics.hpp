@@ -57,4 +57,4 @@ PlanarForce<S> force_of(const Ship<S>& ship, const PlanarMotion<S>& motion, cons
 /// @throws Refusal  if the run has no rudder angle, or another number of samples than the estimate
 std::vector<InverseDynamics> inverse_dynamics(const Ship& ship, const Recording& run, const StateEstimate& estimate);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -109,4 +109,4 @@ LinearFit fit_linear(const Recording& run, const LinearFitOptions& options);
 /// The same equations and offsets for several recordings, each with a start of its own.
 LinearFit fit_linear(std::span<const Recording> runs, const LinearFitOptions& options);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -157,4 +157,4 @@ PredictedGain predicted_gain(const EstimationProblem& problem, const LinearizedF
 Eigen::MatrixXd further_slopes(const EstimationProblem& problem, const LinearizedFit& before,
                                std::span<const double> from, double step);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

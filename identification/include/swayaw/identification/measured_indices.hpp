@@ -48,4 +48,4 @@ MeasuredIndices read_indices(const std::filesystem::path& file, double L);
 /// The same from text; `name` stands for the file in messages.
 MeasuredIndices parse_indices(std::string_view text, const std::filesystem::path& name, double L);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -19,4 +19,4 @@ inline std::vector<Channel> measured_channels() {
 /// Standard deviation of white measurement noise, channel by channel, SI; nothing where it is to be estimated.
 using MeasurementNoise = std::array<std::optional<double>, channel_count>;
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -33,4 +33,4 @@ inline constexpr double ordinary_scale = 1.5;
 /// in surge, and 1.5/L of that in yaw.
 PlanarAcceleration<double> process_noise(const Ship& ship, const Noise& noise);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -28,4 +28,4 @@ struct NomotoZigzag {
 /// @throws Refusal  if the run does not tell rudder or heading, or has fewer than three heading peaks
 NomotoZigzag nomoto_zigzag_analysis(const Recording& run);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

@@ -136,4 +136,4 @@ Eigen::MatrixXd correlation(const Regression& fit);
 ///                            for together with errors in features
 Regression regress(const Design& design, const RegressionOptions& options = {});
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

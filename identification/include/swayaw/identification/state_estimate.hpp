@@ -96,4 +96,4 @@ StateEstimate estimate_states(const Ship& ship, const Recording& run, const Esti
 /// @throws  as estimate_states
 NoiseEstimate estimate_noise(const Ship& ship, std::span<const Recording> runs, const EstimationOptions& options = {});
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

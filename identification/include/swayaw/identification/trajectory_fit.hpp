@@ -102,4 +102,4 @@ TrajectoryFit fit_trajectories(const Ship& ship, std::span<const Recording> runs
 /// The same for one recording.
 TrajectoryFit fit_trajectories(const Ship& ship, const Recording& run, const TrajectoryFitOptions& options);
 
-}  // namespace swayaw::inline identification
+}  // namespace swayaw::identification

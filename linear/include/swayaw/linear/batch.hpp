@@ -96,4 +96,4 @@ struct T3Map {
 T3Map t3_map(const SteeringIndices<double>& indices, const LinearZigzagOrder& order, std::span<const double> T3b,
              std::span<const double> T3w, unsigned threads = 0);
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -61,4 +61,4 @@ SwayYawCoefficients<S> to_prime(const DimensionalSwayYaw<S>& d, const PrimeScale
           -d.r_v / (rate / L), d.r_r / rate, d.r_delta / (rate * rate)};
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -34,4 +34,4 @@ struct EulerZigzag {
 /// Source: [Artyszuk2016] section 6
 EulerZigzag euler_zigzag(const SwayYawCoefficients<double>& ship, const LinearZigzagOrder& order, double step = 0.05);
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

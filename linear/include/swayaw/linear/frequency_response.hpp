@@ -124,4 +124,4 @@ struct Crossover {
 /// @throws std::domain_error  if k is not positive
 std::optional<Crossover> crossover(const SwayYawTransfer<double>& h, double k);
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -167,4 +167,4 @@ S inverse_distance(const SteeringIndices<S>& i) {
   return abs(i.T3b - i.T3w) / (abs(i.T3b) + abs(i.T3w));
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -61,4 +61,4 @@ KnownPart best_known(const std::array<KnownCondition, 5>& conditions);
 /// "Y_b", "Y_w", "N_b", "N_w", "c_Ry".
 std::string_view name_of(KnownPart known);
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

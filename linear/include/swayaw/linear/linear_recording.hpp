@@ -17,4 +17,4 @@ namespace swayaw::inline linear {
 Recording recording_of(const SwayYawCoefficients<double>& ship, std::vector<Leg<double>> legs, const PrimeScale& scale,
                        double step);
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

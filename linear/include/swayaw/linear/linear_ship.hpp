@@ -70,4 +70,4 @@ inline PrimeScale prime_scale(const LinearShip& ship, double speed) { return {.L
 /// `LinearHull`; the derivatives are left 0. m' = 2 c_B B/L
 SnameDerivatives<double> inertia(const LinearHull<double>& hull);
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

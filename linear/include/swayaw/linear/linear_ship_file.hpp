@@ -27,4 +27,4 @@ std::string ship_text(const LinearShip& ship, std::string_view remark = {});
 /// @throws FileError  if the file cannot be written
 void write_linear_ship(const std::filesystem::path& file, const LinearShip& ship, std::string_view remark = {});
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -56,4 +56,4 @@ struct LoopSensitivity {
 /// @throws std::domain_error  if T3b = T3w, where no such ship exists
 std::optional<LoopSensitivity> loop_sensitivity(const SteeringIndices<double>& indices, const LinearZigzagOrder& order);
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

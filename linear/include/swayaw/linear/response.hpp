@@ -69,4 +69,4 @@ LinearState<S> rates(const SwayYawCoefficients<S>& m, const LinearState<S>& x, c
   return {m.a1 * x.beta + m.b1 * x.omega + m.c1 * delta, m.a2 * x.beta + m.b2 * x.omega + m.c2 * delta, x.omega};
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -149,4 +149,4 @@ ResponseBasis<S> response_basis(const Poles<S>& p, const S& s) {
   return detail::basis_by_recursion(p.tr, p.det, p.q, s);
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

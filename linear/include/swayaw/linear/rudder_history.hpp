@@ -97,4 +97,4 @@ std::vector<LinearState<S>> response_to(const LinearResponse<S>& ship, const Rud
   return states;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -177,4 +177,4 @@ LinearParts<S> parts_from(const SwayYawCoefficients<S>& m, LinearParts<S> ship, 
   return ship;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

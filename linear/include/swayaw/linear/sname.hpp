@@ -64,4 +64,4 @@ SnameDerivatives<S> sname_derivatives(const SwayYawCoefficients<S>& c, SnameDeri
   return inertia;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -108,4 +108,4 @@ SwayYawCoefficients<S> coefficients_from(const SwayYawTransfer<S>& h) {
   };
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -25,4 +25,4 @@ TrackPoint run_along(const LinearResponse<double>& ship, const Leg<double>& leg,
 std::vector<TrackPoint> track(const LinearResponse<double>& ship, const std::vector<Leg<double>>& legs,
                               const std::vector<double>& times);
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -65,4 +65,4 @@ double separation(const SteeringIndices<double>& indices, const IndexCovariance&
 std::optional<std::string> separation_warning(const SteeringIndices<double>& indices,
                                               const IndexCovariance& covariance);
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

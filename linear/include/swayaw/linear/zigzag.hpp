@@ -116,4 +116,4 @@ LinearZigzag<S> carried_through(const LinearZigzag<double>& zigzag, const SwayYa
   return result;
 }
 
-}  // namespace swayaw::inline linear
+}  // namespace swayaw::linear

@@ -69,4 +69,4 @@ std::vector<QuantityError> pooled(const std::vector<Comparison>& comparisons);
 /// variation, and in which run, interval and region most. Position is left out: its variation is the length of the run.
 std::string verdict(const std::vector<Comparison>& comparisons);
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

@@ -124,4 +124,4 @@ struct Diagnosis {
 Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference,
                    std::span<const Recording> holdout, const DiagnosisOptions& options = {});
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

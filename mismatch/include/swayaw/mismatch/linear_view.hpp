@@ -33,4 +33,4 @@ std::vector<LinearView> linear_view(const Ship& model, std::span<const Recording
 /// tenth, and the offsets within 0.3 deg.
 std::string words_of(std::span<const LinearView> views);
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

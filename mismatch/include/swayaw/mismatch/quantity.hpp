@@ -39,4 +39,4 @@ std::vector<double> errors_of(const Recording& simulated, const Recording& recor
 /// Root-mean-square distance of the quantity from its mean over the run; of position, of both axes together.
 double variation_of(const Recording& run, Quantity quantity);
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

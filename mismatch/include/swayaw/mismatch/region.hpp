@@ -46,4 +46,4 @@ std::vector<RegionError> errors_by_region(std::span<const double> errors, const 
 /// The region with the largest root-mean-square error among those that hold a twentieth of the samples or more.
 std::optional<RegionError> worst_region(std::span<const RegionError> regions);
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

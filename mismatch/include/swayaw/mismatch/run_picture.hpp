@@ -54,4 +54,4 @@ RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& afte
 std::vector<RunPicture> run_pictures(const Ship& given, const Ship& refitted, const Ship& after,
                                      std::span<const Recording> runs, const Noise& noise);
 
-}  // namespace swayaw::inline mismatch
+}  // namespace swayaw::mismatch

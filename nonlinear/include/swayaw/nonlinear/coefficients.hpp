@@ -50,4 +50,4 @@ Model<Dual<N>> seeded(const Model<double>& model, std::span<const Parameter> num
   return result;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

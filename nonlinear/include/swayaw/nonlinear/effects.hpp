@@ -163,4 +163,4 @@ bool is_ordinary(const Effect& effect, std::span<const Parameter> parameters);
 /// Why no turn is ever steady with it, in words: "in wind"; empty where turns are.
 std::string_view never_steady(const Effect& effect);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -49,4 +49,4 @@ struct InstabilityLoop {
 /// Nothing for a ship with one steady turn at every rudder angle.
 std::optional<InstabilityLoop> instability_loop(const std::vector<SteadyTurn>& curve);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

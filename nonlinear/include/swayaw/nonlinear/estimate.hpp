@@ -133,4 +133,4 @@ inline constexpr HullRange merchant_ships{.C_B = {0.50, 0.85},
                                           .trim_over_d = {0.0, 0.0},
                                           .fineness_trimmed = {0.0, 1.0}};
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -74,4 +74,4 @@ OperatingPoint straight_course(const Ship& ship, double speed);
 /// @throws Refusal  if there is none
 OperatingPoint straight_course(const Ship& ship, const Controls<double>& propulsion);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -89,4 +89,4 @@ struct TurningCircle {
 /// @throws as zigzag does
 TurningCircle turning_circle(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options = {});
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

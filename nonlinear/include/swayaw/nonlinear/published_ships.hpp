@@ -26,4 +26,4 @@ std::optional<std::string_view> published_text(std::string_view name);
 /// @throws FileError  if it is linear
 Ship published_ship(std::string_view name);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

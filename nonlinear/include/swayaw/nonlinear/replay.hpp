@@ -88,4 +88,4 @@ Recording replay_from(const Ship& ship, const RecordedControls& controls, const 
 /// @throws Refusal  if the run does not tell rudder or speed
 Recording replay(const Ship& ship, const Recording& run, const ReplayOptions& options = {});
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -32,4 +32,4 @@ double service_speed(const Ship& ship);
 /// What the steering gear can do.
 const SteeringGear<double>& steering_gear(const Ship& ship);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -31,4 +31,4 @@ std::string ship_text(const Ship& ship, std::string_view remark = {});
 /// @throws FileError  if the file cannot be written
 void write_ship(const std::filesystem::path& file, const Ship& ship, std::string_view remark = {});
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

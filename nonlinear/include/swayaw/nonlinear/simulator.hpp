@@ -114,4 +114,4 @@ class Simulator {
   std::unique_ptr<Core> core_;
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

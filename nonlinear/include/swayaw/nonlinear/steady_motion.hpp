@@ -58,4 +58,4 @@ struct SteadyMotion {
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,
                                           const PlanarMotion<double>& guess);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

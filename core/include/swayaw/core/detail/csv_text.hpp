@@ -111,4 +111,4 @@ inline std::string shown(std::string_view text) {
   return long_text ? result + "..." : result;
 }
 
-}  // namespace swayaw::inline core::detail
+}  // namespace swayaw::core::detail

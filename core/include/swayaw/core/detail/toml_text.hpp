@@ -63,4 +63,4 @@ class TomlText {
   const std::filesystem::path& file_;
 };
 
-}  // namespace swayaw::inline core::detail
+}  // namespace swayaw::core::detail

@@ -275,4 +275,4 @@ ActingEffects<S> acting_effects(const Model& model, std::span<const EffectIn<S>>
   return a;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -96,4 +96,4 @@ extern template ActingShip<PiShip<double>> acting_ship(const Ship&, const PiShip
 extern template ActingShip<PuShip<double>> acting_ship(const Ship&, const PuShip<double>&);
 extern template ActingShip<AbkowitzShip<double>> acting_ship(const Ship&, const AbkowitzShip<double>&);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -30,4 +30,4 @@ struct AddedMass {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

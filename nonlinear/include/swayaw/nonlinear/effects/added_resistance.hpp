@@ -39,4 +39,4 @@ void change(Ship& ship, const AddedResistance<typename Ship::Scalar>& e) {
   ship.hull.X_u = ship.hull.X_u * (1.0 + e.relative_increase);
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -48,4 +48,4 @@ void put_on(Instruments<S>& instruments, const AntennaLeverArm<S>& e) {
   instruments.antenna_y = e.y;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -53,4 +53,4 @@ inline void actuate(const ChannelDelay<>& e, RudderActuator& actuator) {
   if (e.channel == Channel::delta) actuator.record_delay = e.delay;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

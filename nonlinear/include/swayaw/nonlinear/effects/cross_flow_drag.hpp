@@ -50,4 +50,4 @@ PlanarForce<S> force(const CrossFlowDrag<S>& e, const Model&, const Circumstance
   return {.X = S(0.0), .Y = q * Y, .N = q * N};
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

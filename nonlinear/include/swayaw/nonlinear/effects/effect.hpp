@@ -152,4 +152,4 @@ struct RudderActuator {
   bool moves() const { return width > 0.0 || lag > 0.0 || rate < std::numeric_limits<double>::infinity(); }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -48,4 +48,4 @@ using EffectIn =
                  SteeringGearLag<S>, SteeringGearBacklash<S>, RollCoupling<S>, FluidMemory<S>, HeadingBias<S>,
                  GyroBias<S>, GyroScale<S>, LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>, UnknownForce<S>>;
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

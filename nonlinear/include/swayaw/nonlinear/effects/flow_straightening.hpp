@@ -29,4 +29,4 @@ struct FlowStraightening {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

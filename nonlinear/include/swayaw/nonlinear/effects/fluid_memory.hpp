@@ -96,4 +96,4 @@ inline SearchForm<FluidMemory<>> search_form(const FluidMemory<>& null, const Se
   return by_moves(null, {std::move(tau), from_null(context["share"])}, {{0.5, 0.5}});
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -79,4 +79,4 @@ inline SearchForm<Gust<>> search_form(const Gust<>& null, const SearchContext& c
   return form;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -36,4 +36,4 @@ void put_on(Instruments<S>& instruments, const GyroBias<S>& e) {
   instruments[Channel::r].bias = e.bias;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -37,4 +37,4 @@ void put_on(Instruments<S>& instruments, const GyroScale<S>& e) {
   instruments[Channel::r].scale = e.scale;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -37,4 +37,4 @@ void put_on(Instruments<S>& instruments, const HeadingBias<S>& e) {
   instruments[Channel::psi].bias = e.bias;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

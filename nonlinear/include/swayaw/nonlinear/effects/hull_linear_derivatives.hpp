@@ -26,4 +26,4 @@ struct HullLinearDerivatives {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -29,4 +29,4 @@ struct HullNonlinearDamping {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -48,4 +48,4 @@ Instruments<To> cast(const Instruments<From>& from) {
   return to;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

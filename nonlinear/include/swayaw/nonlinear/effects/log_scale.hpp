@@ -36,4 +36,4 @@ void put_on(Instruments<S>& instruments, const LogScale<S>& e) {
   instruments[Channel::u].scale = instruments[Channel::speed_through_water].scale = e.scale;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -68,4 +68,4 @@ constexpr bool puts_values() {
   return !Kind::parameters()[0].table.empty();
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -22,4 +22,4 @@ struct RaceOnRudder {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

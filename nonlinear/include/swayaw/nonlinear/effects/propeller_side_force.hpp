@@ -54,4 +54,4 @@ inline SearchForm<PropellerSideForce<>> search_form(const PropellerSideForce<>& 
   return by_parameters(null, context.parameters.first(1));
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -125,4 +125,4 @@ inline SearchForm<RollCoupling<>> search_form(const RollCoupling<>& null, const 
                   {{0.0, 0.1, -0.1, 0.0}, {-1.2, 0.1, -0.1, 0.0}});
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

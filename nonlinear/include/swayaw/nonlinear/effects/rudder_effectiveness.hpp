@@ -47,4 +47,4 @@ void change(AbkowitzShip<S>& ship, const RudderEffectiveness<S>& e) {
   scale_coefficients(ship, "rudder", e.factor);
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -80,4 +80,4 @@ inline SearchForm<RudderGap<>> usual_lift_loss() {
           .starts = {{0.0}}};
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -24,4 +24,4 @@ struct RudderHullInteraction {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

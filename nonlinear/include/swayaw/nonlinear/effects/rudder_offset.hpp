@@ -30,4 +30,4 @@ struct RudderOffset {
 
 inline void actuate(const RudderOffset<>& e, RudderActuator& actuator) { actuator.offset = e.offset; }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -73,4 +73,4 @@ inline bool is_of_every_ship(const RudderStall<>& e, std::span<const Parameter>)
   return 1.0 - stall_factor(Stall<double>{e.angle, e.depth, e.width}, radians(35.0)) <= ordinary_lift_loss_at_35_deg;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -173,4 +173,4 @@ SearchForm<Kind> usual_form(const Kind& null, const SearchContext& context) {
   return direction ? by_parts(null, *size, *direction) : by_parameters(null, context.parameters);
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

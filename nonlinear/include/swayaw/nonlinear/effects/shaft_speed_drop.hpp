@@ -42,4 +42,4 @@ void drive(const ShaftSpeedDrop<S>& e, const ShipFacts<S>& ship, const PlanarMot
   controls.rev = controls.rev * (1.0 - e.relative_drop * (1.0 - m.u / ship.U_0));
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

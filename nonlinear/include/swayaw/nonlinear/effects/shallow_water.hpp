@@ -123,4 +123,4 @@ inline SearchForm<ShallowWater<>> search_form(const ShallowWater<>&, const Searc
   return form;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -56,4 +56,4 @@ ShallowWaterFactors<S> shallow_water_factors(const S& C_B, const S& depth_over_d
   };
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -27,4 +27,4 @@ struct SpeedLossInTurn {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -53,4 +53,4 @@ inline SearchForm<SteadyCurrent<>> search_form(const SteadyCurrent<>& null, cons
   return form;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

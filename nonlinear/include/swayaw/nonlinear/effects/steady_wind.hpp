@@ -46,4 +46,4 @@ Wind<S> wind(const SteadyWind<S>& e) {
   return {e.speed, e.from};
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -37,4 +37,4 @@ inline SearchForm<SteeringGearBacklash<>> search_form(const SteeringGearBacklash
   return form;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -61,4 +61,4 @@ inline SearchForm<SteeringGearLag<>> search_form(const SteeringGearLag<>&, const
   return form;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

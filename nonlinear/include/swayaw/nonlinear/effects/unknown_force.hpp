@@ -127,4 +127,4 @@ inline SearchForm<UnknownForce<>> search_form(const UnknownForce<>& null, const 
   return form;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

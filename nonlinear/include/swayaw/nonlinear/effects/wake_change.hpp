@@ -32,4 +32,4 @@ void prepare(Model& model, const WakeChange<S>&) {
   if constexpr (requires { model.propeller.wake; }) model.propeller.wake.index = 1;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -73,4 +73,4 @@ inline SearchForm<WaveDrift<>> search_form(const WaveDrift<>& null, const Search
                   {from_null(context["ahead"]), from_null(context["moment"])});
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -78,4 +78,4 @@ inline constexpr HullRange clarke_ships{.C_B = {0.45, 0.85},
                                         .trim_over_d = {0.0, 0.0},
                                         .fineness_trimmed = {0.0, 1.0}};
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -74,4 +74,4 @@ double estimated_resistance(const HullDimensions<double>& hull, double speed, do
 EstimatedShip estimated_mmg_ship(const HullDimensions<double>& hull, double service_speed,
                                  const EstimateOptions& options = {});
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

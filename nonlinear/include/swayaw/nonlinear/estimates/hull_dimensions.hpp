@@ -59,4 +59,4 @@ struct HullRange {
 /// @throws std::domain_error  if length, beam, draught or block coefficient is not positive
 std::vector<std::string> outside(const HullDimensions<double>& hull, const HullRange& range);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -88,4 +88,4 @@ inline constexpr HullRange loaded_ships{.C_B = {0.50, 0.85},
                                         .trim_over_d = {0.0, 0.2},
                                         .fineness_trimmed = {0.0, 0.1}};
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -27,4 +27,4 @@ Ship nawigator_xxi(NawigatorHull hull, SurgeReading surge = SurgeReading::as_pri
 /// Shaft speed of the paper, table 1 [1/s]; it does not propel the ship at the service speed but at 5.387 m/s.
 inline constexpr double nawigator_rev = 3.7;
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -72,4 +72,4 @@ Recording as_recorded(Recording truth, const Instruments<double>& instruments);
 /// A recorded run without what the instruments did to it: the inverse.
 Recording as_it_was(Recording recorded, const Instruments<double>& instruments);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

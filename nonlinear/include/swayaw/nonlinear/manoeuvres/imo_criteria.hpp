@@ -59,4 +59,4 @@ struct ImoCriteria {
 /// @throws as zigzag does
 ImoCriteria imo_criteria(const Ship& ship, const ManoeuvreOptions& options = {});
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

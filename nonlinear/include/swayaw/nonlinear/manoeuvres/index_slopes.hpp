@@ -97,4 +97,4 @@ ZigzagIndices<Slopes> index_slopes(const Ship& ship, const ZigzagOrder& order, c
 /// How many numbers one more pass takes.
 inline constexpr std::size_t slopes_at_once = 19;
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

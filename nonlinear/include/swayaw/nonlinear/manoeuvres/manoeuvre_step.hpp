@@ -24,4 +24,4 @@ struct ManoeuvreStep {
   std::size_t function;                    ///< branch function that passed zero at its end
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -46,4 +46,4 @@ struct PullOut {
 /// Source: [MSC/Circ.1053] appendix 4
 PullOut pull_out(const Ship& ship, const PullOutOrder& order, const ManoeuvreOptions& options = {});
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

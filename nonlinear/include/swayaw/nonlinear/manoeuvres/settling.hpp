@@ -8,4 +8,4 @@ struct Settling {
   double longest = 300.0;   ///< time in L/U after which waiting ends
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -92,4 +92,4 @@ ReverseSpiral reverse_spiral(const Ship& ship, const ReverseSpiralOrder& order =
 std::vector<HeldYawRate> held_yaw_rates(const Ship& ship, const Controls<double>& propulsion,
                                         std::span<const double> yaw_rates, double largest);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

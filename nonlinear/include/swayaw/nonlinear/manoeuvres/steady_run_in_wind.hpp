@@ -62,4 +62,4 @@ struct WindRunRow {
 std::vector<WindRunRow> steady_runs_in_wind(const Ship& ship, const Windage<double>& windage, double wind_speed,
                                             std::span<const double> relative, const WindRunOrder& order = {});
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -33,4 +33,4 @@ struct IndexError {
 /// @throws std::domain_error  if the turns are not as many, or a measured index is 0
 IndexError index_error(std::span<const TurningIndices> turns, std::span<const TurningIndices> measured);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

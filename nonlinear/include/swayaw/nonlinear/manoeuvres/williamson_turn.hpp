@@ -45,4 +45,4 @@ struct WilliamsonTurn {
 WilliamsonTurn williamson_turn(const Ship& ship, const WilliamsonOrder& order = {},
                                const ManoeuvreOptions& options = {});
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -53,4 +53,4 @@ struct ForcePart {
   PlanarForce<S> force;
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

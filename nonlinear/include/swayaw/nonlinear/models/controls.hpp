@@ -44,4 +44,4 @@ Controls<T> between(const Controls<double>& a, const Controls<double>& b, const 
           a.by_thrust};
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -27,4 +27,4 @@ ForceBreakdown force_breakdown(const Ship& ship, const ShipState<double>& state,
 /// @throws Refusal  if the run lacks u, v, r, rudder, or shaft speed and thrust, altogether
 void add_forces(Recording& run, const Ship& ship);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -11,4 +11,4 @@ namespace swayaw::inline nonlinear {
 /// Every model of the nonlinear floor; what is done with a ship is done with `std::visit`.
 using ShipModel = std::variant<MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>>;
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -35,4 +35,4 @@ Validity validity_of(const PlanarMotion<double>& motion, const Controls<double>&
 void require_valid(const PlanarMotion<double>& motion, const Controls<double>& controls, double L);
 void require_valid(const Ship& ship, const PlanarMotion<double>& motion, const Controls<double>& controls);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

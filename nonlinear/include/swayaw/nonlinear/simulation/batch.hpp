@@ -57,4 +57,4 @@ struct ZigzagBatch {
 ZigzagBatch zigzag_batch(std::span<const MmgShip<double>> ships, const ZigzagOrder& order,
                          const ZigzagBatchOptions& options = {});
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

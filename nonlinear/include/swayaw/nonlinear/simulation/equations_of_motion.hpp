@@ -61,4 +61,4 @@ StateVector<S> rates_of(const Model& ship, const Surroundings<S>& around, const 
   return rates_of(ship, around, NoEffects{}, state, NoEffects{}, controls, branch);
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -56,4 +56,4 @@ class RudderTrack {
   double offset_ = 0.0;
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -27,4 +27,4 @@ std::array<S, N> runge_kutta_step(const std::array<S, N>& s, const T& h, Begin&&
   return next;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -61,4 +61,4 @@ template <template <class> class Model>
 std::unique_ptr<SegmentSimulator> segment_simulator(const Model<double>& model, const Surroundings<double>& around,
                                                     const std::vector<Parameter>& parameters);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -90,4 +90,4 @@ S value_at(const PeriodicSpline& spline, const S& angle) {
   return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

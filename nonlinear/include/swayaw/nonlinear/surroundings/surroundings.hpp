@@ -80,4 +80,4 @@ ShipState<S> state_of(const StateVector<S>& s) {
   return {s[0], s[1], s[2], {s[3], s[4], s[5]}};
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -75,4 +75,4 @@ PlanarForce<S> wind_force(const Windage<S>& windage, const Wind<S>& wind, const 
   return wind_force(windage, apparent_wind(wind, over_ground, psi));
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

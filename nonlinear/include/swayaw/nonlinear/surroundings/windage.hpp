@@ -133,4 +133,4 @@ Windage<To> cast_part(const Windage<From>& windage) {
   return result;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -102,4 +102,4 @@ struct IsherwoodProfile {
 /// @throws std::domain_error  if area, length or beam is not positive
 WindTable isherwood_table(const Windage<double>& windage, const IsherwoodProfile& profile);
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -156,4 +156,4 @@ PlanarAcceleration<S> acceleration(const AbkowitzShip<S>& ship, const PlanarMoti
   };
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -183,4 +183,4 @@ struct AbkowitzShip {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -227,4 +227,4 @@ PlanarAcceleration<S> acceleration(const MmgShip<S>& ship, const PlanarMotion<S>
   };
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

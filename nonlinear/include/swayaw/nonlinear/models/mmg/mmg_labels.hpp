@@ -49,4 +49,4 @@ MmgHull<S> relabelled(const MmgHull<S>& hull) {
   return result;
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

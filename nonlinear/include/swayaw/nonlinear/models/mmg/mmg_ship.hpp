@@ -294,4 +294,4 @@ struct MmgShip {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

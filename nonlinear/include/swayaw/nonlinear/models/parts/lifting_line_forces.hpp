@@ -151,4 +151,4 @@ PlanarForce<S> rudder_hull_interaction(const LiftingLineRudder<S>& k, const Plan
   return {.X = S(0.0), .Y = k.a_H * rudder.Y, .N = k.x_H * k.x_R * rudder.Y};
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -107,4 +107,4 @@ struct LiftingLineRudder {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

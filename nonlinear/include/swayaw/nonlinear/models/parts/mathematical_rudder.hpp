@@ -66,4 +66,4 @@ PlanarForce<S> rudder_force(const MathematicalRudder<S>& k, const S& L, const Pr
   return {.X = m.q * k.X_deltadelta * dd, .Y = m.q * Y, .N = m.q * L * N};
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -174,4 +174,4 @@ PlanarAcceleration<typename Ship::Scalar> acceleration(const Ship& ship,
   };
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -163,4 +163,4 @@ struct PrimePropeller {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

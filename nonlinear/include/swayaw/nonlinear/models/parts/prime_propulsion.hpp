@@ -19,4 +19,4 @@ Controls<double> self_propulsion(const PuShip<double>& ship, double speed);
 inline bool takes_shaft_speed(const PiShip<double>& ship) { return ship.propeller.has_open_water_curve(); }
 inline bool takes_shaft_speed(const PuShip<double>& ship) { return ship.propeller.has_open_water_curve(); }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -50,4 +50,4 @@ S lift_diminution(const PropellerRace<S>& race, const S& chord) {
   return exp(2.0 / (w4 * w4) * log(race.V_A / race.V_corr));
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -44,4 +44,4 @@ S open_gap_factor(const S& delta_lim, const S& s, const S& delta) {
   return positive_part(S(1.0 + s * beyond * beyond));
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

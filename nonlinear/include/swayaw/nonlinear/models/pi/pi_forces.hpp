@@ -142,4 +142,4 @@ PiForces<S> forces(const PiShip<S>& ship, const PlanarMotion<S>& m, const Contro
   return forces(ship, m, controls.delta, flow, branch);
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -39,4 +39,4 @@ struct PiShip {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

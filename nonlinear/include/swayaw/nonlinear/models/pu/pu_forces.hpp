@@ -41,4 +41,4 @@ PuForces<S> forces(const PuShip<S>& ship, const PlanarMotion<S>& motion, const C
   };
 }
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear

@@ -39,4 +39,4 @@ struct PuShip {
   }
 };
 
-}  // namespace swayaw::inline nonlinear
+}  // namespace swayaw::nonlinear
