@@ -30,3 +30,12 @@ function(swayaw_add_tests floor)
     set_tests_properties(${name} PROPERTIES TIMEOUT ${SWAYAW_TEST_TIMEOUT})
   endforeach()
 endfunction()
+
+# Tests that take long begin first, so that all processors are busy to the end.
+#   swayaw_begin_first(identification.identify 30)    name and rough seconds, …
+function(swayaw_begin_first)
+  while(ARGN)
+    list(POP_FRONT ARGN name seconds)
+    set_tests_properties(${name} PROPERTIES COST ${seconds})
+  endwhile()
+endfunction()

@@ -1,12 +1,13 @@
 #include "rivals.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
 #include "random_source.hpp"
+#include "shortest_solution.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
@@ -24,9 +25,6 @@ constexpr std::ptrdiff_t half_window = 12, stride = 6;  ///< samples
 struct Jet {
   double value, rate, second;
 };
-
-/// Of all x that bring A x nearest to b.
-Vector shortest_solution(const Matrix& A, const Vector& b) { return A.completeOrthogonalDecomposition().solve(b); }
 
 Jet local_cubic(std::span<const double> time, std::span<const double> values, std::size_t middle) {
   Matrix A(2 * half_window + 1, 4);
