@@ -21,9 +21,8 @@ class ModelSegmentSimulator : public SegmentSimulator {
     set_values(ship, std::span<const Parameter>(parameters_), values);
     SegmentResponse response;
     response.residual.resize(static_cast<Eigen::Index>(segment.measurements.size()));
-    if (!with_slopes) simulate_values(ship, segment, start, response);
-    else if (parameters_.size() <= 4) simulate_slopes<8>(ship, segment, start, response);
-    else simulate_slopes<16>(ship, segment, start, response);
+    if (with_slopes) simulate_slopes<8>(ship, segment, start, response);
+    else simulate_values(ship, segment, start, response);
     return response;
   }
 
