@@ -22,7 +22,7 @@ struct Step {
 
 Iterate moved(const Iterate& from, const Step& move, double share);
 
-/// Courses of all segments, all in parameters or none.
+/// Responses of all segments, with or without slopes.
 std::vector<SegmentResponse> simulated(const TrajectoryProblem& problem, const std::vector<ShootingSegment>& segments,
                                        const Iterate& place, bool with_slopes);
 bool finite(std::span<const SegmentResponse> responses);

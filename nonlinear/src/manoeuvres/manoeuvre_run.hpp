@@ -34,6 +34,17 @@ struct Plan {
 template <class Model>
 Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest);
 
+/// A stepper of the ship as she approaches, which keeps samples and steps as asked.
+/// @param plan  must outlive the stepper
+template <class Model>
+std::unique_ptr<ShipStepper> approaching(const ActingShip<Model>& acting, const Plan& plan,
+                                         const ManoeuvreOptions& options) {
+  auto stepper = make_stepper(acting, approach(plan.speed, plan.propulsion), options.tolerance);
+  stepper->sample_at(plan.times);
+  stepper->trace(options.traced);
+  return stepper;
+}
+
 inline Sample now(const ShipStepper& stepper) { return {stepper.time(), stepper.state(), stepper.controls()}; }
 
 /// Way made until a time, ∫ U dt by the trapezoidal rule over the samples and the one `last` after them [m]; nothing

@@ -44,21 +44,15 @@ void measure_steady_turn(const Ship& ship, TurningCircle& circle, const Sample& 
 template <class Model>
 TurningCircle run_circle(const Ship& ship, const ActingShip<Model>& acting, const TurnOrder& order,
                          const ManoeuvreOptions& options) {
-  const auto& model = acting.model;
-  const Plan planned = plan(model, options, 100.0);
-  const double speed = planned.speed, end = planned.end;
-  const auto& propulsion = planned.propulsion;
-  const auto& times = planned.times;
-  const auto made = make_stepper(acting, approach(speed, propulsion), options.tolerance);
+  const Plan planned = plan(acting.model, options, 100.0);
+  const auto made = approaching(acting, planned, options);
   ShipStepper& stepper = *made;
-  stepper.sample_at(times);
-  stepper.trace(options.traced);
   stepper.order(rudder_sign(order.side) * order.rudder);
-  TurningCircle circle{.approach_speed = speed, .propulsion = propulsion, .run = {}, .steps = {}};
+  TurningCircle circle{.approach_speed = planned.speed, .propulsion = planned.propulsion, .run = {}, .steps = {}};
   const double turn = yaw_sign(order.side);
-  measure_first_half(stepper, circle, turn, end);
-  if (options.duration) stepper.advance(end);
-  else turn_until_steady(stepper, circle, turn, end);
+  measure_first_half(stepper, circle, turn, planned.end);
+  if (options.duration) stepper.advance(planned.end);
+  else turn_until_steady(stepper, circle, turn, planned.end);
   if (!circle.way_lost) measure_steady_turn(ship, circle, now(stepper));
   if (options.sampled) circle.run = recording_of(stepper.samples(), acting);
   circle.steps = std::move(stepper.steps());

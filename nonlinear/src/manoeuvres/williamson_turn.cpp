@@ -32,27 +32,22 @@ void give_orders(ShipStepper& stepper, WilliamsonTurn& result, const WilliamsonO
 template <class Model>
 WilliamsonTurn run_williamson(const ActingShip<Model>& acting, const WilliamsonOrder& order,
                               const ManoeuvreOptions& options) {
-  const auto& model = acting.model;
-  const Plan planned = plan(model, options, 100.0);
-  const double speed = planned.speed, end = planned.end;
-  const auto& propulsion = planned.propulsion;
-  const auto& times = planned.times;
-  const auto made = make_stepper(acting, approach(speed, propulsion), options.tolerance);
+  const Plan planned = plan(acting.model, options, 100.0);
+  const auto made = approaching(acting, planned, options);
   ShipStepper& stepper = *made;
-  stepper.sample_at(times);
   WilliamsonTurn result{.shifted = {},
                         .amidships = {},
                         .reciprocal = {},
                         .way = {},
                         .heading = 0.0,
                         .yaw_rate = 0.0,
-                        .approach_speed = speed,
-                        .propulsion = propulsion,
+                        .approach_speed = planned.speed,
+                        .propulsion = planned.propulsion,
                         .run = {}};
   const double turn = yaw_sign(order.first);
-  give_orders(stepper, result, order, turn, end);
+  give_orders(stepper, result, order, turn, planned.end);
   if (result.reciprocal) result.way = way_made(stepper.samples(), now(stepper), result.reciprocal->time);
-  if (options.duration) stepper.advance(end);
+  if (options.duration) stepper.advance(planned.end);
   result.heading = turn * stepper.state().psi;
   result.yaw_rate = stepper.state().motion.r;
   if (options.sampled) result.run = recording_of(stepper.samples(), acting);

@@ -17,26 +17,20 @@ bool reverse(ShipStepper& stepper, Zigzag& zigzag, const ZigzagOrder& order, dou
 
 template <class Model>
 Zigzag run_zigzag(const ActingShip<Model>& acting, const ZigzagOrder& order, const ManoeuvreOptions& options) {
-  const auto& model = acting.model;
-  const Plan planned = plan(model, options, 200.0);
-  const double speed = planned.speed, end = planned.end;
-  const auto& propulsion = planned.propulsion;
-  const auto& times = planned.times;
-  const auto made = make_stepper(acting, approach(speed, propulsion), options.tolerance);
+  const Plan planned = plan(acting.model, options, 200.0);
+  const auto made = approaching(acting, planned, options);
   ShipStepper& stepper = *made;
-  stepper.sample_at(times);
-  stepper.trace(options.traced);
   stepper.order(rudder_sign(order.first) * order.rudder);
   Zigzag result{.reversals = {},
                 .period = {},
                 .initial_turning = {},
-                .approach_speed = speed,
-                .propulsion = propulsion,
+                .approach_speed = planned.speed,
+                .propulsion = planned.propulsion,
                 .run = {},
                 .steps = {}};
   constexpr std::size_t enough = 4;
   double turn = yaw_sign(order.first);
-  while (reverse(stepper, result, order, turn, end)) {
+  while (reverse(stepper, result, order, turn, planned.end)) {
     turn = -turn;
     if (!options.duration && result.reversals.size() == enough) break;
   }
