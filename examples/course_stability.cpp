@@ -1,5 +1,5 @@
 // Is the ship stable on a straight course? The derivatives of sway force and yaw moment by sway and yaw rate come from
-// the force functions themselves, evaluated with dual parameters.
+// the force functions themselves, evaluated with dual numbers.
 #include <fmt/format.h>
 
 #include "swayaw/core/dual.hpp"

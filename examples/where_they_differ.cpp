@@ -1,4 +1,4 @@
-// Where a model and a recording differ, in one sentence and in parameters.
+// Where a model and a recording differ, in one sentence and in numbers.
 #include <fmt/format.h>
 
 #include "swayaw/core/recording_csv.hpp"

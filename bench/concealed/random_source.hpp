@@ -7,7 +7,7 @@
 /// Chance that is the same with every compiler.
 namespace swayaw::concealed {
 
-/// splitmix64 and the normal parameters of Box and Muller.
+/// splitmix64 and the normal numbers of Box and Muller.
 class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed) : state_(seed) {}

@@ -71,7 +71,7 @@ Mark mark_of_rival(const Json& line, const std::string& rival) {
   return mark(truth_of(line), names.empty() ? Names{} : Names{names.front()}, names, {}, false);
 }
 
-// ---------------------------------------------------------------- parameters
+// ---------------------------------------------------------------- numbers
 
 struct NumberErrors {
   std::vector<double> errors;  ///< relative; of directions in radians

@@ -26,7 +26,7 @@ constexpr double towed_L = 320.0 / 46.426;
 /// T' of run 314, straight ahead with the rudder amidships: that of the oscillating tests was not recorded.
 constexpr double thrust_prime = 0.00122033;
 
-/// All tests, as of a ship that long. Run 279 stands twice in its file, for two drift angles, with the same parameters.
+/// All tests, as of a ship that long. Run 279 stands twice in its file, for two drift angles, with the same numbers.
 Points hmri(const std::filesystem::path& folder, const Ship& ship) {
   Points points;
   CaptiveFile file{.L = length(ship), .towed_L = towed_L, .thrust_prime = thrust_prime};

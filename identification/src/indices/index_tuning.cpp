@@ -32,23 +32,21 @@ std::vector<std::vector<double>> rows_of(const Matrix& m) {
   return rows;
 }
 
-// ---------------------------------------------------------------- the measured parameters in one row
+// ---------------------------------------------------------------- the measured indices in one row
 
 struct Measured {
   Vector value, deviation;
-  std::vector<std::size_t> trial;
   std::vector<bool> of_turn;
 };
 
 Measured flat(const MeasuredIndices& measured) {
   std::vector<double> value, deviation;
   Measured result;
-  for (std::size_t t = 0; t < measured.trials.size(); ++t)
-    for (const auto& i : measured.trials[t].indices) {
+  for (const auto& trial : measured.trials)
+    for (const auto& i : trial.indices) {
       value.push_back(i.value);
       deviation.push_back(i.deviation);
-      result.trial.push_back(t);
-      result.of_turn.push_back(std::holds_alternative<TurnOrder>(measured.trials[t].manoeuvre));
+      result.of_turn.push_back(std::holds_alternative<TurnOrder>(trial.manoeuvre));
     }
   result.value = Eigen::Map<Vector>(value.data(), index(value.size()));
   result.deviation = Eigen::Map<Vector>(deviation.data(), index(deviation.size()));

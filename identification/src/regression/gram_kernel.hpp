@@ -5,7 +5,7 @@
 /// Products of columns, one translation unit for each instruction set. Not installed.
 ///
 /// As the kernels of the floors below, these units hold nothing but templates over the instruction set: no function on
-/// plain parameters that the linker could take for the rest of the program.
+/// plain numbers that the linker could take for the rest of the program.
 namespace swayaw::inline identification::gram {
 
 /// Columns in, their products out: products[i + count · j] += Σ_t columns[i][t] columns[j][t], for i ≥ j.
