@@ -129,7 +129,7 @@ TrajectoryFit fit_on_trajectories(const Question& q, const ForceFit& start, Prog
   TrajectoryFitOptions options{
       .parameters = q.options.parameters, .channels = q.options.states.channels, .priors = q.options.priors};
   options.progress = [&](const TrajectoryProgress& p) {
-    progress.tell(fmt::format("trajectories, iteration {}, numbers move by {:.2g}", p.iteration, p.change));
+    progress.tell(fmt::format("trajectories, iteration {}, parameters move by {:.2g}", p.iteration, p.change));
     return !interrupt.asked();
   };
   return fit_trajectories(start.ship, q.runs, options);

@@ -1,10 +1,10 @@
 #include <Eigen/Core>
-#include <Eigen/SVD>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "by_logarithm.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/linear/indices.hpp"
 
 namespace swayaw::inline linear {
@@ -17,7 +17,7 @@ double condition_number(const SwayYawCoefficients<double>& m) {
   for (int row = 0; row < 6; ++row)
     jacobian.row(row) = output[static_cast<std::size_t>(row)].v.transpose() / output[static_cast<std::size_t>(row)].a;
   if (!jacobian.allFinite()) return std::numeric_limits<double>::infinity();
-  const auto singular = jacobian.jacobiSvd().singularValues();
+  const auto singular = core::detail::singular_values(jacobian).size;
   return singular[5] > 0.0 ? singular[0] / singular[5] : std::numeric_limits<double>::infinity();
 }
 

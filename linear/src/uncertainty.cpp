@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <vector>
 
 #include "lifted.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/dual.hpp"
 
 namespace swayaw::inline linear {
@@ -42,8 +42,8 @@ Eigen::Matrix<double, Rows, 6> jacobian_of(const std::array<D, Rows>& values) {
 
 /// A matrix F with F Fᵀ = C, for a covariance that may be singular.
 IndexCovariance factor_of(const IndexCovariance& covariance) {
-  const Eigen::SelfAdjointEigenSolver<IndexCovariance> eigen(covariance);
-  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  const auto axes = core::detail::principal_axes(covariance);
+  return axes.axis * axes.size.cwiseMax(0.0).cwiseSqrt().asDiagonal();
 }
 
 double quantile(std::vector<double>& values, double share) {

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
@@ -160,8 +160,7 @@ std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s
     if (!by_parts && !in_deviations) continue;  // a depth, an angle of stall or a lag: no size that grows from 0
     try {
       const auto D = information(trial, s.baseline, form);
-      if (by_parts)
-        add(form, *number, D.topLeftCorner<2, 2>().selfadjointView<Eigen::Lower>().eigenvalues().minCoeff());
+      if (by_parts) add(form, *number, core::detail::principal_axes(D.topLeftCorner<2, 2>()).size.minCoeff());
       else
         for (std::size_t i = 0; i < form.coordinates.size(); ++i)
           add(form, form.with_terms ? parameters[i] : *number,

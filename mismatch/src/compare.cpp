@@ -268,7 +268,8 @@ std::string verdict(const std::vector<Comparison>& comparisons) {
   std::string name(name_of(worst->quantity));
   std::ranges::replace(name, '_', ' ');
   auto text = fmt::format("The model is farthest off in {}, by {:.0f} % of its variation", name, 100.0 * share(*worst));
-  if (std::abs(worst->bias) > 0.7 * worst->window_rms)
+  constexpr double mostly_bias = 0.7;  // of the error: half of its square
+  if (std::abs(worst->bias) > mostly_bias * worst->window_rms)
     text += fmt::format(", and too {} nearly throughout", worst->bias > 0.0 ? "high" : "low");
   const auto [run, error] = worst_run(comparisons, worst->quantity);
   text += fmt::format("; worst in {}", run->recorded.name);

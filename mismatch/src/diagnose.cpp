@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -14,6 +13,7 @@
 #include "location.hpp"
 #include "search.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "trial.hpp"
@@ -35,7 +35,7 @@ void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> refere
   const auto calm = trial_of(ship, reference, channels);
   const auto found = fit(calm, {}, calm.mean, Noise{});
   trial.mean = found.point;
-  trial.precision = (2.0 * found.covariance).inverse();  // a little wider: no two days are alike
+  trial.precision = core::detail::inverse(2.0 * found.covariance);  // a little wider: no two days are alike
 }
 
 // ---------------------------------------------------------------- answers
@@ -122,7 +122,8 @@ bool is_nameless(const FoundEffect& e) { return std::holds_alternative<UnknownFo
 /// ", as a constant push to starboard from 514 to 856 s, 0.3 lengths before midship"
 std::string push_words(const UnknownForce<double>& push) {
   const double lever = push.N_0 / push.Y_0;
-  const bool sideways = std::abs(push.Y_0) > std::abs(push.X_0) && std::abs(lever) < 0.6;
+  constexpr double on_the_hull = 0.6;  // lengths from midship, with what the lever is uncertain by
+  const bool sideways = std::abs(push.Y_0) > std::abs(push.X_0) && std::abs(lever) < on_the_hull;
   const auto when = fmt::format("from {:.5g} to {:.5g} s", push.onset, push.end);
   if (!sideways) return ", as a constant push " + when;
   return fmt::format(", as a constant push to {} {}, {:.2f} lengths {} midship", push.Y_0 > 0.0 ? "starboard" : "port",

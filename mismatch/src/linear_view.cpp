@@ -86,25 +86,34 @@ std::vector<LinearView> linear_view(const Ship& model, std::span<const Recording
   return views;
 }
 
+namespace {
+
+// Below these a difference is not worth words: see linear_view.hpp. No decision hangs on them.
+constexpr double told_offset = radians(0.3);  ///< rudder
+constexpr double told_ratio = 0.1;            ///< of K and of the area of the loop
+constexpr double harder = 1.5;                ///< amplitude over the gentlest, as 15/15 is beside 10/10
+
+}  // namespace
+
 std::string words_of(std::span<const LinearView> views) {
   if (views.empty()) return {};
   std::vector<std::string> said;
   const double offset = mean_of(views, [](const LinearView& v) { return v.recorded.delta_r - v.model.delta_r; });
-  if (std::abs(offset) > radians(0.3))
+  if (std::abs(offset) > told_offset)
     said.push_back(fmt::format("a constant acts like a rudder offset to {}", offset > 0.0 ? "port" : "starboard"));
   const auto gain = [](const LinearView& v) { return v.recorded.K / v.model.K; };
   const auto [gentle, hard] = std::ranges::minmax_element(views, {}, &LinearView::amplitude);
-  if (hard->amplitude > 1.5 * gentle->amplitude && std::abs(gain(*hard) - gain(*gentle)) > 0.1)
+  if (hard->amplitude > harder * gentle->amplitude && std::abs(gain(*hard) - gain(*gentle)) > told_ratio)
     said.push_back(
         fmt::format("the gain K is {:.2f} times the model's in the gentlest zigzag and {:.2f} in the hardest, which a "
                     "nonlinear term does",
                     gain(*gentle), gain(*hard)));
-  else if (const double K = mean_of(views, gain); std::abs(K - 1.0) > 0.1)
+  else if (const double K = mean_of(views, gain); std::abs(K - 1.0) > told_ratio)
     said.push_back(fmt::format(
         "the gain K is {:.2f} times the model's whatever the amplitude, which a linear coefficient or the rudder does",
         K));
   const double loop = mean_of(views, [](const LinearView& v) { return v.recorded.loop_area / v.model.loop_area; });
-  if (std::isfinite(loop) && std::abs(loop - 1.0) > 0.1)
+  if (std::isfinite(loop) && std::abs(loop - 1.0) > told_ratio)
     said.push_back(fmt::format(
         "the drift-yaw loop has {:.2f} times the model's area, which T3 or a force that follows late does", loop));
   std::string words;

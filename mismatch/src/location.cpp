@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,11 +10,24 @@
 
 #include "statistics.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/mismatch/run_picture.hpp"
 
 namespace swayaw::inline mismatch::detail {
 namespace {
+
+// Where words begin that tell the place of a mismatch. By judgement: no decision hangs on them.
+
+constexpr double straight_share = 0.2;        ///< of half the largest yaw rate: almost straight ahead
+constexpr double slow_share = 0.75;           ///< of the highest speed: after the loss of speed
+constexpr double moving_share = 1e-3;         ///< of half the largest rudder angle between samples: the rudder moves
+constexpr double least_time = 0.03;           ///< of the run: a shorter part may be one wave
+constexpr double most_time = 0.8;             ///< of the run: a longer part is all along
+constexpr double one_sided = 0.8;             ///< of the energy on one side
+constexpr double told_place = 0.12;           ///< share of the energy beyond the share of the time
+constexpr double told_symmetry = 0.15;        ///< share of the force that is explained besides
+constexpr double told_beside_constant = 0.1;  ///< by the heading, beyond what a constant explains
 
 constexpr std::array quantities{"surge_force", "sway_force", "yaw_moment"};
 
@@ -28,14 +40,15 @@ struct Traced {
 };
 
 std::optional<Traced> traced(const Ship& ship, const Recording& run, const Noise& noise) try {
-  const double L = length(ship), U_0 = service_speed(ship), a = U_0 * U_0 / L;
+  const double L = length(ship);
+  const auto ordinary = process_noise(ship, {});
   const auto force = missing_force(ship, run, noise);
   Traced t{&run, run.time, {}, {}, {}, {}, {}, {}};
   for (std::size_t i = 0; i < force.size(); ++i) {
     const auto& m = force[i].motion;
     const double U = std::hypot(m.u, m.v);
-    t.missing.push_back(
-        {force[i].acceleration.u / (0.3 * a), force[i].acceleration.v / a, force[i].acceleration.r * L / (1.5 * a)});
+    t.missing.push_back({force[i].acceleration.u / ordinary.u, force[i].acceleration.v / ordinary.v,
+                         force[i].acceleration.r / ordinary.r});
     t.delta.push_back(run.has(Channel::delta) ? run[Channel::delta][i] : 0.0);
     t.beta.push_back(std::atan2(-m.v, m.u));
     t.r_prime.push_back(m.r * L / U);
@@ -101,9 +114,9 @@ std::vector<Region> regions_of(const Traced& t) {
       turning{"while the rudder moves", {}};
   const double fast = *std::ranges::max_element(t.U);
   for (std::size_t i = 0; i < t.time.size(); ++i) {
-    straight.inside.push_back(std::abs(t.r_prime[i]) < 0.2 * r);
-    slow.inside.push_back(t.U[i] < 0.75 * fast);
-    turning.inside.push_back(i > 0 && std::abs(t.delta[i] - t.delta[i - 1]) > 1e-3 * delta);
+    straight.inside.push_back(std::abs(t.r_prime[i]) < straight_share * r);
+    slow.inside.push_back(t.U[i] < slow_share * fast);
+    turning.inside.push_back(i > 0 && std::abs(t.delta[i] - t.delta[i - 1]) > moving_share * delta);
   }
   regions.push_back(std::move(straight)), regions.push_back(std::move(slow)), regions.push_back(std::move(turning));
   constexpr std::array names{"heading about north", "heading about east", "heading about south", "heading about west"};
@@ -121,7 +134,7 @@ double excess(const Region& region, const std::vector<double>& energy) {
   for (std::size_t i = 0; i < energy.size(); ++i)
     if (region.inside[i]) inside += energy[i], samples += 1.0;
   const double time = samples / static_cast<double>(energy.size());
-  return time < 0.03 || time > 0.8 ? 0.0 : inside / sum_of(energy) - time;
+  return time < least_time || time > most_time ? 0.0 : inside / sum_of(energy) - time;
 }
 
 /// "both sides", "turning to port" or "turning to starboard".
@@ -130,13 +143,13 @@ std::string_view side_of(const Traced& t, const Region& region, const std::vecto
   for (std::size_t i = 0; i < energy.size(); ++i)
     if (region.inside[i]) (t.r_prime[i] < 0.0 ? port : starboard) += energy[i];
   const double share = port / std::max(port + starboard, 1e-300);
-  return share > 0.8 ? "turning to port" : share < 0.2 ? "turning to starboard" : "both sides";
+  return share > one_sided ? "turning to port" : share < 1.0 - one_sided ? "turning to starboard" : "both sides";
 }
 
 std::string where(const Traced& t, const std::vector<double>& energy) {
   const auto regions = regions_of(t);
   const auto best = std::ranges::max_element(regions, {}, [&](const Region& r) { return excess(r, energy); });
-  if (!(excess(*best, energy) > 0.12)) return "all along";
+  if (!(excess(*best, energy) > told_place)) return "all along";
   return fmt::format("{}, {}", best->words, side_of(t, *best, energy));
 }
 
@@ -177,7 +190,7 @@ Basis basis_of(std::span<const Traced> runs, std::size_t axis) {
 
 /// Share of the force that columns explain.
 double explained(const Eigen::MatrixXd& columns, const Eigen::VectorXd& force) {
-  const Eigen::VectorXd rest = force - columns * columns.colPivHouseholderQr().solve(force);
+  const Eigen::VectorXd rest = force - columns * core::detail::least_squares(columns, force);
   return 1.0 - rest.squaredNorm() / std::max(force.squaredNorm(), 1e-300);
 }
 
@@ -200,9 +213,9 @@ std::string symmetry_of(std::span<const Traced> runs) {
                          explained(beside(b.motion, b.heading), force) - alone,
                          explained(beside(b.motion, b.history), force) - alone};
   const auto most = static_cast<std::size_t>(std::ranges::max_element(gains) - gains.begin());
-  if (gains[most] < 0.15) return {};
+  if (gains[most] < told_symmetry) return {};
   // a constant lies in the span of neither; heading explains it in part where the headings are few
-  if (most == 1 && gains[1] - gains[0] < 0.1) return "it differs between port and starboard";
+  if (most == 1 && gains[1] - gains[0] < told_beside_constant) return "it differs between port and starboard";
   constexpr std::array words{"it differs between port and starboard",
                              "it goes with the heading, as what is fixed to the earth does",
                              "it goes with changes of the motion, not with the motion"};

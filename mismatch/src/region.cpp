@@ -108,12 +108,13 @@ std::vector<RegionError> errors_by_region(std::span<const double> errors, const 
 }
 
 std::optional<RegionError> worst_region(std::span<const RegionError> regions) {
+  constexpr double least_share = 0.05;  // of the samples: fewer may be one wave or one outlier
   std::optional<RegionError> worst;
   for (const auto& region : regions) {
     double samples = 0.0;
     for (const auto& other : regions)
       if (other.variable == region.variable) samples += static_cast<double>(other.samples);
-    if (static_cast<double>(region.samples) < 0.05 * samples) continue;
+    if (static_cast<double>(region.samples) < least_share * samples) continue;
     if (!worst || region.rms > worst->rms) worst = region;
   }
   return worst;

@@ -1,10 +1,9 @@
 #include "swayaw/mismatch/run_picture.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/identification/map_fit.hpp"
@@ -28,7 +27,7 @@ Eigen::Matrix3d mass_matrix(const Model& model) {
                                 PlanarForce<double>{i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0});
     mobility.col(i) << a.u, a.v, a.r;
   }
-  return mobility.inverse();
+  return core::detail::inverse(mobility);
 }
 
 Eigen::Vector3d deviations(const Eigen::Matrix3d& covariance) {

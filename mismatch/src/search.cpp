@@ -1,15 +1,15 @@
 #include "search.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline mismatch::detail {
+using namespace core::detail;
 namespace {
 
 // Log evidence is counted by evidence_excess: 5 is odds of e^(5/3), 5 to 1.
@@ -42,6 +42,9 @@ constexpr double worth_of_inflation = 0.04;
 constexpr double adequate_scale = 0.25;  ///< of the process noise, beside which no further effect is looked for
 constexpr double quiet_scale = 0.6;      ///< of the process noise, beside which nothing is hidden from the screening:
                                          ///< what it finds worthless is not fitted
+
+constexpr double smaller_start = 0.1;      ///< of what was predicted, where a fit stopped early
+constexpr double told_from_nothing = 4.0;  ///< squared standard deviations
 
 constexpr int screening_iterations = 5;      ///< of a form with one or two starts; with more, one from each, then 4
 constexpr std::size_t goes_on_from = 2;      ///< starts of a form that go on after a first iteration
@@ -149,14 +152,13 @@ Pruned pruned(const EffectForm& form, const Eigen::VectorXd& mean, const Eigen::
   Eigen::VectorXd precision(mean.size());
   for (std::size_t i = 0; i < size; ++i)
     precision[static_cast<Eigen::Index>(i)] = std::pow(form.coordinates[i].deviation, -2);
-  const Eigen::MatrixXd A = widened(form, covariance).inverse();
-  const Eigen::VectorXd h = covariance.inverse() * mean / evidence_excess;
+  const Eigen::MatrixXd A = inverse(widened(form, covariance));
+  const Eigen::VectorXd h = inverse(covariance) * mean / evidence_excess;
   const auto evidence = [&](const std::vector<std::size_t>& subset) {
     const std::vector<Eigen::Index> s(subset.begin(), subset.end());
-    const auto factor = Eigen::MatrixXd(A(s, s)).ldlt();
+    const Eigen::MatrixXd A_s = A(s, s);
     const Eigen::VectorXd h_s = h(s);
-    return 0.5 * h_s.dot(factor.solve(h_s)) - 0.5 * factor.vectorD().array().log().sum() +
-           0.5 * precision(s).array().log().sum();
+    return 0.5 * (h_s.dot(solve_symmetric(A_s, h_s)) - log_determinant(A_s) + precision(s).array().log().sum());
   };
   struct Subset {
     std::vector<std::size_t> terms;
@@ -219,7 +221,7 @@ MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, const MapFit
     return likelier(found, fit(trial, hypothesis, with_start(now.point, other), quiet));
   }
   if (found.log_evidence > now.log_evidence - stopped_early) return found;
-  for (double& c : other) c *= 0.1;
+  for (double& c : other) c *= smaller_start;
   return likelier(found, fit(trial, hypothesis, with_start(now.point, other), now.noise));
 }
 
@@ -489,7 +491,7 @@ Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covarianc
   for (Eigen::Index i = 0; i < precision.size(); ++i)
     precision[i] = std::pow(form.coordinates[static_cast<std::size_t>(i)].deviation, -2);
   const Eigen::MatrixXd prior = precision.asDiagonal();
-  return (prior + (covariance.inverse() - prior) / evidence_excess).inverse();
+  return inverse(prior + (inverse(covariance) - prior) / evidence_excess);
 }
 
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
@@ -506,7 +508,7 @@ bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
   const Eigen::MatrixXd slopes = parameter_slopes(ship, form, c)(deciding, Eigen::all);
   const Eigen::MatrixXd C = slopes * widened(form, found.covariance.bottomRightCorner(size, size)) * slopes.transpose();
   const Eigen::Map<const Eigen::VectorXd> z(departures.data(), std::ssize(departures));
-  return !(z.dot(C.completeOrthogonalDecomposition().solve(z)) < 4.0);
+  return !(z.dot(least_norm(C, z)) < told_from_nothing);
 }
 
 ActiveTime active_time(const Trial& trial, const Search& s, std::size_t accepted, double needed) {

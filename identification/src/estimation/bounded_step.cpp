@@ -1,8 +1,9 @@
 #include "bounded_step.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <vector>
+
+#include "swayaw/core/detail/matrices.hpp"
 
 namespace swayaw::inline identification::detail {
 namespace {
@@ -33,7 +34,7 @@ Vector between_bounds(const Matrix& H, const Vector& g, const Vector& low, const
       if (!held[static_cast<std::size_t>(i)]) free.push_back(i);
     const Vector slope = g + H * d;
     Vector way = Vector::Zero(g.size());
-    if (!free.empty()) way(free) = -H(free, free).ldlt().solve(Vector(slope(free)));
+    if (!free.empty()) way(free) = -core::detail::solve_symmetric(H(free, free), slope(free));
     double share = 1.0;
     Eigen::Index stop = -1;
     for (const auto i : free)

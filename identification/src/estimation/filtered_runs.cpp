@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "swayaw/core/parallel.hpp"
+#include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline identification {
 using namespace detail;
@@ -25,11 +26,8 @@ void for_each_run(const EstimationProblem& problem, const Point& point, double m
   in_parallel(problem.runs.size(), 0, [&](std::size_t i) {
     const auto& run = problem.runs[i];
     const auto ship = problem.ship_in(point, i);
-    visit_acting(ship, [&](const auto& acting) {
-      RunFilter<std::remove_cvref_t<decltype(acting.model)>, 9> filter(ship, acting, *run.run, run.channels, run.start,
-                                                                       tau);
-      f(i, filter);
-    });
+    RunFilter<9> filter(ship, *run.run, run.channels, run.start, tau);
+    f(i, filter);
   });
 }
 
@@ -45,7 +43,7 @@ std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, c
   auto result = std::make_shared<FilteredRuns>();
   result->runs.resize(problem.runs.size());
   for_each_run(problem, point, noise.memory, [&](std::size_t i, auto& filter) {
-    filter.forward(variances(problem.scale, problem.runs[i], noise), result->runs[i], [](auto&&...) {});
+    filter.forward(variances(problem.scale, problem.runs[i], noise), result->runs[i]);
   });
   return result;
 }

@@ -1,14 +1,14 @@
 #include "swayaw/identification/map_fit.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "descent.hpp"
 #include "filtered_runs.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 
 namespace swayaw::inline identification {
 using namespace detail;
+using namespace core::detail;
 
 // ---------------------------------------------------------------- problem
 
@@ -32,8 +32,6 @@ double EstimationProblem::prior(const Point& point) const {
 // ---------------------------------------------------------------- fit
 
 namespace {
-
-double log_determinant(const Eigen::MatrixXd& positive) { return positive.ldlt().vectorD().array().abs().log().sum(); }
 
 /// Radius within which steps are trusted at first: unknowns are counted in about their prior deviations.
 constexpr double wide = 10.0;
@@ -84,7 +82,7 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
     // the last round is the one whose slopes belong to the noise that was found, so it stands unless it is clearly
     // worse
     if (gain > -worth_a_round)
-      best = {here.point, now + 0.5 * (log_determinant(problem.precision) - log_determinant(A)), found, A.inverse()};
+      best = {here.point, now + 0.5 * (log_determinant(problem.precision) - log_determinant(A)), found, inverse(A)};
     if (!(gain > worth_a_round) && found == noise) break;
     if (!std::isfinite(now)) break;  // the filter cannot follow
     density = std::max(density, now), noise = found;
@@ -99,7 +97,7 @@ LinearizedFit linearized(const EstimationProblem& problem, const MapFit& fit) {
   result.residuals = residuals(problem, fit.point, *result.passes);
   result.slopes.resize(problem.rows(), fit.point.size());
   difference(problem, fit.point, *result.passes, result.residuals, 0, result.slopes);
-  result.inverse = (result.slopes.transpose() * result.slopes + problem.precision).inverse();
+  result.inverse = inverse(result.slopes.transpose() * result.slopes + problem.precision);
   result.pull = problem.precision * (fit.point - problem.mean());
   return result;
 }
@@ -107,7 +105,7 @@ LinearizedFit linearized(const EstimationProblem& problem, const MapFit& fit) {
 double linear_evidence(const EstimationProblem& problem, const LinearizedFit& fit) {
   const Eigen::MatrixXd A = fit.slopes.transpose() * fit.slopes + problem.precision;
   const Eigen::VectorXd g = fit.slopes.transpose() * fit.residuals + problem.precision * (fit.point - problem.mean());
-  const double cost = fit.residuals.squaredNorm() + problem.prior(fit.point) - g.dot(A.ldlt().solve(g));
+  const double cost = fit.residuals.squaredNorm() + problem.prior(fit.point) - g.dot(solve_symmetric(A, g));
   return 0.5 * (log_determinant(problem.precision) - log_determinant(A) - cost);
 }
 
@@ -151,7 +149,7 @@ PredictedGain predicted_gain(const EstimationProblem& problem, const LinearizedF
       here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *before.passes); }, cost);
   const double occam = 0.5 * (log_determinant(Lambda) - log_determinant(A));
   const Eigen::VectorXd found = here.point.tail(size);
-  return {0.5 * (at_first - here.cost) + occam, {found.begin(), found.end()}, A.inverse()};
+  return {0.5 * (at_first - here.cost) + occam, {found.begin(), found.end()}, inverse(A)};
 }
 
 Eigen::MatrixXd further_slopes(const EstimationProblem& problem, const LinearizedFit& before,

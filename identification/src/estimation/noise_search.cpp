@@ -3,14 +3,18 @@
 #include <cmath>
 
 #include "filtered_runs.hpp"
+#include "swayaw/core/refusal.hpp"
 
 /// Noise that suits a ship best, by the likelihood of grids.
 namespace swayaw::inline identification {
 using namespace detail;
 
 PlanarAcceleration<double> process_noise(const Ship& ship, const Noise& noise) {
-  const double U = service_speed(ship), L = length(ship), a = 0.002 * noise.scale * U * U / L;
-  return {0.3 * a * noise.axes[0], a * noise.axes[1], 1.5 * a / L * noise.axes[2]};
+  // of sway over U²/L, a size that the scale multiplies and likelihood finds; surge and yaw, by L, beside sway, which
+  // stay unless the axes are apart
+  constexpr double sway = 0.002, surge = 0.3, yaw = 1.5;
+  const double U = service_speed(ship), L = length(ship), a = sway * noise.scale * U * U / L;
+  return {surge * a * noise.axes[0], a * noise.axes[1], yaw * a / L * noise.axes[2]};
 }
 
 double log_likelihood(const EstimationProblem& problem, const Point& point, const Noise& noise) {

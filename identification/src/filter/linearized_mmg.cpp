@@ -1,3 +1,7 @@
-#include "linearized_ship.hpp"
+#include "linearized_model.hpp"
 
-template class swayaw::identification::detail::LinearizedShip<swayaw::MmgShip<double>>;
+namespace swayaw::inline identification::detail {
+
+template std::unique_ptr<LinearizedShip> linearized_model(const ActingShip<MmgShip<double>>&);
+
+}  // namespace swayaw::identification::detail

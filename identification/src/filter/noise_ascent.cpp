@@ -5,26 +5,26 @@
 namespace swayaw::inline identification::detail {
 namespace {
 
-struct Place {
+struct Iterate {
   Eigen::VectorXd p;
   Slope slope;
 };
 
-/// The first place on the way that keeps a part of the predicted gain: the whole way, half of it, …
-std::optional<Place> climbed(const std::function<Slope(const Eigen::VectorXd&)>& at, const Place& from,
+/// The first iterate on the way that keeps a part of the predicted gain: the whole way, half of it, …
+std::optional<Iterate> climbed(const std::function<Slope(const Eigen::VectorXd&)>& at, const Iterate& from,
                              const Eigen::VectorXd& way) {
-  const double predicted_gain = way.dot(from.slope.by_place);
+  const double predicted_gain = way.dot(from.slope.by_p);
   for (double share = 1.0; share > 1e-3; share *= 0.5) {
     const Eigen::VectorXd p = from.p + share * way;
     if (auto slope = at(p); slope.value > from.slope.value + 1e-4 * share * predicted_gain)
-      return Place{p, std::move(slope)};
+      return Iterate{p, std::move(slope)};
   }
   return std::nullopt;
 }
 
 /// H⁺ = (1 − s yᵀ/yᵀs) H (1 − y sᵀ/yᵀs) + s sᵀ/yᵀs, with the step s and the loss of slope y; H stays positive.
-void learn(Eigen::MatrixXd& H, const Place& from, const Place& to) {
-  const Eigen::VectorXd s = to.p - from.p, y = from.slope.by_place - to.slope.by_place;
+void learn(Eigen::MatrixXd& H, const Iterate& from, const Iterate& to) {
+  const Eigen::VectorXd s = to.p - from.p, y = from.slope.by_p - to.slope.by_p;
   const double ys = y.dot(s);
   if (ys <= 1e-12 * y.norm() * s.norm()) return;
   const Eigen::VectorXd Hy = H * y;
@@ -37,10 +37,10 @@ NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const 
                   const Eigen::VectorXd& curvature, int most_iterations) {
   const Eigen::MatrixXd first = curvature.cwiseInverse().asDiagonal();
   Eigen::MatrixXd H = first;
-  Place here{start, at(start)};
+  Iterate here{start, at(start)};
   for (int iteration = 0;; ++iteration) {
-    Eigen::VectorXd way = H * here.slope.by_place;
-    const double predicted_gain = 0.5 * way.dot(here.slope.by_place);
+    Eigen::VectorXd way = H * here.slope.by_p;
+    const double predicted_gain = 0.5 * way.dot(here.slope.by_p);
     if (predicted_gain < 1e-3 || iteration == most_iterations)
       return {here.p, here.slope.value, iteration, predicted_gain < 1e-3};
     way *= std::min(1.0, 2.0 / way.cwiseAbs().maxCoeff());  // no noise changes by more than a factor of 7 at once

@@ -1,16 +1,15 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "measurement_update.hpp"
-#include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
-/// Filter and smoother of a recorded run: any model, with all her effects and instruments. Not installed.
+/// Filter and smoother of a recorded run: any ship, with all her effects and instruments. Compiled once for 6 states
+/// and once for 9. Not installed.
 namespace swayaw::inline identification::detail {
 
 /// Variances of the channels and, at the end, of the unmodelled accelerations of surge, sway and yaw; or slopes of the
@@ -60,198 +59,58 @@ struct FilteredRun {
   }
 };
 
-template <class Model, int N>
+template <int N>
 class RunFilter {
  public:
-  /// @param acting  must outlive the filter, as the run and its channels
-  /// @param start   little is known of it
-  /// @param tau     memory of the unmodelled accelerations [s], or infinity
-  RunFilter(const Ship& ship, const ActingShip<Model>& acting, const Recording& run, std::span<const Channel> channels,
-            const ShipState<double>& start, double tau)
-      : run_(run),
-        channels_(channels),
-        observer_(acting.instruments, acting.surroundings.current),
-        predictor_(acting, tau),
-        controls_(ship, run),
-        start_(start),
-        L_(acting.model.particulars.L),
-        U_0_(acting.model.particulars.U_0) {
-    at_samples_.reserve(run.samples());
-    for (const double time : run.time) at_samples_.push_back(controls_.at(time));
-  }
+  /// @param run    must outlive the filter, as its channels
+  /// @param start  little is known of it
+  /// @param tau    memory of the unmodelled accelerations [s], or infinity
+  /// @throws Refusal  where one of her effects cannot act on her model
+  RunFilter(const Ship& ship, const Recording& run, std::span<const Channel> channels, const ShipState<double>& start,
+            double tau);
 
-  /// Filters the run: tell(k, estimate) after the measurements of each sample.
-  template <class Tell>
-  void forward(const FilterNoise& noise, FilteredRun<N>& pass, Tell&& tell) {
-    pass.clear();
-    pass.tau = predictor_.tau();
-    Gaussian<N> estimate = start(noise);
-    predictor_.restart(estimate.mean);
-    double log_likelihood = 0.0;
-    for (std::size_t k = 0; k < run_.samples(); ++k) {
-      if (k > 0) predict(estimate, k, noise, pass);
-      log_likelihood += measure(estimate, k, noise, pass);
-      pass.passed.push_back({pass.steps.size(), pass.innovations.size(), log_likelihood});
-      tell(k, estimate);
-    }
-  }
+  /// Filters the run.
+  /// @param tell  if there is one, tell(k, estimate) after the measurements of each sample
+  void forward(const FilterNoise& noise, FilteredRun<N>& pass,
+               const std::function<void(std::size_t, const Gaussian<N>&)>& tell = {});
 
-  /// What comes after each sample, from the last to the first: tell(k, smoother).
+  /// What comes after each sample, from the last to the first.
+  /// @param tell  if there is one, tell(k, smoother) of each sample
   /// @return slopes of the log likelihood by the logarithms of the variances
-  template <class Tell>
-  FilterNoise backward(const FilterNoise& noise, const FilteredRun<N>& pass, Tell&& tell) const {
-    FilterNoise slope = FilterNoise::Zero();
-    Smoother<N> smoother;
-    std::size_t slope_count = pass.slopes.size();
-    for (std::size_t k = pass.passed.size(); k-- > 0;) {
-      tell(k, smoother);
-      const auto before = k == 0 ? Passed{} : pass.passed[k - 1];
-      for (std::size_t i = pass.passed[k].innovations; i-- > before.innovations;) {
-        const auto& now = pass.innovations[i];
-        const int place = place_of(now.channel);
-        slope[place] +=
-            noise[place] * smoother.step_back(now, now.state >= 0 ? ChannelSlope() : pass.slopes[--slope_count]);
-      }
-      for (std::size_t i = pass.passed[k].steps; i-- > before.steps;) {
-        add_slope(slope, noise, pass.steps[i].share, smoother);
-        smoother.step_back(pass.steps[i]);
-        add_slope(slope, noise, pass.steps[i].share, smoother);
-      }
-    }
-    if (has_memory()) add_slope(slope, noise, 1.0, smoother);
-    return slope;
-  }
+  FilterNoise backward(const FilterNoise& noise, const FilteredRun<N>& pass,
+                       const std::function<void(std::size_t, const Smoother<N>&)>& tell = {}) const;
 
   /// Innovations over their standard deviations, with the gains and the steps of a pass: of another ship what hers
   /// would be, of the same ship those of the pass.
-  template <class Out>
-  void residuals(const FilteredRun<N>& pass, Out&& out) {
-    FilterVector<N> x = first_state();
-    predictor_.set_tau(pass.tau);
-    predictor_.restart(x);
-    std::size_t step = 0, row = 0;
-    for (std::size_t k = 0; k < pass.passed.size(); ++k) {
-      require_motion(x, k);
-      for (; step < pass.passed[k].steps; ++step)
-        predictor_.repeat(x, controls_in_step(k, pass.steps[step].from, pass.steps[step].to), pass.steps[step]);
-      const auto sight = observer_.late() ? late_sight(x, k) : sight_of(x);
-      for (; row < pass.passed[k].innovations; ++row) {
-        const auto& now = pass.innovations[row];
-        const double e = compared(now.channel, run_[now.channel][k], expected(now.channel, x, sight));
-        out[static_cast<Eigen::Index>(row)] = e / std::sqrt(now.variance);
-        x += now.K * e;
-      }
-    }
-  }
+  void residuals(const FilteredRun<N>& pass, Eigen::Ref<Eigen::VectorXd> out);
 
  private:
   static constexpr int random = N == 9 ? 6 : 3;  ///< first of the states that random accelerations drive
 
   bool has_memory() const { return N == 9 && std::isfinite(predictor_.tau()); }
-
-  FilterVector<N> first_state() const {
-    FilterVector<N> x = FilterVector<N>::Zero();
-    x.template head<6>() << start_.x, start_.y, start_.psi, start_.motion.u, start_.motion.v, start_.motion.r;
-    return x;
-  }
-
-  /// A quarter of a ship length, of the speed and of a radian about the recorded state.
-  Gaussian<N> start(const FilterNoise& noise) const {
-    const double U = speed(start_.motion), quarter = 0.25;
-    Gaussian<N> estimate{first_state(), FilterMatrix<N>::Zero()};
-    auto variance = estimate.P.diagonal();
-    variance.template head<6>() << L_, L_, 1.0, U, U, U / L_;
-    if constexpr (N == 9) variance.template tail<3>() << U * U / L_, U * U / L_, U * U / (L_ * L_);
-    variance = (quarter * variance).array().square().eval();
-    if (has_memory()) variance.template tail<3>() = noise.tail<3>();
-    return estimate;
-  }
-
-  /// @throws Refusal  where the motion has run away, or is none
-  void require_motion(const FilterVector<N>& x, std::size_t k) const {
-    constexpr double runaway = 1e3;  // speeds over the service speed that no ship has
-    if (!(std::hypot(x[3], x[4]) < runaway * U_0_))
-      throw Refusal(fmt::format("{}: the ship loses her way at {:.6g} s", run_.name, run_.time[k]));
-  }
-
-  /// Controls in the middle of a step between samples k − 1 and k; a rudder with a motion of its own is asked for it.
-  Controls<double> controls_in_step(std::size_t k, double from, double to) const {
-    const double middle = 0.5 * (from + to);
-    if (controls_.track()) return controls_.at(middle);
-    return between(at_samples_[k - 1], at_samples_[k], (middle - run_.time[k - 1]) / (run_.time[k] - run_.time[k - 1]));
-  }
-
-  /// To sample k, in steps that are short for the ship.
-  void predict(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
-    const double begin = run_.time[k - 1], h = run_.time[k] - begin;
-    require_motion(estimate.mean, k - 1);
-    const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), h);
-    for (int i = 0; i < count; ++i) {
-      const double from = begin + h * i / count, to = i + 1 == count ? run_.time[k] : begin + h * (i + 1) / count;
-      const auto controls = controls_in_step(k, from, to);
-      const auto& t = pass.steps.emplace_back(predictor_.step(estimate.mean, controls, from, to));
-      estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
-      estimate.P = carried<N>(estimate.P, t);
-      estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
-    }
-    require_motion(estimate.mean, k);
-  }
-
-  /// @return log likelihood of the sample
-  double measure(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
-    double product = 1.0, squares = 0.0;  // of variances, whose logarithm is slow
-    for (const Channel channel : channels_) {
-      const auto samples = run_[channel];
-      if (samples.empty() || std::isnan(samples[k])) continue;
-      const auto& now = pass.innovations.emplace_back(update(estimate, channel, k, noise[place_of(channel)], pass));
-      const double square = now.error * now.error / now.variance;
-      squares += square;
-      product *= 2.0 * pi * now.variance;
-      pass.sums[index_of(channel)].add(std::copysign(std::sqrt(square), now.error));
-    }
-    return -0.5 * (squares + std::log(product));
-  }
-
-  Innovation<N> update(Gaussian<N>& estimate, Channel channel, std::size_t k, double R, FilteredRun<N>& pass) {
-    const double value = run_[channel][k];
-    if (const auto state = observer_.state_alone(channel))
-      return updated<N>(estimate, channel, *state, value - observer_.bias(channel), R);
-    const auto expected = [&](const FilterVector<N>& x, ChannelSlope& slope) {
-      return observer_.value(channel, observer_.late() ? late_sight(x, k) : sight_of(x), slope);
-    };
-    return updated<N>(estimate, channel, expected, value, R, pass.slopes.emplace_back());
-  }
-
-  double expected(Channel channel, const FilterVector<N>& x, const Sight& sight) const {
-    if (const auto state = observer_.state_alone(channel)) return x[*state] + observer_.bias(channel);
-    return observer_.value(channel, {ship_state<N>(x), sight.acceleration, sight.phi});
-  }
-
-  Sight sight_of(const FilterVector<N>& x) const {
-    return {ship_state<N>(x), {0.0, 0.0, 0.0}, shown_by(predictor_.hidden(), Channel::phi)};
-  }
-
-  /// With the accelerations that a late channel needs.
-  Sight late_sight(const FilterVector<N>& x, std::size_t k) const {
-    const auto rate = predictor_.rates(x, at_samples_[k]);
-    PlanarAcceleration<double> a{rate[3], rate[4], rate[5]};
-    if constexpr (N == 9) a = {a.u + x[6], a.v + x[7], a.r + x[8]};
-    return {ship_state<N>(x), a, shown_by(predictor_.hidden(), Channel::phi)};
-  }
-
-  static void add_slope(FilterNoise& slope, const FilterNoise& noise, double share, const Smoother<N>& smoother) {
-    for (int i = 0; i < 3; ++i)
-      slope[place_of_process_noise(i)] += share * noise[place_of_process_noise(i)] * smoother.slope(random + i);
-  }
+  FilterVector<N> first_state() const;
+  Gaussian<N> start(const FilterNoise& noise) const;
+  void require_motion(const FilterVector<N>& x, std::size_t k) const;
+  Controls<double> controls_in_step(std::size_t k, double from, double to) const;
+  void predict(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass);
+  double measure(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass);
+  Innovation<N> update(Gaussian<N>& estimate, Channel channel, std::size_t k, double R, FilteredRun<N>& pass);
+  double expected(Channel channel, const FilterVector<N>& x, const Sight& sight) const;
+  Sight sight_of(const FilterVector<N>& x) const;
+  Sight late_sight(const FilterVector<N>& x, std::size_t k) const;
+  static void add_slope(FilterNoise& slope, const FilterNoise& noise, double share, const Smoother<N>& smoother);
 
   const Recording& run_;
   std::span<const Channel> channels_;
+  ShipPredictor<N> predictor_;
   ChannelObserver observer_;
-  ShipPredictor<Model, N> predictor_;
   RecordedControls controls_;
   std::vector<Controls<double>> at_samples_;
   ShipState<double> start_;
   double L_, U_0_;
 };
+
+extern template class RunFilter<6>;
+extern template class RunFilter<9>;
 
 }  // namespace swayaw::identification::detail

@@ -73,27 +73,28 @@ FilterVector<N> carried_back(const FilterVector<N>& r, const Transition<N>& t) {
 /// Predicts a ship with effects between samples.
 ///
 /// Hidden states of effects follow the predicted motion; they are no states of the filter and have no covariance.
-template <class Model, int N>
+template <int N>
 class ShipPredictor {
  public:
   /// @param tau  memory of the unmodelled accelerations [s], or infinity
-  ShipPredictor(const ActingShip<Model>& acting, double tau)
-      : acting_(acting), ship_(acting), tau_(tau), longest_(0.02 * acting.model.particulars.L) {}
+  ShipPredictor(const Ship& ship, double tau)
+      : ship_(linearized_ship(ship)), tau_(tau), longest_(0.02 * length(ship)) {}
 
   /// Back to the state at the beginning of a run.
   void restart(const FilterVector<N>& x) {
-    if (!acting_.changes.empty()) ship_ = LinearizedShip<Model>(acting_);
-    hidden_ = ship_.steady_hidden(ship_state<N>(x).motion);
+    if (!ship_->changes().empty()) ship_->restart();
+    hidden_ = ship_->steady_hidden(ship_state<N>(x).motion);
     next_change_ = 0;
   }
 
+  const Current<double>& current() const { return ship_->current(); }
   double tau() const { return tau_; }
   void set_tau(double tau) { tau_ = tau; }
   const Hidden<double>& hidden() const { return hidden_; }
 
   /// Rates of the ship now, unmodelled accelerations left out.
   StateVector<double> rates(const FilterVector<N>& x, const Controls<double>& controls) const {
-    return ship_.rates(ship_state<N>(x), hidden_, controls);
+    return ship_->rates(ship_state<N>(x), hidden_, controls);
   }
 
   /// Into how many steps a time between samples is cut: one is 0.02 ship lengths and a fifth of the memory, or less.
@@ -111,9 +112,9 @@ class ShipPredictor {
     const double h = to - from, fading = h / tau_;
     const auto state = ship_state<N>(x);
     const auto middle = half_way(state.motion, h);
-    typename LinearizedShip<Model>::At there{Eigen::Matrix<double, 6, 1>::Zero(), Eigen::Matrix<double, 6, 4>::Zero()};
+    LinearizedShip::At there{Eigen::Matrix<double, 6, 1>::Zero(), Eigen::Matrix<double, 6, 4>::Zero()};
     with_changes(from, to, [&](double weight) {
-      const auto part = ship_.at(state, middle, controls);
+      const auto part = ship_->at(state, middle, controls);
       if (weight == 1.0) there = part;
       else there.rate += weight * part.rate, there.A += weight * part.A;
     });
@@ -144,7 +145,7 @@ class ShipPredictor {
     const auto middle = half_way(state.motion, t.to - t.from);
     Eigen::Matrix<double, 6, 1> rate = Eigen::Matrix<double, 6, 1>::Zero();
     with_changes(t.from, t.to, [&](double weight) {
-      const auto part = ship_.rates(state, middle, controls);
+      const auto part = ship_->rates(state, middle, controls);
       rate += weight * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(part.data());
     });
     move(x, t, rate);
@@ -163,7 +164,7 @@ class ShipPredictor {
       x.template tail<3>() *= 1.0 - fading * (1.0 - fading * (0.5 - fading / 6.0));
     }
     x.template head<6>() += hf.template head<6>() + t.Psi.lazyProduct(hf.template tail<N - 2>());
-    if (ship_.hides_states()) hidden_ = followed(before, ship_state<N>(x).motion, h);
+    if (ship_->hides_states()) hidden_ = followed(before, ship_state<N>(x).motion, h);
   }
 
   static Hidden<double> moved(Hidden<double> hidden, const Hidden<double>& rate, double t) {
@@ -173,17 +174,17 @@ class ShipPredictor {
 
   /// Hidden states in the middle of a step.
   Hidden<double> half_way(const PlanarMotion<double>& motion, double h) const {
-    if (!ship_.hides_states()) return hidden_;
-    return moved(hidden_, ship_.rates_of_hidden(motion, hidden_), 0.5 * h);
+    if (!ship_->hides_states()) return hidden_;
+    return moved(hidden_, ship_->rates_of_hidden(motion, hidden_), 0.5 * h);
   }
 
   /// Hidden states behind a motion that changes evenly, by the classical Runge–Kutta step.
   Hidden<double> followed(const PlanarMotion<double>& a, const PlanarMotion<double>& b, double h) const {
     const PlanarMotion<double> middle{0.5 * (a.u + b.u), 0.5 * (a.v + b.v), 0.5 * (a.r + b.r)};
-    const auto k1 = ship_.rates_of_hidden(a, hidden_);
-    const auto k2 = ship_.rates_of_hidden(middle, moved(hidden_, k1, 0.5 * h));
-    const auto k3 = ship_.rates_of_hidden(middle, moved(hidden_, k2, 0.5 * h));
-    const auto k4 = ship_.rates_of_hidden(b, moved(hidden_, k3, h));
+    const auto k1 = ship_->rates_of_hidden(a, hidden_);
+    const auto k2 = ship_->rates_of_hidden(middle, moved(hidden_, k1, 0.5 * h));
+    const auto k3 = ship_->rates_of_hidden(middle, moved(hidden_, k2, 0.5 * h));
+    const auto k4 = ship_->rates_of_hidden(b, moved(hidden_, k3, h));
     Hidden<double> mean;
     for (std::size_t i = 0; i < hidden_count; ++i) mean[i] = (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]) / 6.0;
     return moved(hidden_, mean, h);
@@ -192,20 +193,19 @@ class ShipPredictor {
   /// Calls part(weight) for each part of a time in which the same wind blows and the same forces act.
   template <class Part>
   void with_changes(double from, double to, Part&& part) {
-    const auto& changes = acting_.changes;
+    const auto changes = ship_->changes();
     for (; next_change_ < changes.size() && changes[next_change_].time <= from; ++next_change_)
-      ship_.apply(changes[next_change_]);
+      ship_->apply(changes[next_change_]);
     double now = from;
     for (; next_change_ < changes.size() && changes[next_change_].time < to; ++next_change_) {
       part((changes[next_change_].time - now) / (to - from));
       now = changes[next_change_].time;
-      ship_.apply(changes[next_change_]);
+      ship_->apply(changes[next_change_]);
     }
     part(now == from ? 1.0 : (to - now) / (to - from));
   }
 
-  const ActingShip<Model>& acting_;
-  LinearizedShip<Model> ship_;
+  std::unique_ptr<LinearizedShip> ship_;
   Hidden<double> hidden_;
   std::size_t next_change_ = 0;
   double tau_;

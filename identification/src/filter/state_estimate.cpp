@@ -1,10 +1,12 @@
 #include "swayaw/identification/state_estimate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "noise_ascent.hpp"
 #include "run_filter.hpp"
-#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline identification {
 using namespace detail;
@@ -38,12 +40,12 @@ void require_position_or_speed(const Recording& run, std::span<const Channel> us
 /// Least noise that a channel is credited with, over its unit: the rounding of files with six digits.
 constexpr double least_noise = 1e-5;
 
-// ---------------------------------------------------------------- noise as a place on a hill
+// ---------------------------------------------------------------- variances as parameters without bounds
 
 /// The variances that are to be found, as σ² = least² + exp(2 p): no p makes a noise so small that rounding matters.
-class NoisePlaces {
+class UnknownVariances {
  public:
-  NoisePlaces(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels,
+  UnknownVariances(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels,
               const EstimationOptions& options) {
     const double L = length(ship), U = service_speed(ship);
     for (const Channel c : channels) {
@@ -112,28 +114,27 @@ class NoisePlaces {
 // ---------------------------------------------------------------- estimates
 
 /// Filters of the runs of one ship.
-template <int N, class Model>
+template <int N>
 class Estimator {
  public:
-  Estimator(const Ship& ship, const Model& model, std::span<const Recording> runs, const EstimationOptions& options)
+  Estimator(const Ship& ship, std::span<const Recording> runs, const EstimationOptions& options)
       : options_(options),
-        acting_(acting_ship(ship, model)),
         channels_(channels_of(runs, options)),
-        places_(ship, runs, channels_, options),
+        unknown_(ship, runs, channels_, options),
         passes_(runs.size()) {
     const double tau =
         require_positive(options.memory, "memory of the imperfection") * length(ship) / service_speed(ship);
     for (const auto& run : runs) {
       require_position_or_speed(run, channels_);
-      filters_.emplace_back(ship, acting_, run, channels_, recorded_state(ship, run, run.time.front()), tau);
+      filters_.emplace_back(ship, run, channels_, recorded_state(ship, run, run.time.front()), tau);
     }
   }
 
-  Estimator(const Estimator&) = delete;  // the filters refer to the acting ship
+  Estimator(const Estimator&) = delete;  // the filters refer to the channels
 
   NoiseEstimate noise() {
     auto result = search();
-    if (places_.free() == 0) result.log_likelihood = forward();
+    if (unknown_.free() == 0) result.log_likelihood = forward();
     return result;
   }
 
@@ -163,15 +164,15 @@ class Estimator {
  private:
   /// Finds the noise that is not known.
   NoiseEstimate search() {
-    const auto start = places_.start();
-    noise_ = places_.noise(start);
-    NoiseAscent found{.place = start, .value = 0.0, .iterations = 0, .converged = true};
-    if (places_.free() > 0) {
+    const auto start = unknown_.start();
+    noise_ = unknown_.noise(start);
+    NoiseAscent found{.p = start, .value = 0.0, .iterations = 0, .converged = true};
+    if (unknown_.free() > 0) {
       forward();
-      found = climb([&](const Eigen::VectorXd& p) { return slope(p); }, start, places_.curvature(counts()),
+      found = climb([&](const Eigen::VectorXd& p) { return slope(p); }, start, unknown_.curvature(counts()),
                     options_.most_iterations);
     }
-    noise_ = places_.noise(found.place);
+    noise_ = unknown_.noise(found.p);
     const auto size = [&](int i) { return deviation(place_of_process_noise(i)); };
     NoiseEstimate result{.noise = {},
                          .process_noise = {{size(0), size(1), size(2)}},
@@ -187,19 +188,18 @@ class Estimator {
   double forward() {
     double sum = 0.0;
     for (std::size_t i = 0; i < filters_.size(); ++i) {
-      filters_[i].forward(noise_, passes_[i], [](auto&&...) {});
+      filters_[i].forward(noise_, passes_[i]);
       sum += passes_[i].log_likelihood();
     }
     return sum;
   }
 
   Slope slope(const Eigen::VectorXd& p) {
-    noise_ = places_.noise(p);
+    noise_ = unknown_.noise(p);
     FilterNoise by_log = FilterNoise::Zero();
     const double value = forward();
-    for (std::size_t i = 0; i < filters_.size(); ++i)
-      by_log += filters_[i].backward(noise_, passes_[i], [](auto&&...) {});
-    return {value, places_.slope(by_log, noise_)};
+    for (std::size_t i = 0; i < filters_.size(); ++i) by_log += filters_[i].backward(noise_, passes_[i]);
+    return {value, unknown_.slope(by_log, noise_)};
   }
 
   /// How many noises of each kind the runs show.
@@ -257,10 +257,9 @@ class Estimator {
   }
 
   const EstimationOptions& options_;
-  ActingShip<Model> acting_;
   std::vector<Channel> channels_;
-  NoisePlaces places_;
-  std::vector<RunFilter<Model, N>> filters_;
+  UnknownVariances unknown_;
+  std::vector<RunFilter<N>> filters_;
   std::vector<FilteredRun<N>> passes_;
   FilterNoise noise_ = FilterNoise::Zero();
 };
@@ -268,11 +267,8 @@ class Estimator {
 /// ask(estimator) of the filter that the options want.
 template <class Ask>
 auto with_estimator(const Ship& ship, std::span<const Recording> runs, const EstimationOptions& options, Ask&& ask) {
-  const auto of_model = [&]<class Model>(const Model& model) {
-    if (options.coloured) return ask(Estimator<9, Model>(ship, model, runs, options));
-    return ask(Estimator<6, Model>(ship, model, runs, options));
-  };
-  return std::visit(of_model, ship.model);
+  if (options.coloured) return ask(Estimator<9>(ship, runs, options));
+  return ask(Estimator<6>(ship, runs, options));
 }
 
 }  // namespace

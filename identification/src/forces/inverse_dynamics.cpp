@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "../filter/linearized_ship.hpp"
+#include "swayaw/core/dual.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw::inline identification {
-using namespace detail;
 namespace {
 
 using D = Dual<7>;  // of psi, u, v, r and the unmodelled accelerations

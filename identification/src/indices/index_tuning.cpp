@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include "../estimation/descent.hpp"
 #include "../regression/spectrum.hpp"
 #include "index_trials.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/manoeuvres/index_slopes.hpp"
 
@@ -360,11 +360,11 @@ std::vector<IndexCombination> determined_combinations(const std::vector<std::vec
   Matrix A(index(sensitivity.size()), index(sensitivity.front().size()));
   for (Eigen::Index k = 0; k < A.rows(); ++k)
     for (Eigen::Index j = 0; j < A.cols(); ++j) A(k, j) = sensitivity[at(k)][at(j)] / tolerance[at(k)];
-  const Eigen::JacobiSVD<Matrix> svd(A, Eigen::ComputeFullV);
+  const auto svd = core::detail::singular_values(A);
   std::vector<IndexCombination> result;
   for (Eigen::Index i = 0; i < A.cols(); ++i) {
-    const double s = i < svd.singularValues().size() ? svd.singularValues()[i] : 0.0;
-    const Vector w = svd.matrixV().col(i);
+    const double s = i < svd.size.size() ? svd.size[i] : 0.0;
+    const Vector w = svd.V.col(i);
     result.push_back({.singular_value = s,
                       .standard_error = 1.0 / s,
                       .determined = s >= 2.0,

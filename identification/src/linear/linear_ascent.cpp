@@ -1,10 +1,11 @@
 #include "linear_ascent.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "swayaw/core/detail/matrices.hpp"
 
 namespace swayaw::inline identification::detail {
 namespace {
@@ -15,7 +16,8 @@ Parameters stepped(const LinearProblem& problem, const Parameters& p, const Like
   const Eigen::VectorXd scale = (I.diagonal().array() + 1e-12).rsqrt();
   I = (scale.asDiagonal() * I * scale.asDiagonal()).eval();
   I.diagonal().array() += mu + 1e-12;
-  const Eigen::VectorXd step = scale.asDiagonal() * I.ldlt().solve(scale.asDiagonal() * of_free(problem, at.gradient));
+  const Eigen::VectorXd step =
+      scale.asDiagonal() * core::detail::solve_symmetric(I, scale.asDiagonal() * of_free(problem, at.gradient));
   Parameters next = p;
   for (std::size_t k = 0; k < problem.free.size(); ++k) {
     const int place = problem.free[k];

@@ -4,6 +4,7 @@
 
 #include "../regression/spectrum.hpp"
 #include "../regression/standard_errors.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/dual.hpp"
 
 namespace swayaw::inline identification::detail {
@@ -43,7 +44,7 @@ void tell_combinations(const FittedConstants& constants, LinearFit& fit) {
       constants.with_drift() ? Names{"a1", "b1", "c1", "a2", "b2", "c2"} : Names{"e0", "e1", "nw0", "nw1"};
   const Eigen::VectorXd size = constants.value.cwiseAbs().cwiseMax(constants.covariance.diagonal().cwiseSqrt());
   const Eigen::VectorXd over = constants.value.array().sign() / size.array();
-  const auto axes = principal_axes(over.asDiagonal() * constants.covariance * over.asDiagonal());
+  const auto axes = core::detail::principal_axes(over.asDiagonal() * constants.covariance * over.asDiagonal());
   const Eigen::VectorXd errors = axes.size.cwiseMax(0.0).cwiseSqrt();
   const auto last = errors.size() - 1;
   fit.condition_number = errors[0] / errors[last];

@@ -1,9 +1,10 @@
 #include "linear_start.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "swayaw/core/detail/matrices.hpp"
 
 namespace swayaw::inline identification::detail {
 namespace {
@@ -104,7 +105,7 @@ Eigen::Matrix<double, N, 1> regressed(const std::vector<std::pair<Eigen::Matrix<
     A.row(static_cast<Eigen::Index>(i)) = equations[i].first.transpose();
     b[static_cast<Eigen::Index>(i)] = equations[i].second;
   }
-  return A.colPivHouseholderQr().solve(b);
+  return core::detail::least_squares(A, b);
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline identification {
@@ -86,7 +86,7 @@ NomotoZigzag nomoto_zigzag_analysis(const Recording& run) {
       b[row] = q.psi - p.psi;
     }
   }
-  const Eigen::Vector3d x = A.colPivHouseholderQr().solve(b);
+  const Eigen::Vector3d x = core::detail::least_squares(A, b);
   const double residual = std::sqrt((A * x - b).squaredNorm() / static_cast<double>(equations));
   return {.K = x[1],
           .T = x[0],

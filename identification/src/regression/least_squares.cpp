@@ -1,13 +1,10 @@
 #include "least_squares.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 
 #include "spectrum.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline identification::detail {
@@ -28,12 +25,9 @@ constexpr double nothing_of_rows = 1e-11, nothing_of_moments = 1e-6;
 Spectrum of_moments(const MatrixXd& G) { return spectrum_of(G, nothing_of_moments * nothing_of_moments); }
 Spectrum of_rows(const MatrixXd& R) { return spectrum_of_rows(R, nothing_of_rows * nothing_of_rows); }
 
-/// As many rows as columns that say the same as all rows: ‖X b − y‖² = ‖R b − z‖² + a constant.
-struct Triangle {
-  MatrixXd R;
-  VectorXd z;
-};
+using core::detail::Triangle;
 
+/// Of columns that are scaled for it.
 Triangle triangle_of(const MatrixXd& X, const VectorXd& y) {
   const Index p = X.cols(), n = std::max(X.rows(), p);
   MatrixXd rows = MatrixXd::Zero(n, p);
@@ -41,10 +35,9 @@ Triangle triangle_of(const MatrixXd& X, const VectorXd& y) {
   VectorXd right = VectorXd::Zero(n);
   right.head(y.size()) = y;
   const VectorXd size = column_sizes(rows.colwise().squaredNorm().transpose());
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(rows * size.cwiseInverse().asDiagonal());
-  right.applyOnTheLeft(qr.householderQ().adjoint());
-  const MatrixXd upper = qr.matrixR().topRows(p).triangularView<Eigen::Upper>();
-  return {upper * qr.colsPermutation().transpose() * size.asDiagonal(), right.head(p)};
+  auto triangle = core::detail::triangle(rows * size.cwiseInverse().asDiagonal(), right);
+  triangle.R *= size.asDiagonal();
+  return triangle;
 }
 
 /// The equations for c, constraints and penalty included.
@@ -65,20 +58,19 @@ Reduced reduced(const Moments& moments, const Freedom& free, const Penalty& pena
           .g = weighted.transpose() * (penalty.centre - free.b_0)};
 }
 
-VectorXd by_cholesky(const MatrixXd& A, const VectorXd& right) {
+VectorXd by_normal_equations(const MatrixXd& A, const VectorXd& right) {
   const VectorXd over = column_sizes(A.diagonal()).cwiseInverse();
   const MatrixXd scaled = over.asDiagonal() * A * over.asDiagonal();
-  return over.asDiagonal() * scaled.llt().solve(over.asDiagonal() * right);
+  return over.asDiagonal() * core::detail::solve_symmetric(scaled, over.asDiagonal() * right);
 }
 
 /// Least squares of few rows, truncated where something is not determined.
 VectorXd by_rows(const MatrixXd& R, const VectorXd& z, bool full) {
   const VectorXd over = column_sizes(R.colwise().squaredNorm().transpose()).cwiseInverse();
   const MatrixXd scaled = R * over.asDiagonal();
-  if (full) return over.asDiagonal() * scaled.colPivHouseholderQr().solve(z);
-  Eigen::JacobiSVD<MatrixXd> svd(scaled, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  svd.setThreshold(nothing_of_rows);
-  return over.asDiagonal() * svd.solve(z);
+  const VectorXd c = full ? core::detail::least_squares(scaled, z)
+                          : core::detail::singular_values(scaled).least_norm(z, nothing_of_rows);
+  return over.asDiagonal() * c;
 }
 
 /// Data and penalty as rows.
@@ -119,12 +111,14 @@ Solution told(const Moments& moments, const Freedom& free, const Reduced& r, con
 
 Freedom freedom(const MatrixXd& C, const VectorXd& d, Index count) {
   if (C.rows() == 0) return {VectorXd::Zero(count), MatrixXd::Identity(count, count)};
-  const Eigen::JacobiSVD<MatrixXd> svd(C, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const VectorXd b_0 = svd.solve(d);
+  const auto svd = core::detail::singular_values(C);
+  const double nothing = std::numeric_limits<double>::epsilon() * static_cast<double>(std::min(C.rows(), C.cols()));
+  const Index rank = svd.rank(nothing);
+  const VectorXd b_0 = svd.least_norm(d, nothing);
   if ((C * b_0 - d).norm() > 1e-9 * (C.norm() * b_0.norm() + d.norm()))
     throw Refusal("the constraints of the regression contradict each other");
-  if (svd.rank() == count) throw Refusal("the constraints of the regression leave no coefficient to be found");
-  return {b_0, svd.matrixV().rightCols(count - svd.rank())};
+  if (rank == count) throw Refusal("the constraints of the regression leave no coefficient to be found");
+  return {b_0, svd.V.rightCols(count - rank)};
 }
 
 Solution solve(const MatrixXd& X, const VectorXd& y, const Moments& moments, const Freedom& free,
@@ -135,7 +129,7 @@ Solution solve(const MatrixXd& X, const VectorXd& y, const Moments& moments, con
   const auto all = penalty.none() ? data : of_moments(r.G + r.P);
   const bool good = data.condition_number() <= well_conditioned && all.condition_number() <= well_conditioned;
   if (good || (errors && all.full()))
-    return told(moments, free, r, data, all, by_cholesky(r.G + r.P, r.h + r.g), Solver::normal_equations);
+    return told(moments, free, r, data, all, by_normal_equations(r.G + r.P, r.h + r.g), Solver::normal_equations);
   if (errors) return told(moments, free, r, data, all, all.inverse() * (r.h + r.g), Solver::svd);
 
   const auto rows = triangle_of(X * free.Z, y - X * free.b_0);
@@ -155,13 +149,10 @@ double largest_errors(const Moments& moments, const Freedom& free) {
   T(p, k) = 1.0;
   const MatrixXd M = T.transpose() * moments.rows * T, E = T.transpose() * moments.errors * T;
   const VectorXd over = column_sizes(M.diagonal()).cwiseInverse();
-  const Eigen::LLT<MatrixXd> L(over.asDiagonal() * M * over.asDiagonal());
-  if (L.info() != Eigen::Success) return 0.0;  // y is explained without any error
-  // det(M − λ E) = 0:  1/λ are the eigenvalues of L⁻¹ E L⁻ᵀ
-  const MatrixXd half = L.matrixL().solve(over.asDiagonal() * E * over.asDiagonal());
-  const MatrixXd whole = L.matrixL().solve(half.transpose());
-  const double largest = Eigen::SelfAdjointEigenSolver<MatrixXd>(whole, Eigen::EigenvaluesOnly).eigenvalues()[k];
-  return largest > 0.0 ? 1.0 / largest : 0.0;
+  // det(M − λ E) = 0; where M is not positive y is explained without any error
+  const double over_lambda = core::detail::largest_eigenvalue(over.asDiagonal() * E * over.asDiagonal(),
+                                                              over.asDiagonal() * M * over.asDiagonal());
+  return over_lambda > 0.0 ? 1.0 / over_lambda : 0.0;
 }
 
 }  // namespace swayaw::identification::detail

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -12,6 +11,8 @@
 #include "least_squares.hpp"
 #include "residual_noise.hpp"
 #include "spectrum.hpp"
+#include "standard_errors.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline identification {
@@ -207,11 +208,6 @@ MatrixXd covariance_of(const MatrixXd& inverse, const MatrixXd& X, const Found& 
 
 // ---------------------------------------------------------------- report
 
-/// 97.5 % point of Student's distribution.
-double student(double degrees_of_freedom) {
-  return boost::math::quantile(boost::math::students_t(std::max(degrees_of_freedom, 1.0)), 0.975);
-}
-
 /// Changes of the contributions b_j × size_j, largest 1, small ones left out.
 Combination combination(const Design& design, const VectorXd& weights, double error) {
   Index largest = 0;
@@ -232,7 +228,7 @@ std::vector<Combination> undetermined(const Design& design, const VectorXd& size
                                       const MatrixXd& covariance) {
   std::vector<Combination> list;
   for (Index k = 0; k < null.cols(); ++k) list.push_back(combination(design, size.cwiseProduct(null.col(k)), infinite));
-  const auto axes = principal_axes(size.asDiagonal() * covariance * size.asDiagonal());
+  const auto axes = core::detail::principal_axes(size.asDiagonal() * covariance * size.asDiagonal());
   const double rms_y = std::sqrt(design.y.squaredNorm() / static_cast<double>(design.y.size()));
   for (Index k = 0; k < axes.size.size(); ++k)
     if (const double error = std::sqrt(std::max(axes.size[k], 0.0)) / rms_y; error > half_of_all)
@@ -248,7 +244,7 @@ bool in_null(const MatrixXd& null, Index j) { return null.cols() > 0 && null.row
 
 void tell_coefficients(const Design& design, const Found& f, const VectorXd& size, const MatrixXd& by_data,
                        const VectorXd& naive, Regression& fit) {
-  const double t = student(fit.degrees_of_freedom);
+  const double t = student_quantile(0.975, std::max(fit.degrees_of_freedom, 1.0));
   const double rms_y = std::sqrt(design.y.squaredNorm() / static_cast<double>(design.y.size()));
   for (Index j = 0; j < size.size(); ++j) {
     const bool told = !in_null(f.solution.null, j);

@@ -1,9 +1,9 @@
 #include "spectrum.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
+
+#include "swayaw/core/detail/matrices.hpp"
 
 namespace swayaw::inline identification::detail {
 
@@ -32,23 +32,18 @@ Spectrum spectrum(const VectorXd& size, const VectorXd& lambda, const MatrixXd& 
 
 }  // namespace
 
-PrincipalAxes principal_axes(const MatrixXd& A) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(A);
-  return {axes.eigenvalues().reverse(), axes.eigenvectors().rowwise().reverse()};
-}
-
 Spectrum spectrum_of(const MatrixXd& A, double nothing) {
   const VectorXd size = column_sizes(A.diagonal()), over = size.cwiseInverse();
-  const auto axes = principal_axes(over.asDiagonal() * A * over.asDiagonal());
+  const auto axes = core::detail::principal_axes(over.asDiagonal() * A * over.asDiagonal());
   return spectrum(size, axes.size.reverse(), axes.axis.rowwise().reverse(), nothing);
 }
 
 Spectrum spectrum_of_rows(const MatrixXd& R, double nothing) {
   const VectorXd size = column_sizes(R.colwise().squaredNorm().transpose());
-  const Eigen::JacobiSVD<MatrixXd> svd(R * size.cwiseInverse().asDiagonal(), Eigen::ComputeThinU | Eigen::ComputeFullV);
+  const auto svd = core::detail::singular_values(R * size.cwiseInverse().asDiagonal());
   VectorXd lambda = VectorXd::Zero(R.cols());
-  lambda.head(svd.singularValues().size()) = svd.singularValues().cwiseAbs2();
-  return spectrum(size, lambda.reverse(), svd.matrixV().rowwise().reverse(), nothing);
+  lambda.head(svd.size.size()) = svd.size.cwiseAbs2();
+  return spectrum(size, lambda.reverse(), svd.V.rowwise().reverse(), nothing);
 }
 
 }  // namespace swayaw::identification::detail

@@ -32,14 +32,6 @@ Spectrum spectrum_of(const Eigen::MatrixXd& A, double nothing);
 /// That of RᵀR, from the singular values of R.
 Spectrum spectrum_of_rows(const Eigen::MatrixXd& R, double nothing);
 
-/// Principal axes of a covariance or an information: sizes, largest first, and axes in columns.
-struct PrincipalAxes {
-  Eigen::VectorXd size;
-  Eigen::MatrixXd axis;
-};
-
-PrincipalAxes principal_axes(const Eigen::MatrixXd& A);
-
 /// Sizes of columns from their squares; one that is not there counts as 1.
 Eigen::VectorXd column_sizes(const Eigen::VectorXd& squares);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 namespace swayaw::inline identification::detail {
@@ -39,6 +40,10 @@ void enlarge_for_correlation(Eigen::MatrixXd& C, std::span<const RunScores> runs
   const Eigen::MatrixXd sandwich = C * (B / freedom + Eigen::MatrixXd(prior.asDiagonal())) * C;
   const Eigen::VectorXd larger = (sandwich.diagonal().array() / C.diagonal().array().max(1e-300)).max(1.0).sqrt();
   C = (larger.asDiagonal() * C * larger.asDiagonal()).eval();
+}
+
+double student_quantile(double share, double degrees_of_freedom) {
+  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), share);
 }
 
 std::string combination_words(std::span<const std::string> names, const Eigen::VectorXd& powers,

@@ -25,6 +25,9 @@ struct RunScores {
 void enlarge_for_correlation(Eigen::MatrixXd& C, std::span<const RunScores> runs, const Eigen::VectorXd& prior,
                              double unknowns);
 
+/// The point of Student's distribution below which the share lies.
+double student_quantile(double share, double degrees_of_freedom);
+
 /// "|Y_v|^0.71 |N_v|^-0.70 to 0.4 %", factors with small powers left out; "not at all" where the error is infinite.
 std::string combination_words(std::span<const std::string> names, const Eigen::VectorXd& powers, double relative_error);
 

@@ -5,6 +5,7 @@
 
 #include "../regression/spectrum.hpp"
 #include "../regression/standard_errors.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 
 namespace swayaw::inline identification::detail {
 
@@ -39,7 +40,7 @@ Combinations combinations_of(const std::vector<Parameter>& parameters, std::span
     const double x = values[static_cast<std::size_t>(i)], error = std::sqrt(errors.covariance(i, i));
     size[i] = std::copysign(std::isfinite(error) ? std::max(std::abs(x), error) : std::max(std::abs(x), 1e-12), x);
   }
-  const auto axes = principal_axes(size.asDiagonal() * errors.information * size.asDiagonal());
+  const auto axes = core::detail::principal_axes(size.asDiagonal() * errors.information * size.asDiagonal());
   const double longest = axes.size[0];
   std::vector<std::string> names;
   for (const auto& parameter : parameters) names.push_back(parameter.name);

@@ -81,10 +81,10 @@ std::vector<FittedParameter> fitted_parameters(const TrajectoryProblem& problem,
                                                const Eigen::MatrixXd& covariance) {
   std::vector<FittedParameter> parameters;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto place = static_cast<Eigen::Index>(i);
+    const auto j = static_cast<Eigen::Index>(i);
     parameters.push_back({.name = problem.parameters[i].name,
                           .before = problem.parameters[i].value,
-                          .estimate = {values[i], std::sqrt(covariance(place, place))},
+                          .estimate = {values[i], std::sqrt(covariance(j, j))},
                           .at_bound = values[i] == problem.low[i] || values[i] == problem.high[i]});
   }
   return parameters;
@@ -96,11 +96,11 @@ void tell_parameters(const TrajectoryProblem& problem, const Found& found, const
   const bool ended =
       found.status == TrajectoryFitStatus::converged || found.status == TrajectoryFitStatus::iteration_limit;
   fit.status = ended && !errors.full_rank ? TrajectoryFitStatus::rank_deficient : found.status;
-  fit.parameters = fitted_parameters(problem, found.place.values, C);
+  fit.parameters = fitted_parameters(problem, found.iterate.values, C);
   fit.covariance = listed(C);
   const Eigen::VectorXd over = C.diagonal().cwiseSqrt().cwiseInverse();
   fit.correlation = listed(over.asDiagonal() * C * over.asDiagonal());
-  const auto combinations = combinations_of(problem.parameters, found.place.values, errors);
+  const auto combinations = combinations_of(problem.parameters, found.iterate.values, errors);
   fit.condition_number = combinations.condition_number;
   fit.best_combination = combinations.best;
   fit.undetermined = combinations.undetermined;
@@ -130,11 +130,11 @@ Eigen::VectorXd units_of(const std::vector<Parameter>& parameters) {
 }
 
 Iterate first_iterate(const TrajectoryProblem& problem, const std::vector<ShootingSegment>& segments) {
-  Iterate place;
+  Iterate iterate;
   for (std::size_t i = 0; i < problem.parameters.size(); ++i)
-    place.values.push_back(std::clamp(problem.parameters[i].value, problem.low[i], problem.high[i]));
-  for (const auto& segment : segments) place.starts.push_back(segment.start);
-  return place;
+    iterate.values.push_back(std::clamp(problem.parameters[i].value, problem.low[i], problem.high[i]));
+  for (const auto& segment : segments) iterate.starts.push_back(segment.start);
+  return iterate;
 }
 
 /// The ship that was given, in segments.
@@ -180,11 +180,11 @@ std::vector<ShootingSegment> feasible_segments(const TrajectoryProblem& problem,
 }
 
 /// Starts of the whole runs in place of those of their segments.
-Iterate of_whole_runs(const Iterate& place, const std::vector<ShootingSegment>& segments,
+Iterate of_whole_runs(const Iterate& iterate, const std::vector<ShootingSegment>& segments,
                       const std::vector<ShootingSegment>& whole) {
-  Iterate result{.values = place.values, .starts = {}};
+  Iterate result{.values = iterate.values, .starts = {}};
   for (const auto& run : whole)
-    result.starts.push_back(place.starts[static_cast<std::size_t>(
+    result.starts.push_back(iterate.starts[static_cast<std::size_t>(
         std::ranges::find(segments, run.run, &ShootingSegment::run) - segments.begin())]);
   return result;
 }
@@ -207,15 +207,15 @@ TrajectoryFit fit_trajectories(const Ship& ship, std::span<const Recording> runs
   // what is left is that of whole runs
   const auto whole = segments_of(problem, ship, runs, std::numeric_limits<double>::infinity());
   const auto before = simulated(problem, whole, first_iterate(problem, whole), false);
-  const auto after = simulated(problem, whole, of_whole_runs(found.place, segments, whole), false);
+  const auto after = simulated(problem, whole, of_whole_runs(found.iterate, segments, whole), false);
   TrajectoryFit fit{};
-  fit.ship = with_values(ship, problem.parameters, found.place.values);
+  fit.ship = with_values(ship, problem.parameters, found.iterate.values);
   tell_parameters(problem, found, parameter_errors(problem, found.at, task.prior), fit);
   for (const Channel channel : problem.channels) fit.noise[index_of(channel)] = found.weights.noise[index_of(channel)];
   fit.log_likelihood = log_likelihood(whole, after, found.weights);
   fit.runs = fitted_runs(problem, runs, whole, before, after);
   for (std::size_t j = 0; j < runs.size(); ++j)
-    fit.runs[j].start = state_of(found.place.starts[static_cast<std::size_t>(
+    fit.runs[j].start = state_of(found.iterate.starts[static_cast<std::size_t>(
         std::ranges::find(segments, j, &ShootingSegment::run) - segments.begin())]);
   fit.iterations = found.iterations;
   fit.sensitivities = found.sensitivities;

@@ -100,7 +100,7 @@ struct HeldStep {
 
 /// Where a search is.
 struct Situation {
-  Iterate place;
+  Iterate iterate;
   std::vector<SegmentResponse> responses;
   Weights weights;
   double log_likelihood = -std::numeric_limits<double>::infinity();
@@ -116,16 +116,16 @@ class Searcher {
 
   Found run() {
     for (int iteration = 0;; ++iteration) {
-      Linearization at(task_.problem, task_.segments, now_.place, now_.responses, now_.weights, task_.prior);
+      Linearization at(task_.problem, task_.segments, now_.iterate, now_.responses, now_.weights, task_.prior);
       const auto step = bounded_step(at);
       const bool there = arrives(at, step);
       const bool stuck = mu_ > 1e12;
       if (there || stopped_ || iteration >= task_.options.most_iterations || stuck)
-        return {std::move(at), now_.weights, now_.place, status(there), stuck && !there, iteration, sensitivities_};
+        return {std::move(at), now_.weights, now_.iterate, status(there), stuck && !there, iteration, sensitivities_};
       if (!take(at, step)) continue;
       weigh_again();
       const auto& report = task_.options.progress;
-      stopped_ = report && !report({iteration + 1, now_.log_likelihood, size_of(step.move), now_.place.values});
+      stopped_ = report && !report({iteration + 1, now_.log_likelihood, size_of(step.move), now_.iterate.values});
       watch(stopped_ || iteration + 1 == task_.options.most_iterations);
     }
   }
@@ -136,7 +136,7 @@ class Searcher {
     return there ? TrajectoryFitStatus::converged : TrajectoryFitStatus::iteration_limit;
   }
 
-  /// A place on the way, where no number is out of its range by rounding.
+  /// An iterate on the way, where no number is out of its range by rounding.
   Iterate moved_within(const Iterate& from, const Step& move, double share) const {
     auto to = moved(from, move, share);
     for (std::size_t i = 0; i < to.values.size(); ++i) {
@@ -167,17 +167,17 @@ class Searcher {
 
   /// Parameters that the damped move would take out of their range go to its end and no further.
   HeldStep bounded_step(const Linearization& at) const {
-    const auto& values = at.place().values;
+    const auto& values = at.iterate().values;
     HeldStep step{.move = {}, .held = Eigen::VectorXd::Constant(task_.prior.size(), missing)};
     for (bool inside = false; !inside;) {
       step.move = at.step(damping(), step.held);
       inside = true;
       for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto place = static_cast<Eigen::Index>(i);
-        const double there = values[i] + step.move.values[place],
+        const auto j = static_cast<Eigen::Index>(i);
+        const double there = values[i] + step.move.values[j],
                      kept = std::clamp(there, task_.problem.low[i], task_.problem.high[i]);
-        if (kept == there || std::isfinite(step.held[place])) continue;
-        step.held[place] = kept - values[i];
+        if (kept == there || std::isfinite(step.held[j])) continue;
+        step.held[j] = kept - values[i];
         inside = false;
       }
     }
@@ -196,10 +196,10 @@ class Searcher {
   /// the same derivatives. Takes what is left of the way.
   bool arrives(const Linearization& at, const HeldStep& step) {
     if (change_ > 0.1) return false;
-    auto next = moved_within(now_.place, step.move, 1.0);
+    auto next = moved_within(now_.iterate, step.move, 1.0);
     if (ends(at, step.move)) {
       if (change_ > 1e-3) return false;
-      now_.place = std::move(next);
+      now_.iterate = std::move(next);
       return true;
     }
     if (at.gain(step.move) > little) return false;
@@ -207,7 +207,7 @@ class Searcher {
     if (!finite(responses)) return false;
     const auto rest = at.step(next, responses, damping(), stay(step));
     if (!ends(at, rest)) return false;
-    now_.place = moved_within(next, rest, 1.0);
+    now_.iterate = moved_within(next, rest, 1.0);
     now_.responses = std::move(responses);
     weigh_again();
     return change_ < 1e-3;
@@ -224,13 +224,13 @@ class Searcher {
   bool take(const Linearization& at, const HeldStep& step) {
     const double whole = size_of(step.move);
     for (double share = 1.0; share > 0.2; share *= 0.5) {
-      auto place = moved_within(at.place(), step.move, share);
-      auto responses = simulated(task_.problem, task_.segments, place, true);
+      auto iterate = moved_within(at.iterate(), step.move, share);
+      auto responses = simulated(task_.problem, task_.segments, iterate, true);
       sensitivities_ += 1.0;
       if (!finite(responses) ||
-          size_of(at.step(place, responses, damping(), stay(step))) > (1.0 - 0.25 * share) * whole)
+          size_of(at.step(iterate, responses, damping(), stay(step))) > (1.0 - 0.25 * share) * whole)
         continue;
-      now_.place = std::move(place);
+      now_.iterate = std::move(iterate);
       now_.responses = std::move(responses);
       mu_ = std::max(least_damping, 0.1 * mu_);
       return true;
@@ -254,13 +254,13 @@ class Searcher {
       if (!task_.segments[i].joined) continue;
       Eigen::Vector<double, 6> gap;
       for (std::size_t k = 0; k < 6; ++k)
-        gap[static_cast<Eigen::Index>(k)] = now_.responses[i].end[k] - now_.place.starts[i + 1][k];
+        gap[static_cast<Eigen::Index>(k)] = now_.responses[i].end[k] - now_.iterate.starts[i + 1][k];
       largest = std::max(largest, gap.cwiseQuotient(state_unit_).cwiseAbs().maxCoeff());
     }
     return largest;
   }
 
-  /// Keeps the most likely place whose segments fit together; a robust fit, whose noise is not that of largest
+  /// Keeps the most likely iterate whose segments fit together; a robust fit, whose noise is not that of largest
   /// likelihood, the last one. A search that has not found a better one for some steps, or that takes no more, goes
   /// back to it.
   void watch(bool last) {

@@ -18,9 +18,9 @@ struct SearchTask {
 struct Found {
   Linearization at;
   Weights weights;
-  Iterate place;
+  Iterate iterate;
   TrajectoryFitStatus status;
-  bool stuck;  ///< no step led nearer to a place where segments fit together
+  bool stuck;  ///< no step led nearer to where segments fit together
   int iterations;
   double sensitivities;  ///< how often all runs were simulated with derivatives
 };

@@ -8,7 +8,7 @@
 
 namespace swayaw::inline identification::detail {
 
-// ---------------------------------------------------------------- places
+// ---------------------------------------------------------------- iterates
 
 Iterate moved(const Iterate& from, const Step& move, double share) {
   Iterate to = from;
@@ -20,10 +20,10 @@ Iterate moved(const Iterate& from, const Step& move, double share) {
 }
 
 std::vector<SegmentResponse> simulated(const TrajectoryProblem& problem, const std::vector<ShootingSegment>& segments,
-                                       const Iterate& place, bool with_slopes) {
+                                       const Iterate& iterate, bool with_slopes) {
   std::vector<SegmentResponse> responses(segments.size());
   in_parallel(segments.size(), problem.threads, [&](std::size_t i) {
-    responses[i] = problem.simulator->simulate(segments[i].part, place.starts[i], place.values, with_slopes);
+    responses[i] = problem.simulator->simulate(segments[i].part, iterate.starts[i], iterate.values, with_slopes);
   });
   return responses;
 }
@@ -49,11 +49,11 @@ Vector6 difference(const StateVector<double>& a, const StateVector<double>& b) {
 }  // namespace
 
 Linearization::Linearization(const TrajectoryProblem& problem, const std::vector<ShootingSegment>& segments,
-                             Iterate place, std::vector<SegmentResponse> responses, const Weights& weights,
+                             Iterate iterate, std::vector<SegmentResponse> responses, const Weights& weights,
                              const Eigen::VectorXd& prior)
     : problem_(problem),
       segments_(segments),
-      at_(std::move(place)),
+      at_(std::move(iterate)),
       responses_(std::move(responses)),
       weights_(weights),
       prior_(prior),
@@ -101,19 +101,19 @@ Linearization::Run Linearization::run_of(std::size_t first, std::size_t beyond) 
 }
 
 /// a_i: how far the start of each segment must move for the segments to fit together.
-std::vector<Eigen::Vector<double, 6>> Linearization::drifts(const Run& run, const Iterate& place,
+std::vector<Eigen::Vector<double, 6>> Linearization::drifts(const Run& run, const Iterate& iterate,
                                                             const std::vector<SegmentResponse>& responses) const {
   std::vector<Vector6> a{Vector6::Zero()};
   for (std::size_t i = run.first; i + 1 < run.beyond; ++i) {
-    a.push_back(responses_[i].end_slope.leftCols<6>() * a.back() + difference(responses[i].end, place.starts[i + 1]));
+    a.push_back(responses_[i].end_slope.leftCols<6>() * a.back() + difference(responses[i].end, iterate.starts[i + 1]));
   }
   return a;
 }
 
 /// Weighted residuals as they are once the segments fit together.
-Eigen::VectorXd Linearization::residual(const Run& run, const Iterate& place,
+Eigen::VectorXd Linearization::residual(const Run& run, const Iterate& iterate,
                                         const std::vector<SegmentResponse>& responses) const {
-  const auto a = drifts(run, place, responses);
+  const auto a = drifts(run, iterate, responses);
   Eigen::VectorXd result(run.rows.rows());
   Eigen::Index row = 0;
   for (std::size_t i = run.first; i < run.beyond; ++i) {
@@ -124,15 +124,15 @@ Eigen::VectorXd Linearization::residual(const Run& run, const Iterate& place,
   return result;
 }
 
-Step Linearization::step(const Iterate& place, const std::vector<SegmentResponse>& responses,
+Step Linearization::step(const Iterate& iterate, const std::vector<SegmentResponse>& responses,
                          const Eigen::VectorXd& damping, const Eigen::VectorXd& held) const {
   Eigen::VectorXd gradient(n_);
   for (Eigen::Index i = 0; i < n_; ++i)
-    gradient[i] = prior_[i] *
-                  (place.values[static_cast<std::size_t>(i)] - problem_.parameters[static_cast<std::size_t>(i)].value);
+    gradient[i] = prior_[i] * (iterate.values[static_cast<std::size_t>(i)] -
+                               problem_.parameters[static_cast<std::size_t>(i)].value);
   std::vector<Vector6> by_start;
   for (const auto& run : runs_) {
-    const Eigen::VectorXd r = residual(run, place, responses);
+    const Eigen::VectorXd r = residual(run, iterate, responses);
     by_start.push_back(run.rows.leftCols<6>().transpose() * r);
     gradient += run.rows.rightCols(n_).transpose() * r - run.taken * by_start.back();
   }
@@ -149,7 +149,7 @@ Step Linearization::step(const Iterate& place, const std::vector<SegmentResponse
   move.values -= spectrum_of(information, no_information).inverse() * gradient;
   for (std::size_t j = 0; j < runs_.size(); ++j) {
     const auto& run = runs_[j];
-    const auto a = drifts(run, place, responses);
+    const auto a = drifts(run, iterate, responses);
     Eigen::VectorXd z(6 + n_);
     z << -run.start_inverse * (by_start[j] + run.mixed * move.values), move.values;
     for (std::size_t i = 0; i < run.A.size(); ++i) move.starts.push_back(run.A[i] * z + a[i]);

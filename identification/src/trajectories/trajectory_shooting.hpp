@@ -14,7 +14,7 @@ struct Iterate {
   std::vector<StateVector<double>> starts;  ///< of the segments
 };
 
-/// A change of place.
+/// From an iterate to another.
 struct Step {
   Eigen::VectorXd values;
   std::vector<Eigen::Vector<double, 6>> starts;
@@ -24,10 +24,10 @@ Iterate moved(const Iterate& from, const Step& move, double share);
 
 /// Responses of all segments, with or without slopes.
 std::vector<SegmentResponse> simulated(const TrajectoryProblem& problem, const std::vector<ShootingSegment>& segments,
-                                       const Iterate& place, bool with_slopes);
+                                       const Iterate& iterate, bool with_slopes);
 bool finite(std::span<const SegmentResponse> responses);
 
-/// Segments linearized about a place, with the starts of all but the first segment of each run eliminated.
+/// Segments linearized about an iterate, with the starts of all but the first segment of each run eliminated.
 ///
 /// The start of segment i follows from what begins the run and from the parameters, δs_i = A_i δz + a_i with z = (s_0,
 /// parameters):
@@ -38,23 +38,23 @@ bool finite(std::span<const SegmentResponse> responses);
 /// the equations of single shooting. Source: [Bock1981], condensing
 class Linearization {
  public:
-  Linearization(const TrajectoryProblem& problem, const std::vector<ShootingSegment>& segments, Iterate place,
+  Linearization(const TrajectoryProblem& problem, const std::vector<ShootingSegment>& segments, Iterate iterate,
                 std::vector<SegmentResponse> responses, const Weights& weights, const Eigen::VectorXd& prior);
 
   /// The move of Gauss and Newton from here, with `damping` added to the information of the parameters. Parameters
-  /// whose place in `held` is finite move by that much.
+  /// whose entry in `held` is finite move by that much.
   Step step(const Eigen::VectorXd& damping, const Eigen::VectorXd& held) const {
     return step(at_, responses_, damping, held);
   }
 
-  /// The move from another place with the derivatives of this one.
-  Step step(const Iterate& place, const std::vector<SegmentResponse>& responses, const Eigen::VectorXd& damping,
+  /// The move from another iterate with the derivatives of this one.
+  Step step(const Iterate& iterate, const std::vector<SegmentResponse>& responses, const Eigen::VectorXd& damping,
             const Eigen::VectorXd& held) const;
 
   /// How much likelier the linearized segments are after a move, as a square of standard deviations.
   double gain(const Step& move) const;
 
-  const Iterate& place() const { return at_; }
+  const Iterate& iterate() const { return at_; }
   const std::vector<SegmentResponse>& responses() const { return responses_; }
   const Eigen::VectorXd& prior() const { return prior_; }
 
@@ -75,9 +75,9 @@ class Linearization {
   };
 
   Run run_of(std::size_t first, std::size_t beyond) const;
-  std::vector<Eigen::Vector<double, 6>> drifts(const Run& run, const Iterate& place,
+  std::vector<Eigen::Vector<double, 6>> drifts(const Run& run, const Iterate& iterate,
                                                const std::vector<SegmentResponse>& responses) const;
-  Eigen::VectorXd residual(const Run& run, const Iterate& place, const std::vector<SegmentResponse>& responses) const;
+  Eigen::VectorXd residual(const Run& run, const Iterate& iterate, const std::vector<SegmentResponse>& responses) const;
 
   const TrajectoryProblem& problem_;
   const std::vector<ShootingSegment>& segments_;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "../steady/small_matrices.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 
 namespace swayaw::inline nonlinear::detail {
 namespace {
@@ -73,7 +73,7 @@ std::optional<SurgeSway> velocity_from_track(const Recording& run, const Current
   }
   const int unknowns = 2 + 2 * std::min(degree, std::max(1, count - 2));
   const Eigen::VectorXd c =
-      solve(Eigen::MatrixXd(A.topLeftCorner(unknowns, unknowns)), Eigen::VectorXd(b.head(unknowns)));
+      core::detail::solve(Eigen::MatrixXd(A.topLeftCorner(unknowns, unknowns)), Eigen::VectorXd(b.head(unknowns)));
   return SurgeSway{c[2], c[3]};
 }
 

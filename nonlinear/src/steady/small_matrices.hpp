@@ -16,7 +16,6 @@ bool is_stable(const Eigen::Matrix3d& J);
 /// x with A x = b.
 Eigen::Vector3d solve(const Eigen::Matrix3d& A, const Eigen::Vector3d& b);
 Eigen::Vector4d solve(const Eigen::Matrix4d& A, const Eigen::Vector4d& b);
-Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
 /// Unit vector x with A x = 0.
 Eigen::Vector4d kernel(const Eigen::Matrix<double, 3, 4>& A);
