@@ -26,21 +26,6 @@ void mmg_right_hand_side(benchmark::State& state) {
 }
 BENCHMARK(mmg_right_hand_side);
 
-/// Derivatives by u, v, r and delta.
-void mmg_right_hand_side_dual4(benchmark::State& state) {
-  using D = Dual<4>;
-  const auto ship = cast<D>(kvlcc2());
-  const auto motions = samples(1024);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    const auto& s = motions[i++ & 1023];
-    const PlanarMotion<D> m{D(s.motion.u, 0), D(s.motion.v, 1), D(s.motion.r, 2)};
-    benchmark::DoNotOptimize(right_hand_side(ship, D(0.3), m, {D(s.controls.delta, 3), D(s.controls.rev)}));
-  }
-  tell_ratio(state);
-}
-BENCHMARK(mmg_right_hand_side_dual4);
-
 /// KVLCC2 10/10 zigzag of 100 s, events only, at the tolerance 10^-N; with the error of the last switch.
 void kvlcc2_zigzag_10_10(benchmark::State& state) {
   const Ship ship = kvlcc2_ship();

@@ -37,22 +37,5 @@ void pi_branch(benchmark::State& state) {
 }
 BENCHMARK(pi_branch);
 
-/// Derivatives by u, v, r and delta.
-void pi_right_hand_side_dual4(benchmark::State& state) {
-  using D = Dual<4>;
-  const auto ship = cast<D>(wpcc());
-  const auto motions = pi_samples(1024);
-  std::size_t i = 0;
-  for (auto _ : state) {
-    const auto& s = motions[i++ & 1023];
-    const PlanarMotion<D> m{D(s.motion.u, 0), D(s.motion.v, 1), D(s.motion.r, 2)};
-    auto controls = cast<D>(s.controls);
-    controls.delta.v[3] = 1.0;
-    benchmark::DoNotOptimize(right_hand_side(ship, D(0.3), m, forces(ship, m, controls)));
-  }
-  tell_ratio(state);
-}
-BENCHMARK(pi_right_hand_side_dual4);
-
 }  // namespace
 }  // namespace swayaw::bench

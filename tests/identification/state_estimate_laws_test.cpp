@@ -206,7 +206,7 @@ TEST_CASE("an imperfection without memory and sensors without noise are refused"
   const Ship ship = test::kvlcc2_l7();
   const auto d = test::disturbed_run(ship, {}, 1, {.samples = 20});
   CHECK_THROWS_WITH(estimate_states(ship, d.run, {.memory = 0.0}),
-                    "memory of the imperfection must be positive, got 0");
+                    "memory of the process noise must be positive, got 0");
   auto noise = d.noise;
   noise[index_of(Channel::psi)] = 0.0;
   CHECK_THROWS_WITH(estimate_states(ship, d.run, {.noise = noise}), "noise of psi_rad must be positive, got 0");

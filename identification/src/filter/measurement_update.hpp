@@ -75,10 +75,7 @@ struct Smoother {
   double slope(int i) const { return 0.5 * (r[i] * r[i] - M(i, i)); }
 
   /// Before a step.
-  void step_back(const Transition<N>& t) {
-    r = carried_back<N>(r, t);
-    M = carried_back<N>(M, t);
-  }
+  void step_back(const Transition<N>& t) { carry_back<N>(M, r, t); }
 
   /// Before a measurement. With the smoothed error e_s of the measurement over its variance R, and its variance D,
   ///

@@ -5,6 +5,9 @@
 namespace swayaw::inline identification::detail {
 namespace {
 
+/// Log likelihood: a step that predicts less ends the ascent, 0.1 standard errors from its end.
+constexpr double enough = 5e-3;
+
 struct Iterate {
   Eigen::VectorXd p;
   Slope slope;
@@ -12,7 +15,7 @@ struct Iterate {
 
 /// The first iterate on the way that keeps a part of the predicted gain: the whole way, half of it, …
 std::optional<Iterate> climbed(const std::function<Slope(const Eigen::VectorXd&)>& at, const Iterate& from,
-                             const Eigen::VectorXd& way) {
+                               const Eigen::VectorXd& way) {
   const double predicted_gain = way.dot(from.slope.by_p);
   for (double share = 1.0; share > 1e-3; share *= 0.5) {
     const Eigen::VectorXd p = from.p + share * way;
@@ -41,8 +44,8 @@ NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const 
   for (int iteration = 0;; ++iteration) {
     Eigen::VectorXd way = H * here.slope.by_p;
     const double predicted_gain = 0.5 * way.dot(here.slope.by_p);
-    if (predicted_gain < 1e-3 || iteration == most_iterations)
-      return {here.p, here.slope.value, iteration, predicted_gain < 1e-3};
+    if (predicted_gain < enough || iteration == most_iterations)
+      return {here.p, here.slope.value, iteration, predicted_gain < enough};
     way *= std::min(1.0, 2.0 / way.cwiseAbs().maxCoeff());  // no noise changes by more than a factor of 7 at once
     const auto next = climbed(at, here, way);
     if (!next && H == first) return {here.p, here.slope.value, iteration, predicted_gain < 0.1};

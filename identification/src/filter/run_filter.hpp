@@ -41,9 +41,10 @@ struct Passed {
   double log_likelihood = 0.0;
 };
 
-/// A filtered run, kept for the smoother and for residuals with the same gains.
+/// A filtered run, with what the smoother and residuals with the same gains need, unless it is not kept.
 template <int N>
 struct FilteredRun {
+  bool kept = true;  ///< steps and innovations
   std::vector<Passed> passed;
   std::vector<Transition<N>> steps;
   std::vector<Innovation<N>> innovations;
@@ -53,10 +54,20 @@ struct FilteredRun {
 
   double log_likelihood() const { return passed.back().log_likelihood; }
 
-  void clear() {
-    passed.clear(), steps.clear(), innovations.clear(), slopes.clear();
+  /// Empty, with room for a run of so many samples; a step may be cut in several.
+  void restart(std::size_t samples, std::size_t channels) {
+    passed.clear(), forget_steps();
+    passed.reserve(samples);
+    if (kept) steps.reserve(samples), innovations.reserve(samples * channels);
     sums = {};
   }
+
+  void forget_steps() { steps.clear(), innovations.clear(), slopes.clear(); }
+};
+
+/// A step of the filter [s].
+struct Interval {
+  double from, to;
 };
 
 template <int N>
@@ -91,7 +102,8 @@ class RunFilter {
   FilterVector<N> first_state() const;
   Gaussian<N> start(const FilterNoise& noise) const;
   void require_motion(const FilterVector<N>& x, std::size_t k) const;
-  Controls<double> controls_in_step(std::size_t k, double from, double to) const;
+  Interval step_in(std::size_t k, int i, int count) const;
+  Controls<double> controls_in(std::size_t k, const Interval& step) const;
   void predict(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass);
   double measure(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass);
   Innovation<N> update(Gaussian<N>& estimate, Channel channel, std::size_t k, double R, FilteredRun<N>& pass);

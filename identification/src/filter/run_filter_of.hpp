@@ -26,7 +26,7 @@ RunFilter<N>::RunFilter(const Ship& ship, const Recording& run, std::span<const 
 template <int N>
 void RunFilter<N>::forward(const FilterNoise& noise, FilteredRun<N>& pass,
                            const std::function<void(std::size_t, const Gaussian<N>&)>& tell) {
-  pass.clear();
+  pass.restart(run_.samples(), channels_.size());
   pass.tau = predictor_.tau();
   Gaussian<N> estimate = start(noise);
   predictor_.restart(estimate.mean);
@@ -36,6 +36,7 @@ void RunFilter<N>::forward(const FilterNoise& noise, FilteredRun<N>& pass,
     log_likelihood += measure(estimate, k, noise, pass);
     pass.passed.push_back({pass.steps.size(), pass.innovations.size(), log_likelihood});
     if (tell) tell(k, estimate);
+    if (!pass.kept) pass.forget_steps();
   }
 }
 
@@ -72,8 +73,11 @@ void RunFilter<N>::residuals(const FilteredRun<N>& pass, Eigen::Ref<Eigen::Vecto
   std::size_t step = 0, row = 0;
   for (std::size_t k = 0; k < pass.passed.size(); ++k) {
     require_motion(x, k);
-    for (; step < pass.passed[k].steps; ++step)
-      predictor_.repeat(x, controls_in_step(k, pass.steps[step].from, pass.steps[step].to), pass.steps[step]);
+    const int count = static_cast<int>(pass.passed[k].steps - step);
+    for (int i = 0; i < count; ++i, ++step) {
+      const auto [from, to] = step_in(k, i, count);
+      predictor_.repeat(x, controls_in(k, {from, to}), from, to, pass.steps[step]);
+    }
     const auto sight = observer_.late() ? late_sight(x, k) : sight_of(x);
     for (; row < pass.passed[k].innovations; ++row) {
       const auto& now = pass.innovations[row];
@@ -110,14 +114,21 @@ Gaussian<N> RunFilter<N>::start(const FilterNoise& noise) const {
 template <int N>
 void RunFilter<N>::require_motion(const FilterVector<N>& x, std::size_t k) const {
   constexpr double runaway = 1e3;  // speeds over the service speed that no ship has
-  if (!(std::hypot(x[3], x[4]) < runaway * U_0_))
+  if (!(x[3] * x[3] + x[4] * x[4] < std::pow(runaway * U_0_, 2)))
     throw Refusal(fmt::format("{}: the ship loses her way at {:.6g} s", run_.name, run_.time[k]));
 }
 
-/// Controls in the middle of a step between samples k − 1 and k; a rudder with a motion of its own is asked for it.
+/// The i-th of the steps from sample k − 1 to k.
 template <int N>
-Controls<double> RunFilter<N>::controls_in_step(std::size_t k, double from, double to) const {
-  const double middle = 0.5 * (from + to);
+Interval RunFilter<N>::step_in(std::size_t k, int i, int count) const {
+  const double begin = run_.time[k - 1], h = run_.time[k] - begin;
+  return {begin + h * i / count, i + 1 == count ? run_.time[k] : begin + h * (i + 1) / count};
+}
+
+/// Controls in the middle of a step from sample k − 1 to k; a rudder with a motion of its own is asked for it.
+template <int N>
+Controls<double> RunFilter<N>::controls_in(std::size_t k, const Interval& step) const {
+  const double middle = 0.5 * (step.from + step.to);
   if (controls_.track()) return controls_.at(middle);
   return between(at_samples_[k - 1], at_samples_[k], (middle - run_.time[k - 1]) / (run_.time[k] - run_.time[k - 1]));
 }
@@ -125,13 +136,11 @@ Controls<double> RunFilter<N>::controls_in_step(std::size_t k, double from, doub
 /// To sample k, in steps that are short for the ship.
 template <int N>
 void RunFilter<N>::predict(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
-  const double begin = run_.time[k - 1], h = run_.time[k] - begin;
   require_motion(estimate.mean, k - 1);
-  const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), h);
+  const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), run_.time[k] - run_.time[k - 1]);
   for (int i = 0; i < count; ++i) {
-    const double from = begin + h * i / count, to = i + 1 == count ? run_.time[k] : begin + h * (i + 1) / count;
-    const auto controls = controls_in_step(k, from, to);
-    const auto& t = pass.steps.emplace_back(predictor_.step(estimate.mean, controls, from, to));
+    const auto step = step_in(k, i, count);
+    const auto& t = pass.steps.emplace_back(predictor_.step(estimate.mean, controls_in(k, step), step.from, step.to));
     estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
     estimate.P = carried<N>(estimate.P, t);
     estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();

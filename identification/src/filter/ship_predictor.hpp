@@ -20,27 +20,48 @@ ShipState<double> ship_state(const FilterVector<N>& s) {
   return {s[0], s[1], s[2], {s[3], s[4], s[5]}};
 }
 
-/// A step of the filter between samples: how small deviations grow over it, and what the step makes of the rates.
+/// A step of h seconds between samples, kept for the way back and for other states.
 ///
-/// Rows x … r of Φ are those of 1 with B added in the columns of psi, u, v, r and of the unmodelled accelerations a;
-/// the rows of a are `keep`. Random accelerations of size σ add σ² share before the step and as much after it.
+/// Random accelerations of size σ add σ² share before the step and as much after it.
 template <int N>
 struct Transition {
-  double from, to;  ///< [s]
-  Eigen::Matrix<double, 6, N - 2> B;
-  Eigen::Matrix<double, 6, N - 2> Psi;  ///< the step is h f + Psi (h f), f the rates of all states
-  double keep;
+  Eigen::Matrix<double, 6, 4> hA;  ///< h times the derivatives of the rates of x … r by psi, u, v, r
+  double h;                        ///< [s]
+  double fading;                   ///< h/τ of the unmodelled accelerations a
+  double keep;                     ///< what is left of a: the rows of a in Φ
   double share;
+
+  /// What small deviations of psi, u, v, r and a add to those of x … r: Φ = 1 + h A + h²A²/2! in these rows and
+  /// columns, less 1.
+  Eigen::Matrix<double, 6, N - 2> B() const {
+    Eigen::Matrix<double, 6, N - 2> B;
+    B.template leftCols<4>() = hA + 0.5 * hA.lazyProduct(hA.template bottomRows<4>());
+    if constexpr (N == 9) {
+      B.template rightCols<3>() = (0.5 * h) * hA.template rightCols<3>();
+      B.template bottomRightCorner<3, 3>().diagonal().array() += h * (1.0 - 0.5 * fading);
+    }
+    return B;
+  }
+
+  /// (h²A/2! + h³A²/3!) f of x … r, from h f of all states.
+  Eigen::Matrix<double, 6, 1> curved(const FilterVector<N>& hf) const {
+    Eigen::Matrix<double, 6, 1> first = hA * hf.template segment<4>(2);
+    if constexpr (N == 9) first.template tail<3>() += h * hf.template tail<3>();
+    Eigen::Matrix<double, 6, 1> second = hA * first.template tail<4>();
+    if constexpr (N == 9) second.template tail<3>() -= (fading * h) * hf.template tail<3>();
+    return first / 2.0 + second / 6.0;
+  }
 };
 
 /// Φ P Φᵀ of a symmetric P.
 template <int N>
 FilterMatrix<N> carried(const FilterMatrix<N>& P, const Transition<N>& t) {
+  const Eigen::Matrix<double, 6, N - 2> B = t.B();
   Eigen::Matrix<double, 6, N> top = P.template topRows<6>();
-  top.noalias() += t.B.lazyProduct(P.template bottomRows<N - 2>());
+  top.noalias() += B.lazyProduct(P.template bottomRows<N - 2>());
   FilterMatrix<N> next;
   next.template topLeftCorner<6, 6>() =
-      top.template leftCols<6>() + top.template rightCols<N - 2>().lazyProduct(t.B.transpose());
+      top.template leftCols<6>() + top.template rightCols<N - 2>().lazyProduct(B.transpose());
   if constexpr (N == 9) {
     next.template topRightCorner<6, 3>() = t.keep * top.template rightCols<3>();
     next.template bottomLeftCorner<3, 6>() = next.template topRightCorner<6, 3>().transpose();
@@ -49,25 +70,19 @@ FilterMatrix<N> carried(const FilterMatrix<N>& P, const Transition<N>& t) {
   return next;
 }
 
-/// Φᵀ M Φ of a symmetric M.
+/// Φᵀ M Φ of a symmetric M, and Φᵀ r.
 template <int N>
-FilterMatrix<N> carried_back(const FilterMatrix<N>& M, const Transition<N>& t) {
+void carry_back(FilterMatrix<N>& M, FilterVector<N>& r, const Transition<N>& t) {
+  const Eigen::Matrix<double, 6, N - 2> B = t.B();
   FilterMatrix<N> right = M;  // M Φ
   if constexpr (N == 9) right.template rightCols<3>() *= t.keep;
-  right.template rightCols<N - 2>().noalias() += M.template leftCols<6>().lazyProduct(t.B);
-  FilterMatrix<N> before = right;
-  if constexpr (N == 9) before.template bottomRows<3>() *= t.keep;
-  before.template bottomRows<N - 2>().noalias() += t.B.transpose().lazyProduct(right.template topRows<6>());
-  return before;
-}
-
-/// Φᵀ r
-template <int N>
-FilterVector<N> carried_back(const FilterVector<N>& r, const Transition<N>& t) {
-  FilterVector<N> before = r;
-  if constexpr (N == 9) before.template tail<3>() *= t.keep;
-  before.template tail<N - 2>() += t.B.transpose().lazyProduct(r.template head<6>());
-  return before;
+  right.template rightCols<N - 2>().noalias() += M.template leftCols<6>().lazyProduct(B);
+  M = right;
+  if constexpr (N == 9) M.template bottomRows<3>() *= t.keep;
+  M.template bottomRows<N - 2>().noalias() += B.transpose().lazyProduct(right.template topRows<6>());
+  const Eigen::Vector<double, 6> of_motion = r.template head<6>();
+  if constexpr (N == 9) r.template tail<3>() *= t.keep;
+  r.template tail<N - 2>() += B.transpose().lazyProduct(of_motion);
 }
 
 /// Predicts a ship with effects between samples.
@@ -108,7 +123,6 @@ class ShipPredictor {
   ///
   /// the exponential method of Rosenbrock and Euler, of second order; exact to third where f is linear.
   Transition<N> step(FilterVector<N>& x, const Controls<double>& controls, double from, double to) {
-    Transition<N> t{.from = from, .to = to, .B = {}, .Psi = {}, .keep = 1.0, .share = 0.0};
     const double h = to - from, fading = h / tau_;
     const auto state = ship_state<N>(x);
     const auto middle = half_way(state.motion, h);
@@ -118,33 +132,22 @@ class ShipPredictor {
       if (weight == 1.0) there = part;
       else there.rate += weight * part.rate, there.A += weight * part.A;
     });
-    Eigen::Matrix<double, 6, N - 2> hA;
-    hA.template leftCols<4>() = h * there.A;
-    if constexpr (N == 9) {
-      hA.template rightCols<3>().setZero();
-      hA.template bottomRightCorner<3, 3>().diagonal().setConstant(h);
-    }
-    t.Psi = 0.5 * hA;
-    t.Psi.template leftCols<4>() += hA.template leftCols<4>().lazyProduct(hA.template block<4, 4>(2, 0)) / 6.0;
-    if constexpr (N == 9)
-      t.Psi.template rightCols<3>() +=
-          (hA.template leftCols<4>().lazyProduct(hA.template block<4, 3>(2, 4)) - fading * hA.template rightCols<3>()) /
-          6.0;
-    t.B = hA + 0.5 * hA.template leftCols<4>().lazyProduct(hA.template bottomRows<4>());
-    if constexpr (N == 9) t.B.template rightCols<3>() -= (0.5 * fading) * hA.template rightCols<3>();
-    t.keep = N == 9 ? std::exp(-fading) : 1.0;
     // tanh keeps the variance of a at σ²
-    t.share = N == 9 && std::isfinite(tau_) ? std::tanh(fading) : 0.5 * h;
+    const Transition<N> t{.hA = h * there.A,
+                          .h = h,
+                          .fading = fading,
+                          .keep = N == 9 ? std::exp(-fading) : 1.0,
+                          .share = N == 9 && std::isfinite(tau_) ? std::tanh(fading) : 0.5 * h};
     move(x, t, there.rate);
     return t;
   }
 
   /// Moves another state over the same step, its derivatives as they were for the first: equal for equal states.
-  void repeat(FilterVector<N>& x, const Controls<double>& controls, const Transition<N>& t) {
+  void repeat(FilterVector<N>& x, const Controls<double>& controls, double from, double to, const Transition<N>& t) {
     const auto state = ship_state<N>(x);
-    const auto middle = half_way(state.motion, t.to - t.from);
+    const auto middle = half_way(state.motion, t.h);
     Eigen::Matrix<double, 6, 1> rate = Eigen::Matrix<double, 6, 1>::Zero();
-    with_changes(t.from, t.to, [&](double weight) {
+    with_changes(from, to, [&](double weight) {
       const auto part = ship_->rates(state, middle, controls);
       rate += weight * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(part.data());
     });
@@ -152,9 +155,9 @@ class ShipPredictor {
   }
 
  private:
-  /// x⁺ = x + h f + Psi (h f), f with the unmodelled accelerations; these fade. Hidden states follow.
+  /// x⁺ = x + h f + what curves it, f with the unmodelled accelerations; these fade. Hidden states follow.
   void move(FilterVector<N>& x, const Transition<N>& t, const Eigen::Matrix<double, 6, 1>& rate) {
-    const double h = t.to - t.from, fading = h / tau_;
+    const double h = t.h, fading = t.fading;
     const auto before = ship_state<N>(x).motion;
     FilterVector<N> hf;
     hf.template head<6>() = h * rate;
@@ -163,7 +166,7 @@ class ShipPredictor {
       hf.template tail<3>() = -fading * x.template tail<3>();
       x.template tail<3>() *= 1.0 - fading * (1.0 - fading * (0.5 - fading / 6.0));
     }
-    x.template head<6>() += hf.template head<6>() + t.Psi.lazyProduct(hf.template tail<N - 2>());
+    x.template head<6>() += hf.template head<6>() + t.curved(hf);
     if (ship_->hides_states()) hidden_ = followed(before, ship_state<N>(x).motion, h);
   }
 
