@@ -19,6 +19,16 @@ std::span<double> Recording::fill(Channel channel) {
   return values;
 }
 
+std::vector<Channel> recorded_channels(std::span<const Recording> runs, std::span<const Channel> among,
+                                       std::span<const Channel> wanted) {
+  std::vector<Channel> result;
+  for (const Channel c : among)
+    if ((wanted.empty() || std::ranges::count(wanted, c) > 0) &&
+        std::ranges::any_of(runs, [c](const Recording& run) { return run.has(c); }))
+      result.push_back(c);
+  return result;
+}
+
 Interpolant::Interpolant(const Recording& recording, Channel channel) {
   const auto values = recording[channel];
   time_.reserve(values.size());

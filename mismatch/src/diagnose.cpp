@@ -256,7 +256,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
                    std::span<const Recording> holdout, const DiagnosisOptions& options) {
   if (runs.empty()) throw Refusal("there is no run to diagnose");
   const auto goes_on = [&](std::string_view what) { return !options.progress || options.progress(what); };
-  const auto channels = recorded_motion(runs);
+  const auto channels = recorded_channels(runs, motion_channels());
   Trial trial = trial_of(ship, runs, channels);
   if (goes_on("calibrating on reference runs")) calibrate(trial, ship, reference, channels);
   Trial unused = trial;

@@ -40,10 +40,7 @@ PlanarForce<double> as_force(const Eigen::Vector3d& f) { return {f[0], f[1], f[2
 
 MissingForce missing_force_of(const EstimatedState& state, const Eigen::Matrix3d& M) {
   const Eigen::Vector3d a(state.unmodelled.u, state.unmodelled.v, state.unmodelled.r);
-  Eigen::Matrix3d spread;
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k)
-      spread(i, k) = state.covariance(6 + static_cast<std::size_t>(i), 6 + static_cast<std::size_t>(k));
+  const auto spread = state.covariance.of<3>(6);
   return {.motion = state.state.motion,
           .acceleration = as_acceleration(a),
           .acceleration_deviation = as_acceleration(deviations(spread)),
@@ -101,7 +98,7 @@ auto unless_refused(F&& f) -> std::optional<decltype(f())> {
 }  // namespace
 
 std::vector<MissingForce> missing_force(const Ship& ship, const Recording& run, const Noise& noise) {
-  const auto channels = recorded_motion({&run, 1});
+  const auto channels = recorded_channels({&run, 1}, motion_channels());
   const auto prepared = prepared_runs(ship, {&run, 1}, channels).front();
   EstimationOptions options{.process_noise = ProcessNoise{process_noise(ship, noise)}, .memory = noise.memory};
   for (const auto channel : prepared.channels)

@@ -133,6 +133,13 @@ void begin_where_force_is_missing(std::vector<EffectForm>& forms, const Located&
 
 // ---------------------------------------------------------------- terms
 
+/// Of the coordinates of an effect, before the runs.
+Eigen::VectorXd precision_of(const EffectForm& form) {
+  Eigen::VectorXd deviation(std::ssize(form.coordinates));
+  std::ranges::transform(form.coordinates, deviation.begin(), &Coordinate::deviation);
+  return deviation.array().square().inverse();
+}
+
 /// Which terms of the last effect the evidence keeps, and what it gains without the others.
 struct Pruned {
   std::vector<std::size_t> kept;
@@ -149,9 +156,7 @@ Pruned pruned(const EffectForm& form, const Eigen::VectorXd& mean, const Eigen::
   const auto size = form.coordinates.size();
   for (std::size_t i = 0; i < size; ++i) result.kept.push_back(i);
   if (!form.with_terms) return result;
-  Eigen::VectorXd precision(mean.size());
-  for (std::size_t i = 0; i < size; ++i)
-    precision[static_cast<Eigen::Index>(i)] = std::pow(form.coordinates[i].deviation, -2);
+  const auto precision = precision_of(form);
   const Eigen::MatrixXd A = inverse(widened(form, covariance));
   const Eigen::VectorXd h = inverse(covariance) * mean / evidence_excess;
   const auto evidence = [&](const std::vector<std::size_t>& subset) {
@@ -487,10 +492,7 @@ Hypothesis Search::hypothesis(std::size_t count) const {
 }
 
 Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covariance) {
-  Eigen::VectorXd precision(covariance.rows());
-  for (Eigen::Index i = 0; i < precision.size(); ++i)
-    precision[i] = std::pow(form.coordinates[static_cast<std::size_t>(i)].deviation, -2);
-  const Eigen::MatrixXd prior = precision.asDiagonal();
+  const Eigen::MatrixXd prior = precision_of(form).asDiagonal();
   return inverse(prior + (inverse(covariance) - prior) / evidence_excess);
 }
 

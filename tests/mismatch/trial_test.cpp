@@ -50,9 +50,9 @@ struct Fitted {
 
   Fitted(const Ship& ship, std::vector<Recording> recorded)
       : runs(std::move(recorded)),
-        trial(trial_of(ship, runs, recorded_motion(runs))),
+        trial(trial_of(ship, runs, recorded_channels(runs, motion_channels()))),
         null(fit(trial, {}, trial.mean, Noise{})),
-        forms(effect_forms(ship, recorded_motion(runs), 90.0)) {}
+        forms(effect_forms(ship, recorded_channels(runs, motion_channels()), 90.0)) {}
 
   const EffectForm& form(std::string_view id) const { return *std::ranges::find(forms, id, &EffectForm::id); }
 };
@@ -111,7 +111,7 @@ TEST_CASE("a rudder that has a gap of her own keeps it in the baseline", "[misma
   CHECK_FALSE(ordinary_lift_loss(own));
   const auto runs =
       std::vector{zigzag(own, {.rudder = radians(20), .heading = radians(20)}, {.duration = 60.0, .step = 0.3}).run};
-  const auto trial = trial_of(own, runs, recorded_motion(runs));
+  const auto trial = trial_of(own, runs, recorded_channels(runs, motion_channels()));
   const auto pick = [](const Ship& ship) { return std::get<PiShip<double>>(ship.model).rudder; };
   CHECK(pick(ship_at(trial, {}, trial.mean)).s == pick(own).s);
   // her own gap is no effect, no gap at all is one

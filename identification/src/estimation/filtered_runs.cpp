@@ -25,9 +25,7 @@ void for_each_run(const EstimationProblem& problem, const Point& point, double m
   const double tau = memory * length(problem.scale) / service_speed(problem.scale);
   in_parallel(problem.runs.size(), 0, [&](std::size_t i) {
     const auto& run = problem.runs[i];
-    const auto ship = problem.ship_in(point, i);
-    RunFilter<9> filter(ship, *run.run, run.channels, run.start, tau);
-    f(i, filter);
+    f(i, *run_filter<9>(problem.ship_in(point, i), *run.run, run.channels, run.start, tau));
   });
 }
 
@@ -42,7 +40,7 @@ double FilteredRuns::log_likelihood() const {
 std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, const Point& point, const Noise& noise) {
   auto result = std::make_shared<FilteredRuns>();
   result->runs.resize(problem.runs.size());
-  for_each_run(problem, point, noise.memory, [&](std::size_t i, auto& filter) {
+  for_each_run(problem, point, noise.memory, [&](std::size_t i, RunFilter<9>& filter) {
     filter.forward(variances(problem.scale, problem.runs[i], noise), result->runs[i]);
   });
   return result;
@@ -52,7 +50,7 @@ Eigen::VectorXd residuals(const EstimationProblem& problem, const Point& point, 
   std::vector<Eigen::Index> first{0};
   for (const auto& run : problem.runs) first.push_back(first.back() + run.rows());
   Eigen::VectorXd e(first.back());
-  for_each_run(problem, point, 1.0, [&](std::size_t i, auto& filter) {
+  for_each_run(problem, point, 1.0, [&](std::size_t i, RunFilter<9>& filter) {
     filter.residuals(passes.runs[i], e.segment(first[i], problem.runs[i].rows()));
   });
   return e;

@@ -35,11 +35,4 @@ std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recordi
   return result;
 }
 
-std::vector<Channel> recorded_motion(std::span<const Recording> runs) {
-  std::vector<Channel> channels;
-  for (const auto channel : motion_channels())
-    if (std::ranges::any_of(runs, [&](const Recording& run) { return run.has(channel); })) channels.push_back(channel);
-  return channels;
-}
-
 }  // namespace swayaw::identification

@@ -50,14 +50,9 @@ template <class Model>
   return at;
 }
 
-template <class Model>
-std::unique_ptr<LinearizedShip> linearized_model(const ActingShip<Model>& acting) {
-  return std::make_unique<LinearizedModel<Model>>(acting);
-}
-
-extern template std::unique_ptr<LinearizedShip> linearized_model(const ActingShip<MmgShip<double>>&);
-extern template std::unique_ptr<LinearizedShip> linearized_model(const ActingShip<PiShip<double>>&);
-extern template std::unique_ptr<LinearizedShip> linearized_model(const ActingShip<PuShip<double>>&);
-extern template std::unique_ptr<LinearizedShip> linearized_model(const ActingShip<AbkowitzShip<double>>&);
+extern template class LinearizedModel<MmgShip<double>>;
+extern template class LinearizedModel<PiShip<double>>;
+extern template class LinearizedModel<PuShip<double>>;
+extern template class LinearizedModel<AbkowitzShip<double>>;
 
 }  // namespace swayaw::identification::detail

@@ -1,7 +1,3 @@
 #include "linearized_model.hpp"
 
-namespace swayaw::inline identification::detail {
-
-template std::unique_ptr<LinearizedShip> linearized_model(const ActingShip<PiShip<double>>&);
-
-}  // namespace swayaw::identification::detail
+template class swayaw::identification::detail::LinearizedModel<swayaw::PiShip<double>>;

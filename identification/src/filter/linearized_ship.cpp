@@ -1,11 +1,8 @@
-#include "linearized_ship.hpp"
-
 #include "linearized_model.hpp"
 
-namespace swayaw::inline identification::detail {
-
-std::unique_ptr<LinearizedShip> linearized_ship(const Ship& ship) {
-  return visit_acting(ship, [](const auto& acting) { return linearized_model(acting); });
+std::unique_ptr<swayaw::identification::detail::LinearizedShip> swayaw::identification::detail::linearized_ship(
+    const Ship& ship) {
+  return visit_acting(ship, []<class Model>(const ActingShip<Model>& acting) -> std::unique_ptr<LinearizedShip> {
+    return std::make_unique<LinearizedModel<Model>>(acting);
+  });
 }
-
-}  // namespace swayaw::identification::detail

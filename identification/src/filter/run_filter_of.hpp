@@ -4,204 +4,213 @@
 
 #include "run_filter.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/replay.hpp"
 
 /// What a filter of N states does, for the two files that compile it. Not installed.
 namespace swayaw::inline identification::detail {
 
 template <int N>
-RunFilter<N>::RunFilter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
-                        const ShipState<double>& start, double tau)
-    : run_(run),
-      channels_(channels),
-      predictor_(ship, tau),
-      observer_(instruments_of(ship), predictor_.current()),
-      controls_(ship, run),
-      start_(start),
-      L_(length(ship)),
-      U_0_(service_speed(ship)) {
-  at_samples_.reserve(run.samples());
-  for (const double time : run.time) at_samples_.push_back(controls_.at(time));
-}
-
-template <int N>
-void RunFilter<N>::forward(const FilterNoise& noise, FilteredRun<N>& pass,
-                           const std::function<void(std::size_t, const Gaussian<N>&)>& tell) {
-  pass.restart(run_.samples(), channels_.size());
-  pass.tau = predictor_.tau();
-  Gaussian<N> estimate = start(noise);
-  predictor_.restart(estimate.mean);
-  double log_likelihood = 0.0;
-  for (std::size_t k = 0; k < run_.samples(); ++k) {
-    if (k > 0) predict(estimate, k, noise, pass);
-    log_likelihood += measure(estimate, k, noise, pass);
-    pass.passed.push_back({pass.steps.size(), pass.innovations.size(), log_likelihood});
-    if (tell) tell(k, estimate);
-    if (!pass.kept) pass.forget_steps();
+class RunFilterOf final : public RunFilter<N> {
+ public:
+  RunFilterOf(const Ship& ship, const Recording& run, std::span<const Channel> channels, const ShipState<double>& start,
+              double tau)
+      : run_(run),
+        channels_(channels),
+        predictor_(ship, tau),
+        observer_(instruments_of(ship), predictor_.current()),
+        controls_(ship, run),
+        start_(start),
+        L_(length(ship)),
+        U_0_(service_speed(ship)) {
+    at_samples_.reserve(run.samples());
+    for (const double time : run.time) at_samples_.push_back(controls_.at(time));
   }
-}
 
-template <int N>
-FilterNoise RunFilter<N>::backward(const FilterNoise& noise, const FilteredRun<N>& pass,
-                                   const std::function<void(std::size_t, const Smoother<N>&)>& tell) const {
-  FilterNoise slope = FilterNoise::Zero();
-  Smoother<N> smoother;
-  std::size_t slope_count = pass.slopes.size();
-  for (std::size_t k = pass.passed.size(); k-- > 0;) {
-    if (tell) tell(k, smoother);
-    const auto before = k == 0 ? Passed{} : pass.passed[k - 1];
-    for (std::size_t i = pass.passed[k].innovations; i-- > before.innovations;) {
-      const auto& now = pass.innovations[i];
-      const int place = place_of(now.channel);
-      slope[place] +=
-          noise[place] * smoother.step_back(now, now.state >= 0 ? ChannelSlope() : pass.slopes[--slope_count]);
-    }
-    for (std::size_t i = pass.passed[k].steps; i-- > before.steps;) {
-      add_slope(slope, noise, pass.steps[i].share, smoother);
-      smoother.step_back(pass.steps[i]);
-      add_slope(slope, noise, pass.steps[i].share, smoother);
+  void forward(const FilterNoise& noise, FilteredRun<N>& pass,
+               const std::function<void(std::size_t, const Gaussian<N>&)>& tell) override {
+    pass.restart(run_.samples(), channels_.size());
+    pass.tau = predictor_.tau();
+    Gaussian<N> estimate = start(noise);
+    predictor_.restart(estimate.mean);
+    double log_likelihood = 0.0;
+    for (std::size_t k = 0; k < run_.samples(); ++k) {
+      if (k > 0) predict(estimate, k, noise, pass);
+      log_likelihood += measure(estimate, k, noise, pass);
+      pass.passed.push_back({pass.steps.size(), pass.innovations.size(), log_likelihood});
+      if (tell) tell(k, estimate);
+      if (!pass.kept) pass.forget_steps();
     }
   }
-  if (has_memory()) add_slope(slope, noise, 1.0, smoother);
-  return slope;
-}
 
-template <int N>
-void RunFilter<N>::residuals(const FilteredRun<N>& pass, Eigen::Ref<Eigen::VectorXd> out) {
-  FilterVector<N> x = first_state();
-  predictor_.set_tau(pass.tau);
-  predictor_.restart(x);
-  std::size_t step = 0, row = 0;
-  for (std::size_t k = 0; k < pass.passed.size(); ++k) {
-    require_motion(x, k);
-    const int count = static_cast<int>(pass.passed[k].steps - step);
-    for (int i = 0; i < count; ++i, ++step) {
-      const auto [from, to] = step_in(k, i, count);
-      predictor_.repeat(x, controls_in(k, {from, to}), from, to, pass.steps[step]);
+  FilterNoise backward(const FilterNoise& noise, const FilteredRun<N>& pass,
+                       const std::function<void(std::size_t, const Smoother<N>&)>& tell) const override {
+    FilterNoise slope = FilterNoise::Zero();
+    Smoother<N> smoother;
+    std::size_t slope_count = pass.slopes.size();
+    for (std::size_t k = pass.passed.size(); k-- > 0;) {
+      if (tell) tell(k, smoother);
+      const auto before = k == 0 ? Passed{} : pass.passed[k - 1];
+      for (std::size_t i = pass.passed[k].innovations; i-- > before.innovations;) {
+        const auto& now = pass.innovations[i];
+        const int place = place_of(now.channel);
+        slope[place] +=
+            noise[place] * smoother.step_back(now, now.state >= 0 ? ChannelSlope() : pass.slopes[--slope_count]);
+      }
+      for (std::size_t i = pass.passed[k].steps; i-- > before.steps;) {
+        add_slope(slope, noise, pass.steps[i].share, smoother);
+        smoother.step_back(pass.steps[i]);
+        add_slope(slope, noise, pass.steps[i].share, smoother);
+      }
     }
-    const auto sight = observer_.late() ? late_sight(x, k) : sight_of(x);
-    for (; row < pass.passed[k].innovations; ++row) {
-      const auto& now = pass.innovations[row];
-      const double e = compared(now.channel, run_[now.channel][k], expected(now.channel, x, sight));
-      out[static_cast<Eigen::Index>(row)] = e / std::sqrt(now.variance);
-      x += now.K * e;
+    if (has_memory()) add_slope(slope, noise, 1.0, smoother);
+    return slope;
+  }
+
+  void residuals(const FilteredRun<N>& pass, Eigen::Ref<Eigen::VectorXd> out) override {
+    FilterVector<N> x = first_state();
+    predictor_.set_tau(pass.tau);
+    predictor_.restart(x);
+    std::size_t step = 0, row = 0;
+    for (std::size_t k = 0; k < pass.passed.size(); ++k) {
+      require_motion(x, k);
+      const int count = static_cast<int>(pass.passed[k].steps - step);
+      for (int i = 0; i < count; ++i, ++step) {
+        const auto [from, to] = step_in(k, i, count);
+        predictor_.repeat(x, controls_in(k, {from, to}), from, to, pass.steps[step]);
+      }
+      const auto sight = observer_.late() ? late_sight(x, k) : sight_of(x);
+      for (; row < pass.passed[k].innovations; ++row) {
+        const auto& now = pass.innovations[row];
+        const double e = compared(now.channel, run_[now.channel][k], expected(now.channel, x, sight));
+        out[static_cast<Eigen::Index>(row)] = e / std::sqrt(now.variance);
+        x += now.K * e;
+      }
     }
   }
-}
 
-// ---------------------------------------------------------------- from sample to sample
-
-template <int N>
-FilterVector<N> RunFilter<N>::first_state() const {
-  FilterVector<N> x = FilterVector<N>::Zero();
-  x.template head<6>() << start_.x, start_.y, start_.psi, start_.motion.u, start_.motion.v, start_.motion.r;
-  return x;
-}
-
-/// A quarter of a ship length, of the speed and of a radian about the recorded state.
-template <int N>
-Gaussian<N> RunFilter<N>::start(const FilterNoise& noise) const {
-  const double U = speed(start_.motion), quarter = 0.25;
-  Gaussian<N> estimate{first_state(), FilterMatrix<N>::Zero()};
-  auto variance = estimate.P.diagonal();
-  variance.template head<6>() << L_, L_, 1.0, U, U, U / L_;
-  if constexpr (N == 9) variance.template tail<3>() << U * U / L_, U * U / L_, U * U / (L_ * L_);
-  variance = (quarter * variance).array().square().eval();
-  if (has_memory()) variance.template tail<3>() = noise.tail<3>();
-  return estimate;
-}
-
-/// @throws Refusal  where the motion has run away, or is none
-template <int N>
-void RunFilter<N>::require_motion(const FilterVector<N>& x, std::size_t k) const {
-  constexpr double runaway = 1e3;  // speeds over the service speed that no ship has
-  if (!(x[3] * x[3] + x[4] * x[4] < std::pow(runaway * U_0_, 2)))
-    throw Refusal(fmt::format("{}: the ship loses her way at {:.6g} s", run_.name, run_.time[k]));
-}
-
-/// The i-th of the steps from sample k − 1 to k.
-template <int N>
-Interval RunFilter<N>::step_in(std::size_t k, int i, int count) const {
-  const double begin = run_.time[k - 1], h = run_.time[k] - begin;
-  return {begin + h * i / count, i + 1 == count ? run_.time[k] : begin + h * (i + 1) / count};
-}
-
-/// Controls in the middle of a step from sample k − 1 to k; a rudder with a motion of its own is asked for it.
-template <int N>
-Controls<double> RunFilter<N>::controls_in(std::size_t k, const Interval& step) const {
-  const double middle = 0.5 * (step.from + step.to);
-  if (controls_.track()) return controls_.at(middle);
-  return between(at_samples_[k - 1], at_samples_[k], (middle - run_.time[k - 1]) / (run_.time[k] - run_.time[k - 1]));
-}
-
-/// To sample k, in steps that are short for the ship.
-template <int N>
-void RunFilter<N>::predict(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
-  require_motion(estimate.mean, k - 1);
-  const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), run_.time[k] - run_.time[k - 1]);
-  for (int i = 0; i < count; ++i) {
-    const auto step = step_in(k, i, count);
-    const auto& t = pass.steps.emplace_back(predictor_.step(estimate.mean, controls_in(k, step), step.from, step.to));
-    estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
-    estimate.P = carried<N>(estimate.P, t);
-    estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
+ private:
+  FilterVector<N> first_state() const {
+    FilterVector<N> x = FilterVector<N>::Zero();
+    x.template head<6>() << start_.x, start_.y, start_.psi, start_.motion.u, start_.motion.v, start_.motion.r;
+    return x;
   }
-  require_motion(estimate.mean, k);
-}
 
-/// @return log likelihood of the sample
-template <int N>
-double RunFilter<N>::measure(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
-  double product = 1.0, squares = 0.0;  // of variances, whose logarithm is slow
-  for (const Channel channel : channels_) {
-    const auto samples = run_[channel];
-    if (samples.empty() || std::isnan(samples[k])) continue;
-    const auto& now = pass.innovations.emplace_back(update(estimate, channel, k, noise[place_of(channel)], pass));
-    const double square = now.error * now.error / now.variance;
-    squares += square;
-    product *= 2.0 * pi * now.variance;
-    pass.sums[index_of(channel)].add(std::copysign(std::sqrt(square), now.error));
+  /// A quarter of a ship length, of the speed and of a radian about the recorded state.
+  Gaussian<N> start(const FilterNoise& noise) const {
+    const double U = speed(start_.motion), quarter = 0.25;
+    Gaussian<N> estimate{first_state(), FilterMatrix<N>::Zero()};
+    auto variance = estimate.P.diagonal();
+    variance.template head<6>() << L_, L_, 1.0, U, U, U / L_;
+    if constexpr (N == 9) variance.template tail<3>() << U * U / L_, U * U / L_, U * U / (L_ * L_);
+    variance = (quarter * variance).array().square().eval();
+    if (has_memory()) variance.template tail<3>() = noise.tail<3>();
+    return estimate;
   }
-  return -0.5 * (squares + std::log(product));
-}
 
-template <int N>
-Innovation<N> RunFilter<N>::update(Gaussian<N>& estimate, Channel channel, std::size_t k, double R,
-                                   FilteredRun<N>& pass) {
-  const double value = run_[channel][k];
-  if (const auto state = observer_.state_alone(channel))
-    return updated<N>(estimate, channel, *state, value - observer_.bias(channel), R);
-  const auto expected = [&](const FilterVector<N>& x, ChannelSlope& slope) {
-    return observer_.value(channel, observer_.late() ? late_sight(x, k) : sight_of(x), slope);
+  /// @throws Refusal  where the motion has run away, or is none
+  void require_motion(const FilterVector<N>& x, std::size_t k) const {
+    constexpr double runaway = 1e3;  // speeds over the service speed that no ship has
+    if (!(x[3] * x[3] + x[4] * x[4] < std::pow(runaway * U_0_, 2)))
+      throw Refusal(fmt::format("{}: the ship loses her way at {:.6g} s", run_.name, run_.time[k]));
+  }
+
+  /// A step of the filter [s].
+  struct Interval {
+    double from, to;
   };
-  return updated<N>(estimate, channel, expected, value, R, pass.slopes.emplace_back());
-}
 
-// ---------------------------------------------------------------- what the instruments see
+  /// The i-th of the steps from sample k − 1 to k.
+  Interval step_in(std::size_t k, int i, int count) const {
+    const double begin = run_.time[k - 1], h = run_.time[k] - begin;
+    return {begin + h * i / count, i + 1 == count ? run_.time[k] : begin + h * (i + 1) / count};
+  }
+
+  /// Controls in the middle of a step from sample k − 1 to k; a rudder with a motion of its own is asked for it.
+  Controls<double> controls_in(std::size_t k, const Interval& step) const {
+    const double middle = 0.5 * (step.from + step.to);
+    if (controls_.track()) return controls_.at(middle);
+    return between(at_samples_[k - 1], at_samples_[k], (middle - run_.time[k - 1]) / (run_.time[k] - run_.time[k - 1]));
+  }
+
+  /// To sample k, in steps that are short for the ship.
+  void predict(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
+    require_motion(estimate.mean, k - 1);
+    const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), run_.time[k] - run_.time[k - 1]);
+    for (int i = 0; i < count; ++i) {
+      const auto step = step_in(k, i, count);
+      const auto& t = pass.steps.emplace_back(predictor_.step(estimate.mean, controls_in(k, step), step.from, step.to));
+      estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
+      estimate.P = carried<N>(estimate.P, t);
+      estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
+    }
+    require_motion(estimate.mean, k);
+  }
+
+  /// @return log likelihood of the sample
+  double measure(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
+    double product = 1.0, squares = 0.0;  // of variances, whose logarithm is slow
+    for (const Channel channel : channels_) {
+      const auto samples = run_[channel];
+      if (samples.empty() || std::isnan(samples[k])) continue;
+      const auto& now = pass.innovations.emplace_back(update(estimate, channel, k, noise[place_of(channel)], pass));
+      const double square = now.error * now.error / now.variance;
+      squares += square;
+      product *= 2.0 * pi * now.variance;
+      pass.sums[index_of(channel)].add(std::copysign(std::sqrt(square), now.error));
+    }
+    return -0.5 * (squares + std::log(product));
+  }
+
+  Innovation<N> update(Gaussian<N>& estimate, Channel channel, std::size_t k, double R, FilteredRun<N>& pass) {
+    const double value = run_[channel][k];
+    if (const auto state = observer_.state_alone(channel))
+      return updated<N>(estimate, channel, *state, value - observer_.bias(channel), R);
+    const auto expected = [&](const FilterVector<N>& x, ChannelSlope& slope) {
+      return observer_.value(channel, observer_.late() ? late_sight(x, k) : sight_of(x), slope);
+    };
+    return updated<N>(estimate, channel, expected, value, R, pass.slopes.emplace_back());
+  }
+
+  double expected(Channel channel, const FilterVector<N>& x, const Sight& sight) const {
+    if (const auto state = observer_.state_alone(channel)) return x[*state] + observer_.bias(channel);
+    return observer_.value(channel, {ship_state<N>(x), sight.acceleration, sight.phi});
+  }
+
+  Sight sight_of(const FilterVector<N>& x) const {
+    return {ship_state<N>(x), {0.0, 0.0, 0.0}, shown_by(predictor_.hidden(), Channel::phi)};
+  }
+
+  /// With the accelerations that a late channel needs.
+  Sight late_sight(const FilterVector<N>& x, std::size_t k) const {
+    const auto rate = predictor_.rates(x, at_samples_[k]);
+    PlanarAcceleration<double> a{rate[3], rate[4], rate[5]};
+    if constexpr (N == 9) a = {a.u + x[6], a.v + x[7], a.r + x[8]};
+    return {ship_state<N>(x), a, shown_by(predictor_.hidden(), Channel::phi)};
+  }
+
+  static void add_slope(FilterNoise& slope, const FilterNoise& noise, double share, const Smoother<N>& smoother) {
+    for (int i = 0; i < 3; ++i)
+      slope[place_of_process_noise(i)] += share * noise[place_of_process_noise(i)] * smoother.slope(random + i);
+  }
+
+  static constexpr int random = N == 9 ? 6 : 3;  ///< first of the states that random accelerations drive
+
+  bool has_memory() const { return N == 9 && std::isfinite(predictor_.tau()); }
+
+  const Recording& run_;
+  std::span<const Channel> channels_;
+  ShipPredictor<N> predictor_;
+  ChannelObserver observer_;
+  RecordedControls controls_;
+  std::vector<Controls<double>> at_samples_;
+  ShipState<double> start_;
+  double L_, U_0_;
+};
 
 template <int N>
-double RunFilter<N>::expected(Channel channel, const FilterVector<N>& x, const Sight& sight) const {
-  if (const auto state = observer_.state_alone(channel)) return x[*state] + observer_.bias(channel);
-  return observer_.value(channel, {ship_state<N>(x), sight.acceleration, sight.phi});
-}
-
-template <int N>
-Sight RunFilter<N>::sight_of(const FilterVector<N>& x) const {
-  return {ship_state<N>(x), {0.0, 0.0, 0.0}, shown_by(predictor_.hidden(), Channel::phi)};
-}
-
-/// With the accelerations that a late channel needs.
-template <int N>
-Sight RunFilter<N>::late_sight(const FilterVector<N>& x, std::size_t k) const {
-  const auto rate = predictor_.rates(x, at_samples_[k]);
-  PlanarAcceleration<double> a{rate[3], rate[4], rate[5]};
-  if constexpr (N == 9) a = {a.u + x[6], a.v + x[7], a.r + x[8]};
-  return {ship_state<N>(x), a, shown_by(predictor_.hidden(), Channel::phi)};
-}
-
-template <int N>
-void RunFilter<N>::add_slope(FilterNoise& slope, const FilterNoise& noise, double share, const Smoother<N>& smoother) {
-  for (int i = 0; i < 3; ++i)
-    slope[place_of_process_noise(i)] += share * noise[place_of_process_noise(i)] * smoother.slope(random + i);
+std::unique_ptr<RunFilter<N>> run_filter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
+                                         const ShipState<double>& start, double tau) {
+  return std::make_unique<RunFilterOf<N>>(ship, run, channels, start, tau);
 }
 
 }  // namespace swayaw::identification::detail

@@ -7,25 +7,13 @@
 #include "noise_ascent.hpp"
 #include "run_filter.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw::inline identification {
 using namespace detail;
 namespace {
 
 // ---------------------------------------------------------------- what is known
-
-std::vector<Channel> channels_of(std::span<const Recording> runs, const EstimationOptions& options) {
-  std::vector<Channel> used;
-  const auto wanted = [&](Channel c) {
-    return options.channels.empty() || std::ranges::count(options.channels, c) > 0;
-  };
-  const auto recorded = [&](Channel c) {
-    return std::ranges::any_of(runs, [c](const Recording& run) { return run.has(c); });
-  };
-  std::ranges::copy_if(measured_channels(), std::back_inserter(used),
-                       [&](Channel c) { return recorded(c) && wanted(c); });
-  return used;
-}
 
 void require_position_or_speed(const Recording& run, std::span<const Channel> used) {
   const auto told = [&](Channel c) { return run.has(c) && std::ranges::count(used, c) > 0; };
@@ -119,7 +107,7 @@ class Estimator {
  public:
   Estimator(const Ship& ship, std::span<const Recording> runs, const EstimationOptions& options)
       : options_(options),
-        channels_(channels_of(runs, options)),
+        channels_(recorded_channels(runs, measured_channels(), options.channels)),
         unknown_(ship, runs, channels_, options),
         passes_(runs.size()) {
     const double time_unit = length(ship) / service_speed(ship),
@@ -127,7 +115,7 @@ class Estimator {
     for (const auto& run : runs) {
       require_position_or_speed(run, channels_);
       ship_times_ += (run.time.back() - run.time.front()) / time_unit;
-      filters_.emplace_back(ship, run, channels_, recorded_state(ship, run, run.time.front()), tau);
+      filters_.push_back(run_filter<N>(ship, run, channels_, recorded_state(ship, run, run.time.front()), tau));
     }
   }
 
@@ -145,12 +133,12 @@ class Estimator {
     result.states.reserve(run.samples());
     auto& pass = passes_.front();
     pass.kept = options_.smooth;
-    filters_.front().forward(noise_, pass, [&](std::size_t k, const Gaussian<N>& estimate) {
+    filters_.front()->forward(noise_, pass, [&](std::size_t k, const Gaussian<N>& estimate) {
       result.states.push_back(filtered(run.time, k, estimate));
     });
     result.noise.log_likelihood = pass.log_likelihood();
     if (options_.smooth)
-      filters_.front().backward(
+      filters_.front()->backward(
           noise_, pass, [&](std::size_t k, const Smoother<N>& smoother) { smooth(result.states[k], smoother); });
     for (const Channel c : channels_) {
       const auto& sums = pass.sums[index_of(c)];
@@ -190,7 +178,7 @@ class Estimator {
   double forward() {
     double sum = 0.0;
     for (std::size_t i = 0; i < filters_.size(); ++i) {
-      filters_[i].forward(noise_, passes_[i]);
+      filters_[i]->forward(noise_, passes_[i]);
       sum += passes_[i].log_likelihood();
     }
     return sum;
@@ -200,7 +188,7 @@ class Estimator {
     noise_ = unknown_.noise(p);
     FilterNoise by_log = FilterNoise::Zero();
     const double value = forward();
-    for (std::size_t i = 0; i < filters_.size(); ++i) by_log += filters_[i].backward(noise_, passes_[i]);
+    for (std::size_t i = 0; i < filters_.size(); ++i) by_log += filters_[i]->backward(noise_, passes_[i]);
     return {value, unknown_.slope(by_log, noise_)};
   }
 
@@ -262,7 +250,7 @@ class Estimator {
   const EstimationOptions& options_;
   std::vector<Channel> channels_;
   UnknownVariances unknown_;
-  std::vector<RunFilter<N>> filters_;
+  std::vector<std::unique_ptr<RunFilter<N>>> filters_;
   std::vector<FilteredRun<N>> passes_;
   FilterNoise noise_ = FilterNoise::Zero();
   double ship_times_ = 0.0;  ///< time of all runs over L/U

@@ -141,14 +141,6 @@ Rows rows_at(const Known& known, std::span<const Parameter> parameters, const Es
   return rows;
 }
 
-Eigen::Matrix<double, 6, 6> covariance_of(const EstimatedState& s) {
-  Eigen::Matrix<double, 6, 6> P;
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = 0; k < 6; ++k)
-      P(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = s.covariance(3 + i, 3 + k);
-  return P;
-}
-
 // ---------------------------------------------------------------- equations
 
 /// Rows of all runs, equation by equation.
@@ -165,7 +157,7 @@ class Equations {
     for (const auto& s : estimate.states) {
       const auto c = controls.at(s.time);
       const auto& rows = rows_.emplace_back(rows_at(known_, parameters_, s, c));
-      const auto P = covariance_of(s);
+      const auto P = s.covariance.of<6>(3);  // u, v, r and the unmodelled acceleration
       std::array<Eigen::MatrixXd, 3> covariance;
       for (std::size_t i = 0; i < 3; ++i) covariance[i] = rows.slopes[i] * P * rows.slopes[i].transpose();
       errors_.push_back(std::move(covariance));

@@ -23,9 +23,7 @@ PlanarForce<D> operator-(const PlanarForce<D>& a, const PlanarForce<D>& b) { ret
 /// J P Jᵀ
 EstimatedForce estimated(const PlanarForce<D>& f, const StateCovariance& P) {
   EstimatedForce result{.force = {f.X.a, f.Y.a, f.N.a}, .covariance = {}};
-  Eigen::Matrix<double, 7, 7> Q;
-  for (int i = 0; i < 7; ++i)
-    for (int k = 0; k < 7; ++k) Q(i, k) = P(first + static_cast<std::size_t>(i), first + static_cast<std::size_t>(k));
+  const auto Q = P.of<7>(first);
   const std::array<Eigen::Matrix<double, 7, 1>, 3> J{f.X.v, f.Y.v, f.N.v};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) result.covariance[i][k] = J[i].dot(Q * J[k]);

@@ -9,6 +9,7 @@
 
 #include "../estimation/descent.hpp"
 #include "../regression/spectrum.hpp"
+#include "../regression/standard_errors.hpp"
 #include "index_trials.hpp"
 #include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -24,13 +25,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
-
-std::vector<std::vector<double>> rows_of(const Matrix& m) {
-  std::vector<std::vector<double>> rows(at(m.rows()));
-  for (Eigen::Index i = 0; i < m.rows(); ++i)
-    for (Eigen::Index j = 0; j < m.cols(); ++j) rows[at(i)].push_back(m(i, j));
-  return rows;
-}
 
 // ---------------------------------------------------------------- the measured indices in one row
 

@@ -1,79 +1,45 @@
 #include "linear_ascent.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-
-#include "swayaw/core/detail/matrices.hpp"
+#include "../estimation/descent.hpp"
 
 namespace swayaw::inline identification::detail {
-namespace {
-
-/// p + (I + mu diag I)⁻¹ gradient. A noise changes by no more than a factor of 7 at once.
-Parameters stepped(const LinearProblem& problem, const Parameters& p, const LikelihoodSlope& at, double mu) {
-  Eigen::MatrixXd I = of_free(problem, at.information);
-  const Eigen::VectorXd scale = (I.diagonal().array() + 1e-12).rsqrt();
-  I = (scale.asDiagonal() * I * scale.asDiagonal()).eval();
-  I.diagonal().array() += mu + 1e-12;
-  const Eigen::VectorXd step =
-      scale.asDiagonal() * core::detail::solve_symmetric(I, scale.asDiagonal() * of_free(problem, at.gradient));
-  Parameters next = p;
-  for (std::size_t k = 0; k < problem.free.size(); ++k) {
-    const int place = problem.free[k];
-    const double by = step[static_cast<Eigen::Index>(k)];
-    next[place] += place >= noise_psi ? std::clamp(by, -2.0, 2.0) : by;
-    if (place >= noise_psi) next[place] = std::max(next[place], -25.0);
-  }
-  return next;
-}
-
-/// Gain of log likelihood that an undamped step predicts.
-double predicted_gain(const LinearProblem& problem, const Parameters& p, const LikelihoodSlope& at) {
-  return std::abs(at.gradient.dot(stepped(problem, p, at, 0.0) - p));
-}
-
-/// Highest of half the step, the step and twice the step: where residuals are not white the expected curvature is not
-/// the true one.
-LinearAscent highest_along(const LinearProblem& problem, const Parameters& from, const Parameters& step) {
-  LinearAscent highest{from, -std::numeric_limits<double>::infinity()};
-  for (const double share : {1.0, 0.5, 2.0}) {
-    const Parameters there = from + share * step;
-    const double value = log_likelihood(problem, there);
-    if (value > highest.log_likelihood) highest = {there, value};  // false for NaN
-  }
-  return highest;
-}
-
-/// The first better place on the way from the undamped step to the gradient, with the damping that led there.
-std::optional<LinearAscent> climbed(const LinearProblem& problem, const LinearAscent& from, const LikelihoodSlope& at,
-                                    double& mu) {
-  for (; mu < 1e10; mu *= 10.0) {
-    const auto highest = highest_along(problem, from.p, stepped(problem, from.p, at, mu) - from.p);
-    if (highest.log_likelihood > from.log_likelihood) return highest;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 LinearAscent climb(const LinearProblem& problem, const Parameters& start) {
-  LinearAscent best{start, log_likelihood(problem, start)};
-  double mu = 1e-3;
-  for (int iteration = 0; iteration < 100; ++iteration) {
-    const auto at = slope(problem, best.p);
-    const double predicted = predicted_gain(problem, best.p, at);
-    best.converged = predicted < 1e-6;
-    if (best.converged) return best;
-    const auto better = climbed(problem, best, at, mu);
-    if (!better) {
-      best.converged = predicted < 1e-3;
-      return best;
+  using Eigen::VectorXd;
+  // parameters count in their standard errors at the start, noises in factors of e if these are wider
+  VectorXd unit = (of_free(problem, slope(problem, start).information).diagonal().array() + 1e-12).rsqrt();
+  VectorXd low = VectorXd::Constant(unit.size(), -HUGE_VAL);
+  for (Eigen::Index k = 0; k < unit.size(); ++k) {
+    if (const int place = problem.free[static_cast<std::size_t>(k)]; place >= noise_psi) {
+      unit[k] = std::min(unit[k], 1.0);
+      low[k] = (-25.0 - start[place]) / unit[k];
     }
-    best = *better;
-    mu = std::max(0.1 * mu, 1e-12);
   }
-  return best;
+  const auto at = [&](const VectorXd& z) {
+    Parameters p = start;
+    for (std::size_t k = 0; k < problem.free.size(); ++k)
+      p[problem.free[k]] += unit[static_cast<Eigen::Index>(k)] * z[static_cast<Eigen::Index>(k)];
+    return p;
+  };
+  const auto scoring = [&](const Descent& here, int = 0) {
+    const auto there = slope(problem, at(here.point));
+    NormalEquations normal{unit.asDiagonal() * of_free(problem, there.information) * unit.asDiagonal(),
+                           unit.cwiseProduct(of_free(problem, there.gradient))};
+    normal.A.diagonal().array() += 1e-12;
+    return normal;
+  };
+  const auto cost = [&](const VectorXd& z, const VectorXd&) { return -2.0 * log_likelihood(problem, at(z)); };
+  Descent here{.point = VectorXd::Zero(unit.size()),
+               .residuals = {},
+               .cost = cost(VectorXd::Zero(unit.size()), {}),
+               .low = low.cwiseMin(0.0),
+               .high = VectorXd::Constant(unit.size(), HUGE_VAL)};
+  descend(
+      here, {.iterations = 100, .attempts = 30, .worth = 2e-6, .radius = 10.0}, scoring,
+      [](const VectorXd&) { return VectorXd(); }, cost);
+  const auto end = scoring(here);
+  const VectorXd step = bounded_step(end.A, -end.b, here.low - here.point, here.high - here.point, HUGE_VAL);
+  return {at(here.point), -0.5 * here.cost, step.dot(2.0 * end.b - end.A * step) < 2e-3};
 }
 
 }  // namespace swayaw::identification::detail

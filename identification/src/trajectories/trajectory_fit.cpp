@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "../regression/standard_errors.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "trajectory_errors.hpp"
 #include "trajectory_search.hpp"
@@ -68,15 +69,6 @@ std::vector<FittedRun> fitted_runs(const TrajectoryProblem& problem, std::span<c
   return result;
 }
 
-std::vector<std::vector<double>> listed(const Eigen::MatrixXd& A) {
-  std::vector<std::vector<double>> rows;
-  for (Eigen::Index i = 0; i < A.rows(); ++i) {
-    rows.emplace_back();
-    for (Eigen::Index k = 0; k < A.cols(); ++k) rows.back().push_back(A(i, k));
-  }
-  return rows;
-}
-
 std::vector<FittedParameter> fitted_parameters(const TrajectoryProblem& problem, std::span<const double> values,
                                                const Eigen::MatrixXd& covariance) {
   std::vector<FittedParameter> parameters;
@@ -97,9 +89,9 @@ void tell_parameters(const TrajectoryProblem& problem, const Found& found, const
       found.status == TrajectoryFitStatus::converged || found.status == TrajectoryFitStatus::iteration_limit;
   fit.status = ended && !errors.full_rank ? TrajectoryFitStatus::rank_deficient : found.status;
   fit.parameters = fitted_parameters(problem, found.iterate.values, C);
-  fit.covariance = listed(C);
+  fit.covariance = rows_of(C);
   const Eigen::VectorXd over = C.diagonal().cwiseSqrt().cwiseInverse();
-  fit.correlation = listed(over.asDiagonal() * C * over.asDiagonal());
+  fit.correlation = rows_of(over.asDiagonal() * C * over.asDiagonal());
   const auto combinations = combinations_of(problem.parameters, found.iterate.values, errors);
   fit.condition_number = combinations.condition_number;
   fit.best_combination = combinations.best;
@@ -207,16 +199,15 @@ TrajectoryFit fit_trajectories(const Ship& ship, std::span<const Recording> runs
   // what is left is that of whole runs
   const auto whole = segments_of(problem, ship, runs, std::numeric_limits<double>::infinity());
   const auto before = simulated(problem, whole, first_iterate(problem, whole), false);
-  const auto after = simulated(problem, whole, of_whole_runs(found.iterate, segments, whole), false);
+  const auto end = of_whole_runs(found.iterate, segments, whole);
+  const auto after = simulated(problem, whole, end, false);
   TrajectoryFit fit{};
   fit.ship = with_values(ship, problem.parameters, found.iterate.values);
   tell_parameters(problem, found, parameter_errors(problem, found.at, task.prior), fit);
   for (const Channel channel : problem.channels) fit.noise[index_of(channel)] = found.weights.noise[index_of(channel)];
   fit.log_likelihood = log_likelihood(whole, after, found.weights);
   fit.runs = fitted_runs(problem, runs, whole, before, after);
-  for (std::size_t j = 0; j < runs.size(); ++j)
-    fit.runs[j].start = state_of(found.iterate.starts[static_cast<std::size_t>(
-        std::ranges::find(segments, j, &ShootingSegment::run) - segments.begin())]);
+  for (std::size_t j = 0; j < runs.size(); ++j) fit.runs[j].start = state_of(end.starts[j]);
   fit.iterations = found.iterations;
   fit.sensitivities = found.sensitivities;
   return fit;

@@ -15,16 +15,11 @@ namespace {
 
 // ---------------------------------------------------------------- runs
 
-bool wanted(const TrajectoryFitOptions& options, Channel channel) {
-  return options.channels.empty() || std::ranges::count(options.channels, channel) > 0;
-}
-
-std::vector<Measurement> measurements_of(const Recording& run, const TrajectoryFitOptions& options) {
+std::vector<Measurement> measurements_of(const Recording& run, std::span<const Channel> channels) {
   std::vector<Measurement> measurements;
   for (std::size_t k = 0; k < run.samples(); ++k)
-    for (const Channel channel : measured_channels())
-      if (wanted(options, channel) && !run[channel].empty() && !std::isnan(run[channel][k]))
-        measurements.push_back({k, channel, run[channel][k]});
+    for (const Channel channel : channels)
+      if (!run[channel].empty() && !std::isnan(run[channel][k])) measurements.push_back({k, channel, run[channel][k]});
   return measurements;
 }
 
@@ -36,12 +31,12 @@ std::vector<int> steps_between(std::span<const double> time, double longest) {
   return steps;
 }
 
-SampledRun sampled_run(const Recording& run, const RecordedControls& controls, const TrajectoryFitOptions& options,
-                       double unit) {
+SampledRun sampled_run(const Recording& run, const RecordedControls& controls, std::span<const Channel> channels,
+                       double longest_step) {
   SampledRun result{.time = run.time,
                     .controls = {},
-                    .steps = steps_between(run.time, options.step * unit),
-                    .measurements = measurements_of(run, options)};
+                    .steps = steps_between(run.time, longest_step),
+                    .measurements = measurements_of(run, channels)};
   for (const double time : run.time) result.controls.push_back(controls.at(time));
   if (result.measurements.empty())
     throw Refusal(fmt::format("{}: none of the channels to fit to was recorded", run.name));
@@ -52,17 +47,6 @@ SampledRun sampled_run(const Recording& run, const RecordedControls& controls, c
 double time_unit(const Ship& ship, const Recording& run) {
   const double U = speed(recorded_state(ship, run, run.time.front()).motion);
   return length(ship) / std::max(U, service_speed(ship) / 3.0);
-}
-
-std::vector<Channel> channels_of(const std::vector<SampledRun>& runs) {
-  std::vector<Channel> used;
-  const auto measures = [](const SampledRun& run, Channel c) {
-    return std::ranges::count(run.measurements, c, &Measurement::channel) > 0;
-  };
-  std::ranges::copy_if(measured_channels(), std::back_inserter(used), [&](Channel c) {
-    return std::ranges::any_of(runs, [&](const auto& run) { return measures(run, c); });
-  });
-  return used;
 }
 
 // ---------------------------------------------------------------- parameters
@@ -103,13 +87,13 @@ TrajectoryProblem problem_of(const Ship& ship, std::span<const Recording> runs, 
                             .L = length(ship),
                             .U = service_speed(ship),
                             .threads = options.threads};
+  problem.channels = recorded_channels(runs, measured_channels(), options.channels);
   for (const auto& run : runs) {
     if (run.samples() < 3) throw Refusal(fmt::format("{}: fewer than 3 samples to fit to", run.name));
     const RecordedControls controls(ship, run);
     problem.unit.push_back(time_unit(ship, run));
-    problem.runs.push_back(sampled_run(run, controls, options, problem.unit.back()));
+    problem.runs.push_back(sampled_run(run, controls, problem.channels, options.step * problem.unit.back()));
   }
-  problem.channels = channels_of(problem.runs);
   for (const auto& number : problem.parameters) add_bounds(problem, number);
   problem.simulator = std::visit(
       [&](const auto& model) { return segment_simulator(model, surroundings_at(ship, 0.0), problem.parameters); },

@@ -91,13 +91,6 @@ double log_likelihood(const std::vector<ShootingSegment>& segments, const std::v
 
 namespace {
 
-/// A step of Gauss and Newton, and the parameters that it leads to the end of their range: `held` of
-/// `Linearization::step`.
-struct HeldStep {
-  Step move;
-  Eigen::VectorXd held;
-};
-
 /// Where a search is.
 struct Situation {
   Iterate iterate;
@@ -117,7 +110,7 @@ class Searcher {
   Found run() {
     for (int iteration = 0;; ++iteration) {
       Linearization at(task_.problem, task_.segments, now_.iterate, now_.responses, now_.weights, task_.prior);
-      const auto step = bounded_step(at);
+      const auto step = at.step(damping());
       const bool there = arrives(at, step);
       const bool stuck = mu_ > 1e12;
       if (there || stopped_ || iteration >= task_.options.most_iterations || stuck)
@@ -125,7 +118,7 @@ class Searcher {
       if (!take(at, step)) continue;
       weigh_again();
       const auto& report = task_.options.progress;
-      stopped_ = report && !report({iteration + 1, now_.log_likelihood, size_of(step.move), now_.iterate.values});
+      stopped_ = report && !report({iteration + 1, now_.log_likelihood, size_of(step), now_.iterate.values});
       watch(stopped_ || iteration + 1 == task_.options.most_iterations);
     }
   }
@@ -165,25 +158,6 @@ class Searcher {
     return std::sqrt(sum);
   }
 
-  /// Parameters that the damped move would take out of their range go to its end and no further.
-  HeldStep bounded_step(const Linearization& at) const {
-    const auto& values = at.iterate().values;
-    HeldStep step{.move = {}, .held = Eigen::VectorXd::Constant(task_.prior.size(), missing)};
-    for (bool inside = false; !inside;) {
-      step.move = at.step(damping(), step.held);
-      inside = true;
-      for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto j = static_cast<Eigen::Index>(i);
-        const double there = values[i] + step.move.values[j],
-                     kept = std::clamp(there, task_.problem.low[i], task_.problem.high[i]);
-        if (kept == there || std::isfinite(step.held[j])) continue;
-        step.held[j] = kept - values[i];
-        inside = false;
-      }
-    }
-    return step;
-  }
-
   /// Squared standard deviations that are not worth a simulation, and those over which derivatives hardly change.
   static constexpr double nothing = 1e-5, little = 0.1;
 
@@ -194,18 +168,18 @@ class Searcher {
 
   /// Whether the step gains next to nothing and closes no gaps, or so does the one that would follow a small step, by
   /// the same derivatives. Takes what is left of the way.
-  bool arrives(const Linearization& at, const HeldStep& step) {
+  bool arrives(const Linearization& at, const Step& step) {
     if (change_ > 0.1) return false;
-    auto next = moved_within(now_.iterate, step.move, 1.0);
-    if (ends(at, step.move)) {
+    auto next = moved_within(now_.iterate, step, 1.0);
+    if (ends(at, step)) {
       if (change_ > 1e-3) return false;
       now_.iterate = std::move(next);
       return true;
     }
-    if (at.gain(step.move) > little) return false;
+    if (at.gain(step) > little) return false;
     auto responses = simulated(task_.problem, task_.segments, next, false);
     if (!finite(responses)) return false;
-    const auto rest = at.step(next, responses, damping(), stay(step));
+    const auto rest = at.step(next, responses, damping());
     if (!ends(at, rest)) return false;
     now_.iterate = moved_within(next, rest, 1.0);
     now_.responses = std::move(responses);
@@ -213,22 +187,16 @@ class Searcher {
     return change_ < 1e-3;
   }
 
-  /// Parameters at the end of their range stay there.
-  static Eigen::VectorXd stay(const HeldStep& step) {
-    return step.held.unaryExpr([](double x) { return std::isfinite(x) ? 0.0 : x; });
-  }
-
   /// Takes the step, its half or its quarter: the longest after which the same derivatives ask for less of a move than
   /// before (Deuflhard's natural test). The sum of squares may rise on the way, as it must where a narrow valley bends.
   /// Source: [Deuflhard2011] sections 3.3, 4.3
-  bool take(const Linearization& at, const HeldStep& step) {
-    const double whole = size_of(step.move);
+  bool take(const Linearization& at, const Step& step) {
+    const double whole = size_of(step);
     for (double share = 1.0; share > 0.2; share *= 0.5) {
-      auto iterate = moved_within(at.iterate(), step.move, share);
+      auto iterate = moved_within(at.iterate(), step, share);
       auto responses = simulated(task_.problem, task_.segments, iterate, true);
       sensitivities_ += 1.0;
-      if (!finite(responses) ||
-          size_of(at.step(iterate, responses, damping(), stay(step))) > (1.0 - 0.25 * share) * whole)
+      if (!finite(responses) || size_of(at.step(iterate, responses, damping())) > (1.0 - 0.25 * share) * whole)
         continue;
       now_.iterate = std::move(iterate);
       now_.responses = std::move(responses);

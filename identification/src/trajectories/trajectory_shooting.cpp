@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "../estimation/bounded_step.hpp"
 #include "../regression/spectrum.hpp"
 #include "swayaw/core/parallel.hpp"
 
@@ -125,28 +127,26 @@ Eigen::VectorXd Linearization::residual(const Run& run, const Iterate& iterate,
 }
 
 Step Linearization::step(const Iterate& iterate, const std::vector<SegmentResponse>& responses,
-                         const Eigen::VectorXd& damping, const Eigen::VectorXd& held) const {
-  Eigen::VectorXd gradient(n_);
-  for (Eigen::Index i = 0; i < n_; ++i)
-    gradient[i] = prior_[i] * (iterate.values[static_cast<std::size_t>(i)] -
-                               problem_.parameters[static_cast<std::size_t>(i)].value);
+                         const Eigen::VectorXd& damping) const {
+  Eigen::VectorXd gradient(n_), low(n_), high(n_);
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    gradient[i] = prior_[i] * (iterate.values[k] - problem_.parameters[k].value);
+    low[i] = std::min(problem_.low[k] - iterate.values[k], 0.0);
+    high[i] = std::max(problem_.high[k] - iterate.values[k], 0.0);
+  }
   std::vector<Vector6> by_start;
   for (const auto& run : runs_) {
     const Eigen::VectorXd r = residual(run, iterate, responses);
     by_start.push_back(run.rows.leftCols<6>().transpose() * r);
     gradient += run.rows.rightCols(n_).transpose() * r - run.taken * by_start.back();
   }
-  // parameters that are held move as they are told, the others as the equations say
-  Eigen::MatrixXd information = information_ + Eigen::MatrixXd(damping.asDiagonal());
-  Step move{.values = held.unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; }), .starts = {}};
-  gradient += information_ * move.values;
-  for (Eigen::Index i = 0; i < n_; ++i) {
-    if (!std::isfinite(held[i])) continue;
-    information.row(i).setZero();
-    information.col(i).setZero();
-    gradient[i] = 0.0;
-  }
-  move.values -= spectrum_of(information, no_information).inverse() * gradient;
+  const Eigen::MatrixXd information = information_ + Eigen::MatrixXd(damping.asDiagonal());
+  const Eigen::VectorXd size = column_sizes(information.diagonal()), over = size.cwiseInverse();
+  const Eigen::VectorXd scaled =
+      bounded_step(over.asDiagonal() * information * over.asDiagonal(), over.cwiseProduct(gradient),
+                   size.cwiseProduct(low), size.cwiseProduct(high), std::numeric_limits<double>::infinity());
+  Step move{.values = over.cwiseProduct(scaled), .starts = {}};
   for (std::size_t j = 0; j < runs_.size(); ++j) {
     const auto& run = runs_[j];
     const auto a = drifts(run, iterate, responses);

@@ -41,15 +41,13 @@ class Linearization {
   Linearization(const TrajectoryProblem& problem, const std::vector<ShootingSegment>& segments, Iterate iterate,
                 std::vector<SegmentResponse> responses, const Weights& weights, const Eigen::VectorXd& prior);
 
-  /// The move of Gauss and Newton from here, with `damping` added to the information of the parameters. Parameters
-  /// whose entry in `held` is finite move by that much.
-  Step step(const Eigen::VectorXd& damping, const Eigen::VectorXd& held) const {
-    return step(at_, responses_, damping, held);
-  }
+  /// The move of Gauss and Newton from here, with `damping` added to the information of the parameters, which stay in
+  /// their range.
+  Step step(const Eigen::VectorXd& damping) const { return step(at_, responses_, damping); }
 
   /// The move from another iterate with the derivatives of this one.
-  Step step(const Iterate& iterate, const std::vector<SegmentResponse>& responses, const Eigen::VectorXd& damping,
-            const Eigen::VectorXd& held) const;
+  Step step(const Iterate& iterate, const std::vector<SegmentResponse>& responses,
+            const Eigen::VectorXd& damping) const;
 
   /// How much likelier the linearized segments are after a move, as a square of standard deviations.
   double gain(const Step& move) const;

@@ -57,6 +57,10 @@ struct Recording {
   std::span<double> fill(Channel channel);
 };
 
+/// Those of `among` that some run has, in their order; of a list of wanted ones no others.
+std::vector<Channel> recorded_channels(std::span<const Recording> runs, std::span<const Channel> among,
+                                       std::span<const Channel> wanted = {});
+
 /// Standard deviation of the white noise on samples that change slowly otherwise, from the median of their third
 /// differences: robust against motion and outliers. 0 where fewer than ten tell it.
 double white_noise_of(std::span<const double> values);

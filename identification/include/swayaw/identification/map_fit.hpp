@@ -32,9 +32,6 @@ struct PreparedRun {
 std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
                                        std::span<const Channel> channels);
 
-/// Channels of motion that some run has.
-std::vector<Channel> recorded_motion(std::span<const Recording> runs);
-
 /// One unknown: its value is `mean` where nothing is known, and stays between its bounds.
 struct Unknown {
   std::string name;

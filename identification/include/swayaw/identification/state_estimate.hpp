@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <span>
@@ -38,6 +39,14 @@ class StateCovariance {
  public:
   double operator()(std::size_t i, std::size_t k) const { return lower_[place(i, k)]; }
   double& operator()(std::size_t i, std::size_t k) { return lower_[place(i, k)]; }
+
+  /// That of N of them, from one on.
+  template <int N>
+  Eigen::Matrix<double, N, N> of(std::size_t first) const {
+    return Eigen::Matrix<double, N, N>::NullaryExpr([&](Eigen::Index i, Eigen::Index k) {
+      return (*this)(first + static_cast<std::size_t>(i), first + static_cast<std::size_t>(k));
+    });
+  }
 
  private:
   static std::size_t place(std::size_t i, std::size_t k) { return i < k ? place(k, i) : i * (i + 1) / 2 + k; }
