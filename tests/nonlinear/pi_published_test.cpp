@@ -49,7 +49,8 @@ TEST_CASE("forces and accelerations of the wPCC are those of the independent pro
 }
 
 TEST_CASE("forces of the single-screw KVLCC2 are those of the independent program", "[nonlinear][second-route]") {
-  for (const auto& state : test::alexandersson2024().at("KVLCC2 forces PI paper +Yr+vvr"))
+  const auto golden = test::alexandersson2024();
+  for (const auto& state : golden.at("KVLCC2 forces PI paper +Yr+vvr"))
     check_state(test::pi_ship("kvlcc2_pi_vvr"), state);
 }
 
