@@ -16,4 +16,10 @@ VectorXd solve_symmetric(const MatrixXd& A, const VectorXd& b) { return A.ldlt()
 
 double log_determinant(const MatrixXd& A) { return A.ldlt().vectorD().array().abs().log().sum(); }
 
+std::vector<std::vector<double>> rows_of(const MatrixXd& A) {
+  std::vector<std::vector<double>> rows;
+  for (const auto& row : A.rowwise()) rows.emplace_back(row.begin(), row.end());
+  return rows;
+}
+
 }  // namespace swayaw::core::detail

@@ -140,6 +140,12 @@ Eigen::VectorXd precision_of(const EffectForm& form) {
   return deviation.array().square().inverse();
 }
 
+/// The inverse of `widened`: of the prior, and of what the data add, counted as evidence is.
+Eigen::MatrixXd widened_precision(const EffectForm& form, const Eigen::MatrixXd& covariance) {
+  const Eigen::MatrixXd prior = precision_of(form).asDiagonal();
+  return prior + (inverse(covariance) - prior) / evidence_excess;
+}
+
 /// Which terms of the last effect the evidence keeps, and what it gains without the others.
 struct Pruned {
   std::vector<std::size_t> kept;
@@ -157,7 +163,7 @@ Pruned pruned(const EffectForm& form, const Eigen::VectorXd& mean, const Eigen::
   for (std::size_t i = 0; i < size; ++i) result.kept.push_back(i);
   if (!form.with_terms) return result;
   const auto precision = precision_of(form);
-  const Eigen::MatrixXd A = inverse(widened(form, covariance));
+  const Eigen::MatrixXd A = widened_precision(form, covariance);
   const Eigen::VectorXd h = inverse(covariance) * mean / evidence_excess;
   const auto evidence = [&](const std::vector<std::size_t>& subset) {
     const std::vector<Eigen::Index> s(subset.begin(), subset.end());
@@ -492,8 +498,7 @@ Hypothesis Search::hypothesis(std::size_t count) const {
 }
 
 Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covariance) {
-  const Eigen::MatrixXd prior = precision_of(form).asDiagonal();
-  return inverse(prior + (inverse(covariance) - prior) / evidence_excess);
+  return inverse(widened_precision(form, covariance));
 }
 
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {

@@ -46,7 +46,7 @@ constexpr std::array scales{0.1, 0.25, 0.6, 1.5, 4.0, 10.0, 25.0, 60.0, 150.0, 4
 /// Log likelihood that a noise of its own must gain, of an axis or a channel: three standard deviations of one number.
 constexpr double worth_of_a_noise = 5.0;
 
-/// A place in the search, with the problem that it is of.
+/// The likeliest noise so far, with the problem that it is of.
 struct NoiseSearch {
   const EstimationProblem& problem;
   const Point& point;

@@ -9,7 +9,6 @@
 
 #include "../estimation/descent.hpp"
 #include "../regression/spectrum.hpp"
-#include "../regression/standard_errors.hpp"
 #include "index_trials.hpp"
 #include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -224,7 +223,7 @@ class Tuner {
 
   /// d ln I / d ln theta over the relative tolerance is dI/dz over the tolerance.
   std::vector<IndexCombination> combinations(const Matrix& J) const {
-    return determined_combinations(rows_of(J),
+    return determined_combinations(core::detail::rows_of(J),
                                    {flat_.deviation.data(), flat_.deviation.data() + flat_.deviation.size()});
   }
 
@@ -342,8 +341,8 @@ IndexSensitivity index_sensitivity(const Ship& ship, const MeasuredIndices& meas
     }
   }
   return {.indices = {base.indices.data(), base.indices.data() + base.indices.size()},
-          .exact = rows_of(base.indices.cwiseInverse().asDiagonal() * J),
-          .ten_per_cent = rows_of(finite),
+          .exact = core::detail::rows_of(base.indices.cwiseInverse().asDiagonal() * J),
+          .ten_per_cent = core::detail::rows_of(finite),
           .simulations = trials.simulations()};
 }
 

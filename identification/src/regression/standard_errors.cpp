@@ -42,12 +42,6 @@ void enlarge_for_correlation(Eigen::MatrixXd& C, std::span<const RunScores> runs
   C = (larger.asDiagonal() * C * larger.asDiagonal()).eval();
 }
 
-std::vector<std::vector<double>> rows_of(const Eigen::MatrixXd& A) {
-  std::vector<std::vector<double>> rows;
-  for (const auto& row : A.rowwise()) rows.emplace_back(row.begin(), row.end());
-  return rows;
-}
-
 double student_quantile(double share, double degrees_of_freedom) {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom), share);
 }

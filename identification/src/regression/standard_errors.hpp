@@ -25,9 +25,6 @@ struct RunScores {
 void enlarge_for_correlation(Eigen::MatrixXd& C, std::span<const RunScores> runs, const Eigen::VectorXd& prior,
                              double unknowns);
 
-/// Rows of a matrix, for answers.
-std::vector<std::vector<double>> rows_of(const Eigen::MatrixXd& A);
-
 /// The point of Student's distribution below which the share lies.
 double student_quantile(double share, double degrees_of_freedom);
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "../regression/standard_errors.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "trajectory_errors.hpp"
 #include "trajectory_search.hpp"
@@ -89,9 +89,9 @@ void tell_parameters(const TrajectoryProblem& problem, const Found& found, const
       found.status == TrajectoryFitStatus::converged || found.status == TrajectoryFitStatus::iteration_limit;
   fit.status = ended && !errors.full_rank ? TrajectoryFitStatus::rank_deficient : found.status;
   fit.parameters = fitted_parameters(problem, found.iterate.values, C);
-  fit.covariance = rows_of(C);
+  fit.covariance = core::detail::rows_of(C);
   const Eigen::VectorXd over = C.diagonal().cwiseSqrt().cwiseInverse();
-  fit.correlation = rows_of(over.asDiagonal() * C * over.asDiagonal());
+  fit.correlation = core::detail::rows_of(over.asDiagonal() * C * over.asDiagonal());
   const auto combinations = combinations_of(problem.parameters, found.iterate.values, errors);
   fit.condition_number = combinations.condition_number;
   fit.best_combination = combinations.best;

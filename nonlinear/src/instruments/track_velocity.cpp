@@ -72,8 +72,7 @@ std::optional<SurgeSway> velocity_from_track(const Recording& run, const Current
     b += rows.transpose() * (place - drift * (fixes.time[i] - time));
   }
   const int unknowns = 2 + 2 * std::min(degree, std::max(1, count - 2));
-  const Eigen::VectorXd c =
-      core::detail::solve(Eigen::MatrixXd(A.topLeftCorner(unknowns, unknowns)), Eigen::VectorXd(b.head(unknowns)));
+  const Eigen::VectorXd c = core::detail::solve(A.topLeftCorner(unknowns, unknowns), b.head(unknowns));
   return SurgeSway{c[2], c[3]};
 }
 

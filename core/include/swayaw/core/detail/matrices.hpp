@@ -1,9 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
-/// Decompositions of dense matrices, each compiled once: what Eigen makes of one takes the compiler seconds and
-/// hundreds of megabytes. Not for users, who have Eigen.
+/// Dense matrices: decompositions, each compiled once, for what Eigen makes of one takes the compiler seconds and
+/// hundreds of megabytes; and their rows for answers. Not for users, who have Eigen.
 namespace swayaw::inline core::detail {
 
 // ---------------------------------------------------------------- equations
@@ -65,5 +66,9 @@ struct SingularValues {
 };
 
 SingularValues singular_values(const Eigen::MatrixXd& A);
+
+// ---------------------------------------------------------------- answers
+
+std::vector<std::vector<double>> rows_of(const Eigen::MatrixXd& A);
 
 }  // namespace swayaw::core::detail
