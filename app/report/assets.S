@@ -11,6 +11,7 @@ swayaw_report_\name\()_end:
     embed page_html, page.html
     embed page_css, page.css
     embed page_js, page.js
+    embed check_js, check.js
     embed compare_js, compare.js
     embed loop_js, loop.js
     embed diagnose_js, diagnose.js

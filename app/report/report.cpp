@@ -16,6 +16,8 @@ extern const char swayaw_report_page_css[];
 extern const char swayaw_report_page_css_end[];
 extern const char swayaw_report_page_js[];
 extern const char swayaw_report_page_js_end[];
+extern const char swayaw_report_check_js[];
+extern const char swayaw_report_check_js_end[];
 extern const char swayaw_report_compare_js[];
 extern const char swayaw_report_compare_js_end[];
 extern const char swayaw_report_loop_js[];
@@ -179,6 +181,11 @@ std::string fill(std::string_view page, const Content& content) {
 }
 
 }  // namespace
+
+std::string check_page(const json& document) {
+  const auto script = between(swayaw_report_check_js, swayaw_report_check_js_end);
+  return fill(skeleton(), {script, document_text(document)});
+}
 
 std::string comparison_page(const json& document) {
   const auto script = between(swayaw_report_compare_js, swayaw_report_compare_js_end);

@@ -42,8 +42,18 @@ struct ReplayArguments {
   std::filesystem::path out;
   bool forces = false;  ///< forces by part in the time series
   bool json = false;
+  std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
 };
 void replay(const ReplayArguments& arguments);
+
+struct CheckArguments {
+  std::vector<std::filesystem::path> runs;
+  std::string rudder_positive;   ///< "port" or "starboard", whatever the files say; empty: as they say
+  std::filesystem::path report;  ///< empty: no page
+  std::filesystem::path out;     ///< repaired recording; empty: none
+  bool json = false;
+};
+void check(const CheckArguments& arguments);
 
 struct CompareArguments {
   std::filesystem::path ship;
@@ -53,6 +63,8 @@ struct CompareArguments {
   std::filesystem::path report;  ///< empty: no page
   bool json = false;
   bool markdown = false;
+  std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
+  bool no_check = false;        ///< instruments are not checked first
 };
 void compare(const CompareArguments& arguments);
 
@@ -129,6 +141,8 @@ struct IdentifyArguments {
   bool resample = false;
   std::filesystem::path out;
   bool json = false;
+  std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
+  bool no_check = false;        ///< instruments are not checked first
 };
 void identify(const IdentifyArguments& arguments);
 
@@ -140,6 +154,8 @@ struct DiagnoseArguments {
   std::filesystem::path save_model;              ///< empty: none
   std::filesystem::path report;                  ///< empty: no page
   bool json = false;
+  std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
+  bool no_check = false;        ///< instruments are not checked first
 };
 void diagnose(const DiagnoseArguments& arguments);
 

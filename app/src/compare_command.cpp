@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "checked_runs.hpp"
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
@@ -237,8 +238,7 @@ void print_text(const Ship& ship, const CompareArguments& a, const std::vector<C
 void compare(const CompareArguments& a) {
   const Ship ship = parse_ship(ship_text(a.ship), a.ship);
   const CompareOptions options{.window_lengths = a.window_lengths, .replay = {.shaft = shaft_named(a.shaft)}};
-  std::vector<Recording> runs;
-  for (const auto& file : a.runs) runs.push_back(load_run(file));
+  const auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check});
   std::vector<Comparison> comparisons;
   for (const auto& run : runs) {
     tell_shaft(run, options.replay.shaft);

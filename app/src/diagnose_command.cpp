@@ -1,5 +1,6 @@
 #include "swayaw/mismatch/diagnose.hpp"
 
+#include "checked_runs.hpp"
 #include "commands.hpp"
 #include "diagnose_report.hpp"
 #include "input.hpp"
@@ -9,12 +10,6 @@
 
 namespace swayaw::app {
 namespace {
-
-std::vector<Recording> load_runs(const std::vector<std::filesystem::path>& files) {
-  std::vector<Recording> runs;
-  for (const auto& file : files) runs.push_back(load_run(file));
-  return runs;
-}
 
 // ---------------------------------------------------------------- JSON
 
@@ -175,7 +170,9 @@ void diagnose(const DiagnoseArguments& a) {
     progress.tell(what);
     return !interrupt.asked();
   };
-  const auto runs = load_runs(a.runs), reference = load_runs(a.reference), holdout = load_runs(a.holdout);
+  const Reading reading{a.rudder_positive, a.no_check};
+  const auto runs = checked_runs(a.runs, reading), reference = checked_runs(a.reference, reading),
+             holdout = checked_runs(a.holdout, reading);
   const auto diagnosis = swayaw::diagnose(ship, runs, reference, holdout, options);
   if (!a.save_model.empty())
     write_ship(a.save_model, diagnosis.improved,

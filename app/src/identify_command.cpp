@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "checked_runs.hpp"
 #include "commands.hpp"
 #include "identify_linear.hpp"
 #include "input.hpp"
@@ -24,12 +25,6 @@ struct Question {
   std::vector<Recording> holdout;
   ForceFitOptions options;
 };
-
-std::vector<Recording> load_runs(const std::vector<std::filesystem::path>& files) {
-  std::vector<Recording> runs;
-  for (const auto& file : files) runs.push_back(load_run(file));
-  return runs;
-}
 
 /// Those asked for, or the usual ones, with `also` and without `keep`.
 std::vector<std::string> parameters_to_find(const Ship& ship, const IdentifyArguments& a) {
@@ -59,8 +54,8 @@ std::vector<Channel> channels_named(const std::vector<std::string>& names) {
 
 Question question_of(const IdentifyArguments& a) {
   Question q{.ship = in_model(load_nonlinear_ship(a.ship), a.model),
-             .runs = load_runs(a.runs),
-             .holdout = load_runs(a.holdout),
+             .runs = checked_runs(a.runs, {a.rudder_positive, a.no_check}),
+             .holdout = checked_runs(a.holdout, {a.rudder_positive, a.no_check}),
              .options = {.parameters = {}}};
   q.options.parameters = parameters_to_find(q.ship, a);
   q.options.priors = a.prior;

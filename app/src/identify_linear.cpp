@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "checked_runs.hpp"
 #include "input.hpp"
 #include "json.hpp"
 #include "swayaw/core/version.hpp"
@@ -86,8 +87,7 @@ Json document_of(const LinearFit& fit, const Particulars& p, const std::vector<R
 
 void identify_linear(const IdentifyArguments& a) {
   const auto p = particulars_of(load_ship(a.ship));
-  std::vector<Recording> runs;
-  for (const auto& file : a.runs) runs.push_back(load_run(file));
+  const auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check});
   const auto fit = fit_linear(runs, {.L = p.particulars.L});
   if (!std::isfinite(fit.coefficients.a1.value))
     throw Refusal(

@@ -25,9 +25,14 @@
 
 namespace swayaw::app {
 
+inline Side side_named(std::string_view name) { return name == "port" ? Side::port : Side::starboard; }
+
 /// A recording; its warnings go to stderr.
-inline Recording load_run(const std::filesystem::path& file) {
-  auto loaded = read_recording(file);
+///
+/// @param rudder_positive  "port" or "starboard", whatever the file says; empty: as it says
+inline Recording load_run(const std::filesystem::path& file, std::string_view rudder_positive = {}) {
+  auto loaded =
+      read_recording(file, rudder_positive.empty() ? std::nullopt : std::optional(side_named(rudder_positive)));
   for (const auto& warning : loaded.warnings) fmt::print(stderr, "swayaw: {}\n", warning);
   return std::move(loaded.recording);
 }
@@ -98,8 +103,6 @@ inline ZigzagAngles zigzag_angles(const std::string& text) {
 inline std::string name_of(const ZigzagAngles& angles) {
   return fmt::format("zigzag {:.6g}/{:.6g}", degrees(angles.rudder), degrees(angles.heading));
 }
-
-inline Side side_named(std::string_view name) { return name == "port" ? Side::port : Side::starboard; }
 
 inline Shaft shaft_named(std::string_view name) {
   return name == "recorded" ? Shaft::recorded : Shaft::self_propulsion;

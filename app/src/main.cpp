@@ -16,8 +16,8 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 11> commands{"compare",   "diagnose", "forces", "identify", "indices", "invert",
-                                                    "linearize", "loop",     "replay", "simulate", "tune"};
+constexpr std::array<std::string_view, 12> commands{"check",  "compare",   "diagnose", "forces", "identify", "indices",
+                                                    "invert", "linearize", "loop",     "replay", "simulate", "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -119,6 +119,11 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
   });
 }
 
+void add_rudder_positive(CLI::App& command, std::string& side) {
+  command.add_option("--rudder-positive", side, "side to which rudder angles are positive, whatever the files say")
+      ->check(side_name);
+}
+
 void add_replay(CLI::App& app, ReplayArguments& a) {
   auto& command = *app.add_subcommand("replay", "simulate a recorded run with its rudder and shaft speed");
   add_ship(command, a.ship);
@@ -126,8 +131,30 @@ void add_replay(CLI::App& app, ReplayArguments& a) {
   add_shaft(command, a.shaft);
   command.add_option("--out", a.out, "time series to this file (CSV)")->required();
   command.add_flag("--forces", a.forces, "forces by part in the time series");
+  add_rudder_positive(command, a.rudder_positive);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { replay(a); });
+}
+
+/// Of commands that check the instruments of their recordings before they begin.
+void add_reading(CLI::App& command, std::string& side, bool& no_check) {
+  add_rudder_positive(command, side);
+  command.add_flag("--no-check", no_check, "believe the recordings: signs, units and clocks are not checked first");
+}
+
+void add_check(CLI::App& app, CheckArguments& a) {
+  auto& command = *app.add_subcommand(
+      "check",
+      "signs, units, clocks, zeros, scales and axes of recorded channels, by kinematics alone: no ship needed");
+  command.add_option("runs", a.runs, "recordings (CSV)")->required();
+  add_rudder_positive(command, a.rudder_positive);
+  command.add_option("--report", a.report, "write an HTML page that needs no network");
+  command.add_option("--out", a.out, "the recording without the errors that were told (CSV); of one recording only");
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] {
+    if (!a.out.empty() && a.runs.size() > 1) throw CLI::ValidationError("--out", "goes with one recording");
+    check(a);
+  });
 }
 
 void add_compare(CLI::App& app, CompareArguments& a) {
@@ -141,6 +168,7 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   command.add_option("--report", a.report, "write an HTML page that needs no network");
   auto* json = command.add_flag("--json", a.json, "print one JSON document");
   command.add_flag("--markdown", a.markdown, "print Markdown tables")->excludes(json);
+  add_reading(command, a.rudder_positive, a.no_check);
   command.callback([&a] { compare(a); });
 }
 
@@ -264,6 +292,7 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   command.add_flag("--resample", a.resample,
                    "the same from other choices of runs: one left out, one alone, one rudder amplitude alone");
   command.add_option("--out", a.out, "ship file of the identified ship (TOML)")->required();
+  add_reading(command, a.rudder_positive, a.no_check);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { identify(a); });
 }
@@ -277,6 +306,7 @@ void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
   command.add_option("--holdout", a.holdout, "recordings that are not used but predicted");
   command.add_option("--save-model", a.save_model, "ship file with the effects found (TOML)");
   command.add_option("--report", a.report, "write an HTML page that needs no network");
+  add_reading(command, a.rudder_positive, a.no_check);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { diagnose(a); });
 }
@@ -302,6 +332,7 @@ int run(int count, char** words) {
   app.require_subcommand(1);
   SimulateArguments simulate_arguments;
   ReplayArguments replay_arguments;
+  CheckArguments check_arguments;
   CompareArguments compare_arguments;
   ForcesArguments forces_arguments;
   LinearizeArguments linearize_arguments;
@@ -313,6 +344,7 @@ int run(int count, char** words) {
   DiagnoseArguments diagnose_arguments;
   add_simulate(app, simulate_arguments);
   add_replay(app, replay_arguments);
+  add_check(app, check_arguments);
   add_compare(app, compare_arguments);
   add_forces(app, forces_arguments);
   add_linearize(app, linearize_arguments);

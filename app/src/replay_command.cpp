@@ -10,7 +10,7 @@ namespace swayaw::app {
 
 void replay(const ReplayArguments& a) {
   const Ship ship = parse_ship(ship_text(a.ship), a.ship);
-  const Recording run = load_run(a.run);
+  const Recording run = load_run(a.run, a.rudder_positive);
   const Shaft shaft = shaft_named(a.shaft);
   tell_shaft(run, shaft);
   Recording simulated = swayaw::replay(ship, run, {.shaft = shaft});

@@ -46,7 +46,8 @@ std::string_view same_but_for_capitals(std::string_view name) {
 
 class RecordingParser {
  public:
-  RecordingParser(std::string_view text, const std::filesystem::path& file) : rest_(text), file_(file) {
+  RecordingParser(std::string_view text, const std::filesystem::path& file, std::optional<Side> rudder_positive)
+      : rest_(text), file_(file), rudder_positive_(rudder_positive) {
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
   }
 
@@ -218,6 +219,7 @@ class RecordingParser {
     require_samples();
     project_position();
     unwrap_heading();
+    if (rudder_positive_) convention_.rudder_sign = rudder_sign(*rudder_positive_);
     for (const Channel rudder : {Channel::delta, Channel::delta_order})
       for (double& angle : recording_.channels[index_of(rudder)]) angle *= convention_.rudder_sign;
     if (convention_.reference_x != 0.0) move_to_midship();
@@ -317,6 +319,7 @@ class RecordingParser {
   std::size_t header_line_ = 0;
   std::size_t samples_ = 0;
   Convention convention_;
+  std::optional<Side> rudder_positive_;  ///< said by the caller
   std::vector<Reading> columns_;
   std::vector<double> latitude_;
   std::vector<double> longitude_;
@@ -376,11 +379,14 @@ void write_rows(Text& out, const Recording& recording) {
 
 }  // namespace
 
-RecordingFile parse_recording(std::string_view text, const std::filesystem::path& name) {
-  return RecordingParser(text, name).parse();
+RecordingFile parse_recording(std::string_view text, const std::filesystem::path& name,
+                              std::optional<Side> rudder_positive) {
+  return RecordingParser(text, name, rudder_positive).parse();
 }
 
-RecordingFile read_recording(const std::filesystem::path& file) { return parse_recording(read_text(file), file); }
+RecordingFile read_recording(const std::filesystem::path& file, std::optional<Side> rudder_positive) {
+  return parse_recording(read_text(file), file, rudder_positive);
+}
 
 std::string recording_text(const Recording& recording) {
   Text out;

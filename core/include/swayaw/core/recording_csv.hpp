@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "swayaw/core/recording.hpp"
+#include "swayaw/core/side.hpp"
 
 namespace swayaw::inline core {
 
@@ -22,11 +24,13 @@ struct RecordingFile {
 /// forward of midship, to midship:  x − l cos(psi),  y − l sin(psi),  v − l r,  and speed and course over
 /// ground accordingly. Columns that are not understood are kept and named in a warning.
 ///
+/// @param rudder_positive  side to which the rudder column is positive, whatever the file says; nothing: as it says
 /// @throws FileError  "FILE:LINE:COLUMN: what is wrong"
-RecordingFile read_recording(const std::filesystem::path& file);
+RecordingFile read_recording(const std::filesystem::path& file, std::optional<Side> rudder_positive = {});
 
 /// The same from text; `name` stands for the file in messages.
-RecordingFile parse_recording(std::string_view text, const std::filesystem::path& name);
+RecordingFile parse_recording(std::string_view text, const std::filesystem::path& name,
+                              std::optional<Side> rudder_positive = {});
 
 /// Comma-separated text of a recording: SI columns, rudder positive to port, full precision.
 std::string recording_text(const Recording& recording);

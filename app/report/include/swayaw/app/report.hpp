@@ -20,4 +20,8 @@ std::string loop_page(const nlohmann::json& document);
 /// series are rounded as those of a comparison.
 std::string diagnosis_page(const nlohmann::json& document);
 
+/// One HTML page that shows a document of a check ("swayaw.check/1"): what was told of instruments, with the standard
+/// errors of all runs side by side, and what the samples of each channel are like.
+std::string check_page(const nlohmann::json& document);
+
 }  // namespace swayaw

@@ -1,0 +1,141 @@
+#include <algorithm>
+
+#include "commands.hpp"
+#include "input.hpp"
+#include "json.hpp"
+#include "swayaw/app/report.hpp"
+#include "swayaw/core/parallel.hpp"
+#include "swayaw/core/version.hpp"
+#include "swayaw/identification/data_compatibility.hpp"
+
+namespace swayaw::app {
+namespace {
+
+// ---------------------------------------------------------------- JSON
+
+Json error_json(const InstrumentError& e) {
+  return {{"channel", short_name(e.channel)},
+          {"error", name_of(e.kind)},
+          {"value", number(e.value)},
+          {"standard_error", number(e.standard_error)},
+          {"unit", unit_of(e)},
+          {"told", e.told},
+          {"words", words_for(e)},
+          {"remedy", remedy_for(e)}};
+}
+
+Json errors_json(const std::vector<InstrumentError>& errors) {
+  Json list = Json::array();
+  for (const auto& e : errors) list.push_back(error_json(e));
+  return list;
+}
+
+Json channel_json(const ChannelCharacter& c) {
+  return {{"channel", short_name(c.channel)}, {"samples", c.samples},
+          {"step", number(c.step)},           {"noise", number(c.noise)},
+          {"interval_s", number(c.interval)}, {"interpolated", c.interpolated},
+          {"outliers", c.outliers.size()}};
+}
+
+Json run_json(const RunCheck& check) {
+  Json channels = Json::array(), gaps = Json::array();
+  for (const auto& c : check.channels) channels.push_back(channel_json(c));
+  for (std::size_t i = 0; i + 1 < check.gaps.size(); i += 2) gaps.push_back({check.gaps[i], check.gaps[i + 1]});
+  return {{"run", check.run},
+          {"instruments", errors_json(check.errors)},
+          {"channels", std::move(channels)},
+          {"gaps_s", std::move(gaps)},
+          {"cannot_tell", check.cannot_tell}};
+}
+
+Json document_of(const std::vector<RunCheck>& checks) {
+  Json runs = Json::array();
+  for (const auto& check : checks) runs.push_back(run_json(check));
+  Json document{{"schema", "swayaw.check/1"}, {"version", version()}, {"runs", std::move(runs)}};
+  if (checks.size() > 1) document["all_runs"] = errors_json(pooled(checks));
+  return document;
+}
+
+// ---------------------------------------------------------------- text
+
+/// The factor from SI to the unit in which people read a channel, and its name.
+struct Unit {
+  double factor;
+  std::string_view name;
+};
+
+Unit unit_of(Channel channel) {
+  switch (dimension_of(channel)) {
+    case Dimension::length: return {1.0, "m"};
+    case Dimension::bearing:
+    case Dimension::angle: return {degrees(1.0), "deg"};
+    case Dimension::yaw_rate: return {degrees(1.0), "deg/s"};
+    case Dimension::speed: return {1.0, "m/s"};
+    default: return {1.0, ""};
+  }
+}
+
+void print_channel(const ChannelCharacter& c) {
+  const auto [factor, unit] = unit_of(c.channel);
+  fmt::print("    {:<12}{:>8} samples, noise {:.2g} {}", short_name(c.channel), c.samples, factor * c.noise, unit);
+  if (c.step > c.noise) fmt::print(", in steps of {:.2g} {}", factor * c.step, unit);
+  if (c.interpolated) fmt::print(", measured every {:.2g} s and on straight lines between", c.interval);
+  if (!c.outliers.empty()) fmt::print(", {} outlier{}", c.outliers.size(), c.outliers.size() == 1 ? "" : "s");
+  fmt::print("\n");
+}
+
+void print_errors(const std::vector<InstrumentError>& errors, bool told) {
+  for (const auto& e : errors) {
+    if (e.told != told) continue;
+    fmt::print("    {}\n", words_for(e));
+    if (const auto remedy = remedy_for(e); !remedy.empty()) fmt::print("        {}\n", remedy);
+  }
+}
+
+bool has(const std::vector<InstrumentError>& errors, bool told) {
+  return std::ranges::any_of(errors, [&](const InstrumentError& e) { return e.told == told; });
+}
+
+void print_all(const std::vector<InstrumentError>& errors) {
+  fmt::print("{}\n", has(errors, true) ? "  Told:" : "  No error of an instrument is told.");
+  print_errors(errors, true);
+  if (has(errors, false)) fmt::print("  Not told from none, or too small to matter (± standard error):\n");
+  print_errors(errors, false);
+}
+
+void print(const RunCheck& check) {
+  fmt::print("{}\n", check.run);
+  print_all(check.errors);
+  for (const auto& line : check.cannot_tell) fmt::print("  Cannot tell: {}\n", line);
+  for (std::size_t i = 0; i + 1 < check.gaps.size(); i += 2)
+    fmt::print("  No heading from {:.6g} to {:.6g} s\n", check.gaps[i], check.gaps[i + 1]);
+  fmt::print("  Channels:\n");
+  std::ranges::for_each(check.channels, print_channel);
+}
+
+}  // namespace
+
+void check(const CheckArguments& a) {
+  std::vector<Recording> runs;
+  for (const auto& file : a.runs) runs.push_back(load_run(file, a.rudder_positive));
+  std::vector<RunCheck> checks(runs.size());
+  in_parallel(runs.size(), 0, [&](std::size_t i) { checks[i] = check_run(runs[i]); });
+  if (!a.out.empty()) {
+    write_recording(repaired(runs.front(), checks.front()), a.out);
+    fmt::print(stderr, "swayaw: repaired recording written to {}\n", a.out.string());
+  }
+  if (!a.report.empty()) {
+    write_text(a.report, check_page(for_page(document_of(checks))));
+    fmt::print(stderr, "swayaw: report written to {}\n", a.report.string());
+  }
+  if (a.json) {
+    fmt::print("{}\n", document_of(checks).dump(2));
+    return;
+  }
+  std::ranges::for_each(checks, print);
+  if (checks.size() < 2) return;
+  fmt::print("All runs\n");
+  print_all(pooled(checks));
+}
+
+}  // namespace swayaw::app

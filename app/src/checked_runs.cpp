@@ -1,0 +1,46 @@
+#include "checked_runs.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "input.hpp"
+#include "swayaw/core/parallel.hpp"
+#include "swayaw/identification/data_compatibility.hpp"
+
+namespace swayaw::app {
+namespace {
+
+/// An order that is called an angle is told, and worked with: the steering gear is within the ship then.
+bool forbids_work(const InstrumentError& e) { return is_mistake(e.kind) && e.kind != InstrumentErrorKind::order; }
+
+void refuse_mistakes(const RunCheck& check) {
+  const auto wrong = std::ranges::find_if(check.errors, forbids_work);
+  if (wrong == check.errors.end()) return;
+  throw Refusal(fmt::format("{}: {}; {} (swayaw check tells more; --no-check believes the file)", check.run,
+                            words_for(*wrong), remedy_for(*wrong)));
+}
+
+void tell(const RunCheck& check) {
+  std::vector<std::string> told;
+  for (const auto& e : check.errors)
+    if (e.told) told.push_back(words_for(e));
+  if (!told.empty()) fmt::print(stderr, "swayaw: {}: {}\n", check.run, fmt::join(told, "; "));
+}
+
+}  // namespace
+
+std::vector<Recording> checked_runs(const std::vector<std::filesystem::path>& files, const Reading& reading) {
+  constexpr std::size_t enough = 20;  // samples that a check needs
+  std::vector<Recording> runs;
+  for (const auto& file : files) runs.push_back(load_run(file, reading.rudder_positive));
+  if (reading.no_check) return runs;
+  std::vector<RunCheck> checks(runs.size());
+  in_parallel(runs.size(), 0, [&](std::size_t i) {
+    if (runs[i].samples() >= enough) checks[i] = check_run(runs[i]);
+  });
+  std::ranges::for_each(checks, refuse_mistakes);
+  std::ranges::for_each(checks, tell);
+  return runs;
+}
+
+}  // namespace swayaw::app

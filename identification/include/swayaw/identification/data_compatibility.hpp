@@ -1,0 +1,93 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "swayaw/core/recording.hpp"
+
+/// Instruments judged by kinematics alone, before any ship is: data compatibility, as aircraft identification has it.
+///
+///     ẋ = u cos psi − v sin psi,    ẏ = u sin psi + v cos psi,    dpsi/dt = r
+///
+/// hold for every ship. What breaks them is an error of an instrument, of a clock or of a file.
+/// Source: [Klein2006] chapter 10
+namespace swayaw::inline identification {
+
+/// What an instrument, a clock or a column does wrong. c is the channel, c₀ the truth.
+enum class InstrumentErrorKind {
+  unit,         ///< c = value c₀: a column in another unit than its name says
+  sign,         ///< c = −c₀; of y: positive to port; of the rudder: positive to the other side
+  order,        ///< the column is the order, not the angle; value: the rate that the angle would need [rad/s]
+  zero,         ///< c = c₀ + value
+  scale,        ///< c = (1 + value) c₀
+  delay,        ///< c(t) = c₀(t − value) [s]
+  clock,        ///< c's clock wanders: standard deviation of its error after a minute [s]
+  smoothing,    ///< c is the mean of c₀ over value [s]
+  axes,         ///< velocity axes turned to starboard against the heading, or the heading low by the same [rad]
+  lever_arm_x,  ///< the positions are of a point this far forward of midship [m]
+  lever_arm_y,  ///< the same to starboard [m]
+};
+
+/// One error of one channel.
+struct InstrumentError {
+  Channel channel;
+  InstrumentErrorKind kind;
+  double value;
+  double standard_error;
+  bool told = false;  ///< larger than what chance makes of none, and than what matters
+};
+
+/// Name in JSON, "delay".
+std::string_view name_of(InstrumentErrorKind kind);
+
+/// "s", "rad", "rad/s", "m", "m/s" or "" of the value.
+std::string_view unit_of(const InstrumentError& error);
+
+/// Whether no number of the run can be believed before it is mended: sign, unit, order.
+bool is_mistake(InstrumentErrorKind kind);
+
+/// What the samples of a channel are like.
+struct ChannelCharacter {
+  Channel channel;
+  std::size_t samples = 0;            ///< with a value
+  double step = 0.0;                  ///< of rounding; 0 if none is seen
+  double noise = 0.0;                 ///< standard deviation of the white part
+  double interval = 0.0;              ///< mean time between samples that were measured [s]
+  bool interpolated = false;          ///< samples between fixes are on straight lines
+  std::vector<std::size_t> outliers;  ///< single samples far from both neighbours
+};
+
+/// What was found in one run.
+struct RunCheck {
+  std::string run;
+  std::vector<ChannelCharacter> channels;
+  std::vector<InstrumentError> errors;   ///< those that could be told, and those that could not: `told`
+  std::vector<double> gaps;              ///< begin, end, begin, end … without samples [s]
+  std::vector<std::string> cannot_tell;  ///< what this run has no channels or no motion for, one line each
+
+  /// The first that forbids to believe the run.
+  const InstrumentError* mistake() const;
+};
+
+/// Checks one run. Linear in the number of samples.
+///
+/// @throws Refusal  if it has fewer than twenty samples
+RunCheck check_run(const Recording& run);
+
+/// Errors of instruments that several runs have in common: the mean by information, its standard error not less than
+/// the scatter of the runs allows.
+std::vector<InstrumentError> pooled(std::span<const RunCheck> runs);
+
+/// The run without the errors that were told, and without outliers. Clocks are set right by straight lines between
+/// samples; a smoothed channel stays as it is.
+Recording repaired(const Recording& run, const RunCheck& check);
+
+/// "yaw rate: zero 0.031 ± 0.002 deg/s"
+std::string words_for(const InstrumentError& error);
+
+/// What to do about a mistake: the key, column or option that mends it; empty for others.
+std::string remedy_for(const InstrumentError& error);
+
+}  // namespace swayaw::identification

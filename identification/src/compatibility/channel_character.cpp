@@ -1,0 +1,140 @@
+#include "channel_character.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "run_motion.hpp"
+
+namespace swayaw::inline identification::detail {
+namespace {
+
+/// Samples of a channel that are not missing, and where they stand in the run.
+struct Samples {
+  std::vector<double> time, value;
+  std::vector<std::size_t> place;
+
+  std::size_t size() const { return value.size(); }
+};
+
+Samples samples_of(const Recording& run, Channel channel) {
+  Samples s;
+  const auto values = run[channel];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i])) continue;
+    s.time.push_back(run.time[i]);
+    s.value.push_back(values[i]);
+    s.place.push_back(i);
+  }
+  return s;
+}
+
+/// The largest number that all differences of values are multiples of, if there is one: rounding.
+double step_of(std::vector<double> values) {
+  constexpr std::size_t enough = 2000;  // distinct values
+  constexpr double exact = 1e-3;        // of a step; digits written by other programs are good to 1e-9 of a value
+  std::ranges::sort(values);
+  const double range = values.back() - values.front();
+  std::vector<double> distinct{values.front()};
+  for (const double x : values)
+    if (x - distinct.back() > 1e-9 * std::max(range, std::abs(x))) distinct.push_back(x);
+  if (distinct.size() < 4) return 0.0;
+  double step = HUGE_VAL;
+  for (std::size_t i = 1; i < distinct.size(); ++i) step = std::min(step, distinct[i] - distinct[i - 1]);
+  if (distinct.size() > enough) distinct.resize(enough);
+  for (const double x : distinct) {
+    const double multiple = (x - distinct.front()) / step;
+    if (std::abs(multiple - std::round(multiple)) > exact * std::max(1.0, 1e-4 * multiple)) return 0.0;
+  }
+  return step;
+}
+
+/// How far each sample is off the straight line between its neighbours; 0 of the first and the last.
+std::vector<double> bends_of(const Samples& s) {
+  std::vector<double> bends(s.size(), 0.0);
+  for (std::size_t i = 1; i + 1 < s.size(); ++i) {
+    const double share = (s.time[i] - s.time[i - 1]) / (s.time[i + 1] - s.time[i - 1]);
+    bends[i] = s.value[i] - s.value[i - 1] - share * (s.value[i + 1] - s.value[i - 1]);
+  }
+  return bends;
+}
+
+/// Samples that are no corner of the line through all: those that were interpolated between fixes. Where the line is
+/// level nothing is told.
+struct Line {
+  std::vector<bool> corner;
+  double share_between = 0.0;  ///< of the samples on a slope
+};
+
+Line line_of(const Samples& s, double step) {
+  const auto bends = bends_of(s);
+  // both neighbours and the sample are rounded: half a step, a quarter and a quarter
+  const double straight = 1.01 * step + 1e-9 * rms(s.value);
+  Line line{std::vector<bool>(s.size(), true)};
+  std::size_t slopes = 0, between = 0;
+  for (std::size_t i = 1; i + 1 < s.size(); ++i) {
+    const bool on_slope = std::abs(s.value[i + 1] - s.value[i - 1]) > 6.0 * straight;
+    line.corner[i] = !(on_slope && std::abs(bends[i]) <= straight);
+    slopes += on_slope;
+    between += on_slope && !line.corner[i];
+  }
+  if (slopes > 0) line.share_between = static_cast<double>(between) / static_cast<double>(slopes);
+  return line;
+}
+
+/// Single samples far off the line through two neighbours on either side, compared with what is usual.
+std::vector<std::size_t> outliers_of(const Samples& s, double step) {
+  constexpr double far = 12.0;  // times the median: 8 standard deviations of normal noise
+  const auto bends = bends_of(s);
+  std::vector<double> sizes;
+  for (const double b : bends) sizes.push_back(std::abs(b));
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::ranges::nth_element(sizes, middle);
+  const double limit = std::max(far * *middle, 3.0 * step);
+  std::vector<std::size_t> found;
+  for (std::size_t i = 2; i + 2 < s.size(); ++i) {
+    // a spike bends the line by −½, 1, −½ of its height; a corner by less at its neighbours
+    const bool spike = bends[i] * bends[i - 1] < 0.0 && bends[i] * bends[i + 1] < 0.0 &&
+                       std::min(std::abs(bends[i - 1]), std::abs(bends[i + 1])) > 0.3 * std::abs(bends[i]);
+    if (limit > 0.0 && spike && std::abs(bends[i]) > limit) found.push_back(s.place[i]);
+  }
+  return found;
+}
+
+std::vector<double> at_corners(const Samples& s, const Line& line) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (line.corner[i]) values.push_back(s.value[i]);
+  return values;
+}
+
+}  // namespace
+
+ChannelCharacter character_of(const Recording& run, Channel channel) {
+  constexpr double interpolated = 0.25;  // share on straight lines; smooth motion recorded in full digits has none
+  const auto s = samples_of(run, channel);
+  ChannelCharacter c{.channel = channel, .samples = s.size()};
+  if (s.size() < 5) return c;
+  c.step = step_of(s.value);
+  const auto line = line_of(s, c.step);
+  c.interpolated = line.share_between > interpolated;
+  const auto fixes = c.interpolated ? at_corners(s, line) : s.value;
+  c.noise = white_noise_of(fixes);
+  c.interval = (s.time.back() - s.time.front()) / static_cast<double>(std::max<std::size_t>(fixes.size(), 2) - 1);
+  if (!c.interpolated) c.outliers = outliers_of(s, c.step);
+  return c;
+}
+
+Recording measured_samples(Recording run, std::span<const ChannelCharacter> characters) {
+  for (const auto& c : characters) {
+    const auto values = run.fill(c.channel);
+    for (const std::size_t i : c.outliers) values[i] = missing;
+    if (!c.interpolated) continue;
+    const auto s = samples_of(run, c.channel);
+    const auto line = line_of(s, c.step);
+    for (std::size_t i = 0; i < s.size(); ++i)
+      if (!line.corner[i]) values[s.place[i]] = missing;
+  }
+  return run;
+}
+
+}  // namespace swayaw::identification::detail

@@ -1,0 +1,193 @@
+#include "swayaw/identification/data_compatibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "channel_character.hpp"
+#include "mistakes.hpp"
+#include "relations.hpp"
+#include "run_motion.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/refusal.hpp"
+
+namespace swayaw::inline identification {
+using namespace detail;
+namespace {
+
+using Kind = InstrumentErrorKind;
+
+bool is_sway(Channel channel) { return channel == Channel::v || channel == Channel::v_ground; }
+
+/// What an error must exceed to matter: below it no answer about a ship changes.
+///
+/// @param step    between samples [s]
+/// @param radius  of the ship's hard turns [m]
+double floor_of(const InstrumentError& e, double step, double radius) {
+  switch (e.kind) {
+    case Kind::zero: return radians(0.003);        // [rad/s]: 1 deg of heading in five minutes
+    case Kind::scale: return 0.003;                // a log is read to 0.05 kn of 15 kn
+    case Kind::delay: return std::max(step, 0.1);  // [s]
+    case Kind::smoothing: return step;             // [s]
+    case Kind::axes:
+      return is_sway(e.channel) ? radians(1.0) : radians(0.3);  // wind and a screw make a degree of drift
+    case Kind::lever_arm_x:
+    case Kind::lever_arm_y: return 0.01 * radius;  // [m]: of a circle of three lengths a thirtieth of the length
+    default: return 0.0;
+  }
+}
+
+/// Beyond this many standard deviations lies one in 5,000; a run has some ten errors, so one clean run in 500 shows
+/// one.
+constexpr double beyond_doubt = 3.7;
+
+void tell(std::vector<InstrumentError>& errors, double step, double radius) {
+  for (auto& e : errors)
+    e.told = std::abs(e.value) > std::max(beyond_doubt * e.standard_error, floor_of(e, step, radius));
+}
+
+/// Of the turns that only a twentieth of the time is harder than [m].
+double radius_of(const Recording& run) {
+  const auto speeds = speeds_of(run);
+  if (speeds.empty()) return 0.0;
+  auto turning = run.has(Channel::r) ? filled(run, Channel::r) : slope(run.time, filled(run, Channel::psi));
+  for (double& r : turning) r = std::abs(r);
+  std::ranges::sort(turning);
+  const double hard = turning[static_cast<std::size_t>(0.95 * static_cast<double>(turning.size() - 1))];
+  return rms(filled(run, speeds.front())) / std::max(hard, 1e-4);
+}
+
+// ---------------------------------------------------------------- one run
+
+InstrumentError* find(std::vector<InstrumentError>& errors, Channel channel, Kind kind) {
+  const auto found =
+      std::ranges::find_if(errors, [&](const InstrumentError& e) { return e.channel == channel && e.kind == kind; });
+  return found == errors.end() ? nullptr : &*found;
+}
+
+/// Of two values of one error, by two speeds, that with the smaller standard error.
+void add(std::vector<InstrumentError>& errors, const std::vector<InstrumentError>& more) {
+  for (const auto& e : more) {
+    auto* known = find(errors, e.channel, e.kind);
+    if (!known) errors.push_back(e);
+    else if (e.standard_error < known->standard_error) *known = e;
+  }
+}
+
+/// A heading that is late makes the yaw rate look early: what is told of the heading does not count for the rate.
+void share_delay(std::vector<InstrumentError>& errors, double step, double radius) {
+  auto *heading = find(errors, Channel::psi, Kind::delay), *rate = find(errors, Channel::r, Kind::delay);
+  if (!heading || !rate) return;
+  std::vector<InstrumentError> alone{*heading};
+  tell(alone, step, radius);
+  if (!alone.front().told) return;
+  rate->value += heading->value;
+  rate->standard_error = std::hypot(rate->standard_error, heading->standard_error);
+}
+
+std::vector<double> gaps_in(const Recording& run) {
+  std::vector<double> gaps;
+  const auto lost = gaps_of(run, Channel::psi);
+  for (std::size_t i = 0; i < lost.size(); ++i)
+    if (lost[i] > 0.0) gaps.insert(gaps.end(), {run.time[i] - lost[i], run.time[i]});
+  return gaps;
+}
+
+/// A log alone, without sway, cannot tell the clock of the positions; a velocity with sway can, and comes first.
+Recording with_clock_of_positions(const Recording& run, const std::vector<InstrumentError>& errors) {
+  RunCheck clock;
+  for (const auto& e : errors)
+    if (e.told && e.channel == Channel::x && e.kind == Kind::delay) clock.errors.push_back(e);
+  return clock.errors.empty() ? run : repaired(run, clock);
+}
+
+/// Errors of the kinematics of a run without mistakes.
+std::vector<InstrumentError> errors_of(const Recording& run) {
+  std::vector<InstrumentError> errors;
+  const double step = usual_step(run.time), radius = radius_of(run);
+  auto on_time = run;
+  for (const Channel speed : speeds_of(run)) {
+    add(errors, track_errors(on_time, speed));
+    if (const auto drift = drift_on_straight_courses(run, speed)) add(errors, {*drift});
+    tell(errors, step, radius);
+    on_time = with_clock_of_positions(run, errors);
+  }
+  add(errors, yaw_rate_errors(run));
+  share_delay(errors, step, radius);
+  tell(errors, step, radius);
+  return errors;
+}
+
+/// The rudder turns the ship to the wrong side, beyond doubt.
+std::optional<InstrumentError> rudder_reversed(const Recording& run) {
+  constexpr double certain = 5.0;  // standard deviations: a run that is refused must be wrong
+  auto sign = rudder_sign(run);
+  if (!sign || sign->value < certain * sign->standard_error) return {};
+  *sign = {.channel = sign->channel, .kind = Kind::sign, .value = -1.0, .standard_error = 0.0, .told = true};
+  return sign;
+}
+
+void note_what_is_missing(const Recording& run, std::vector<std::string>& notes) {
+  const bool track = run.has(Channel::x) && run.has(Channel::y);
+  if (!run.has(Channel::r)) notes.push_back("no yaw rate: zero, scale and clock of a gyro cannot be told");
+  if (!track) notes.push_back("no positions: scale of the log, compass and clocks against the track cannot be told");
+  const auto speeds = speeds_of(run);
+  if (track && speeds.size() == 1 && speeds[0] != Channel::u_ground && !run.has(Channel::v))
+    notes.push_back("no sway: clocks and antenna cannot be told, nor the scale of the log while the ship turns");
+  if (track && speeds.empty()) notes.push_back("no speed but that of the track: nothing to compare the track with");
+}
+
+}  // namespace
+
+const InstrumentError* RunCheck::mistake() const {
+  const auto found = std::ranges::find_if(errors, [](const InstrumentError& e) { return is_mistake(e.kind); });
+  return found == errors.end() ? nullptr : &*found;
+}
+
+RunCheck check_run(const Recording& run) {
+  constexpr std::size_t least = 20;
+  if (run.samples() < least)
+    throw Refusal(fmt::format("{}: {} samples are too few to check instruments by; {} are needed", run.name,
+                              run.samples(), least));
+  RunCheck check{.run = run.name};
+  for (std::size_t c = 0; c < channel_count; ++c)
+    if (run.has(static_cast<Channel>(c))) check.channels.push_back(character_of(run, static_cast<Channel>(c)));
+  const auto measured = measured_samples(run, check.channels);
+  check.gaps = gaps_in(measured);
+  check.errors = mistakes_of(measured);
+  auto mended = without(measured, check.errors);
+  if (const auto reversed = rudder_reversed(mended)) check.errors.push_back(*reversed);
+  add(check.errors, errors_of(mended));
+  note_what_is_missing(run, check.cannot_tell);
+  return check;
+}
+
+// ---------------------------------------------------------------- several runs
+
+std::vector<InstrumentError> pooled(std::span<const RunCheck> runs) {
+  std::vector<InstrumentError> result;
+  std::vector<std::vector<const InstrumentError*>> alike;
+  for (const auto& run : runs)
+    for (const auto& e : run.errors) {
+      if (is_mistake(e.kind) || e.standard_error <= 0.0) continue;
+      const auto same = std::ranges::find_if(
+          alike, [&](const auto& group) { return group[0]->channel == e.channel && group[0]->kind == e.kind; });
+      if (same == alike.end()) alike.push_back({&e});
+      else same->push_back(&e);
+    }
+  for (const auto& group : alike) {
+    double information = 0.0, sum = 0.0, scatter = 0.0;
+    for (const auto* e : group) information += 1.0 / (e->standard_error * e->standard_error);
+    for (const auto* e : group) sum += e->value / (e->standard_error * e->standard_error);
+    const double mean = sum / information;
+    for (const auto* e : group) scatter += std::pow((e->value - mean) / e->standard_error, 2);
+    // χ² over its degrees of freedom: how much further apart the runs are than their standard errors say
+    const double excess = group.size() > 1 ? std::max(1.0, scatter / static_cast<double>(group.size() - 1)) : 1.0;
+    result.push_back({group[0]->channel, group[0]->kind, mean, std::sqrt(excess / information)});
+  }
+  tell(result, 0.0, 0.0);
+  return result;
+}
+
+}  // namespace swayaw::identification

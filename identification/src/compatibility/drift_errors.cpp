@@ -1,0 +1,35 @@
+#include <algorithm>
+#include <cmath>
+
+#include "coloured_regression.hpp"
+#include "relations.hpp"
+#include "run_motion.hpp"
+
+namespace swayaw::inline identification::detail {
+namespace {
+
+enum Column : Eigen::Index { axes, lever, current_x, current_y, columns };
+
+}  // namespace
+
+std::optional<InstrumentError> drift_on_straight_courses(const Recording& run, Channel surge) {
+  constexpr double stream = 0.05;  // over the speed: a tide of half a knot on ten
+  const bool ground = surge == Channel::u_ground;
+  const Channel sway = ground ? Channel::v_ground : Channel::v;
+  if (!run.has(sway)) return {};
+  const auto psi = filled(run, Channel::psi), u = filled(run, surge), v = filled(run, sway);
+  const auto r = run.has(Channel::r) ? filled(run, Channel::r) : slope(run.time, psi);
+  TimeSeries s(run.samples(), columns + 1);
+  s.time = run.time;
+  for (std::size_t i = 0; i < run.samples(); ++i)
+    s.Xy.row(static_cast<Eigen::Index>(i)) << u[i], r[i], -std::sin(psi[i]), std::cos(psi[i]), v[i];
+  const double U = rms(u), radius = U / std::max(rms(r), 1e-4);
+  const double noise = std::max(white_noise_of(v), 1e-4 * U), current = ground ? stream * U : 1e-3 * U;
+  const InstrumentPriors p;
+  const Eigen::Vector<double, columns> prior{p.axes, p.lever * radius, current, current};
+  const ErrorModel guess{noise, std::max(noise, 0.02 * U), 20.0, 1e-3 * noise};
+  const auto fit = coloured_regression(s, prior, {&guess, 1});
+  return InstrumentError{sway, InstrumentErrorKind::axes, fit.beta[axes], std::sqrt(fit.covariance(axes, axes))};
+}
+
+}  // namespace swayaw::identification::detail

@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "swayaw/core/angle.hpp"
+#include "swayaw/identification/data_compatibility.hpp"
+
+namespace swayaw::inline identification {
+namespace {
+
+using Kind = InstrumentErrorKind;
+
+constexpr double knot = 1852.0 / 3600.0;
+
+std::string_view instrument(Channel channel) {
+  switch (channel) {
+    case Channel::x: return "positions";
+    case Channel::y: return "y";
+    case Channel::psi: return "heading";
+    case Channel::r: return "yaw rate";
+    case Channel::u: return "speed through the water";
+    case Channel::v: return "sway";
+    case Channel::u_ground: return "speed over ground";
+    case Channel::v_ground: return "sway over ground";
+    case Channel::speed_through_water: return "log";
+    case Channel::delta: return "rudder";
+    case Channel::delta_order: return "rudder order";
+    default: return short_name(channel);
+  }
+}
+
+/// A value in the unit that people read.
+struct Shown {
+  double factor;
+  std::string_view unit;
+};
+
+Shown shown(const InstrumentError& e) {
+  const auto unit = unit_of(e);
+  if (unit == "rad") return {degrees(1.0), "deg"};
+  if (unit == "rad/s") return {degrees(1.0), "deg/s"};
+  if (e.kind == Kind::scale) return {100.0, "%"};
+  return {1.0, unit};
+}
+
+std::string_view law(const InstrumentError& e) {
+  switch (e.kind) {
+    case Kind::zero: return "shows, at rest,";
+    case Kind::scale: return e.value > 0.0 ? "too large by" : "too small by";
+    case Kind::delay: return e.value > 0.0 ? "late by" : "early by";
+    case Kind::clock: return "their clock wanders, in a minute by";
+    case Kind::smoothing: return "smoothed over a window of standard deviation";
+    case Kind::lever_arm_x: return e.value > 0.0 ? "of a point forward of midship by" : "of a point aft of midship by";
+    case Kind::lever_arm_y: return e.value > 0.0 ? "of a point to starboard by" : "of a point to port by";
+    case Kind::axes:
+      if (e.channel == Channel::psi) return e.value > 0.0 ? "less than the track's by" : "more than the track's by";
+      return e.value > 0.0 ? "axes turned to starboard of the heading by" : "axes turned to port of the heading by";
+    default: return "";
+  }
+}
+
+bool has_side(Kind kind) { return kind != Kind::zero && kind != Kind::smoothing; }
+
+/// What a column really holds: the unit that its values are in.
+std::string unit_meant(const InstrumentError& e) {
+  const auto near = [&](double factor) { return std::abs(std::log(e.value / factor)) < 0.1; };
+  if (dimension_of(e.channel) == Dimension::speed)
+    return near(1.0 / knot) ? "kn" : near(3.6) ? "km/h" : near(knot) ? "m/s, not kn" : "km/h called kn";
+  if (near(degrees(1.0))) return e.channel == Channel::r ? "deg/s" : "deg";
+  if (near(60.0 * degrees(1.0))) return "deg/min";
+  if (near(60.0)) return "deg/min, not deg/s";
+  if (near(1.0 / 60.0)) return "deg/s, not deg/min";
+  return e.channel == Channel::r ? "rad/s" : "rad";
+}
+
+}  // namespace
+
+std::string_view name_of(InstrumentErrorKind kind) {
+  switch (kind) {
+    case Kind::unit: return "unit";
+    case Kind::sign: return "sign";
+    case Kind::order: return "order";
+    case Kind::zero: return "zero";
+    case Kind::scale: return "scale";
+    case Kind::delay: return "delay";
+    case Kind::clock: return "clock";
+    case Kind::smoothing: return "smoothing";
+    case Kind::axes: return "axes";
+    case Kind::lever_arm_x: return "lever_arm_x";
+    case Kind::lever_arm_y: return "lever_arm_y";
+  }
+  return "";
+}
+
+std::string_view unit_of(const InstrumentError& e) {
+  switch (e.kind) {
+    case Kind::zero: return e.channel == Channel::r ? "rad/s" : "rad";
+    case Kind::order: return "rad/s";
+    case Kind::axes: return "rad";
+    case Kind::delay:
+    case Kind::clock:
+    case Kind::smoothing: return "s";
+    case Kind::lever_arm_x:
+    case Kind::lever_arm_y: return "m";
+    default: return "";
+  }
+}
+
+bool is_mistake(InstrumentErrorKind kind) { return kind == Kind::unit || kind == Kind::sign || kind == Kind::order; }
+
+std::string words_for(const InstrumentError& e) {
+  const auto what = instrument(e.channel);
+  if (e.kind == Kind::sign)
+    return e.channel == Channel::delta || e.channel == Channel::delta_order
+               ? fmt::format("{}: turns the ship to the other side than its sign says", what)
+               : fmt::format("{}: of the other sign, positive to port", what);
+  if (e.kind == Kind::unit) return fmt::format("{}: the values are in {}", what, unit_meant(e));
+  if (e.kind == Kind::order)
+    return fmt::format("{}: jumps at {:.0f} deg/s, which is an order and no angle", what, degrees(e.value));
+  const auto [factor, unit] = shown(e);
+  const double value = has_side(e.kind) ? std::abs(e.value) : e.value;
+  const auto drift = e.kind == Kind::axes && e.channel != Channel::psi && dimension_of(e.channel) == Dimension::speed &&
+                     (e.channel == Channel::v || e.channel == Channel::v_ground);
+  if (e.kind == Kind::clock) return fmt::format("{}: {} {:.2g} s", what, law(e), value);
+  return fmt::format("{}: {} {:.3g} ± {:.2g} {}{}", what, law(e), factor * value, factor * e.standard_error, unit,
+                     drift ? ", on straight courses" : "");
+}
+
+std::string remedy_for(const InstrumentError& e) {
+  const auto column = column_name(e.channel);
+  if (e.kind == Kind::sign && (e.channel == Channel::delta || e.channel == Channel::delta_order))
+    return "say which side is positive: --rudder-positive starboard (or port, if the file says starboard), or "
+           "rudder_positive = \"starboard\" above its header row";
+  if (e.kind == Kind::sign) return fmt::format("turn the sign of {}", column);
+  if (e.kind == Kind::unit)
+    return fmt::format("name the column {} by the unit that it is in, or convert it", short_name(e.channel));
+  if (e.kind == Kind::order)
+    return "name the column delta_order_deg or delta_order_rad, or write order_recorded = true";
+  return "";
+}
+
+}  // namespace swayaw::identification

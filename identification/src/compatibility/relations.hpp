@@ -1,0 +1,72 @@
+#pragma once
+
+#include "swayaw/identification/data_compatibility.hpp"
+
+/// Errors of instruments by one law of kinematics each. Every relation is linear in the errors, which have wide priors
+/// (instrument_priors.hpp); what the motion of the run does not tell keeps its prior.
+namespace swayaw::inline identification::detail {
+
+/// Standard deviations of the errors before any sample is seen: of instruments that work at all.
+struct InstrumentPriors {
+  double rate_zero = 0.005;  ///< [rad/s], 0.3 deg/s
+  double scale = 0.05;       ///< of gyro and logs
+  double delay = 3.0;        ///< [s]
+  double good_clock = 1e-5;  ///< drift of a clock that keeps time [s/s]
+  double drift = 0.05;       ///< of one that does not, or of a file that was resampled wrongly [s/s]
+  double axes = 0.1;         ///< [rad], 6 deg
+  double smoothing = 3.0;    ///< [s]
+  double current = 0.2;      ///< over the speed of the ship
+  double lever = 0.5;        ///< over the smallest radius that the ship turned
+};
+
+/// dpsi/dt = r. Integrated, for what integrates keeps noise small:
+///
+///     psi − ∫ r dt = psi_0 − b t − s/(1 + s) ∫ r dt + tau r − (w²/24) dr/dt
+///
+/// with zero b, scale s, delay tau of the yaw rate behind the heading, and a mean over a window of standard deviation
+/// w.
+///
+/// @param run  measured samples
+std::vector<InstrumentError> yaw_rate_errors(const Recording& run);
+
+/// ẋ, ẏ from a velocity in body axes. With I the way by the velocity, V the velocity, both in earth axes:
+///
+///     p − I = p_0 + k I + eps (−I_y, I_x) − tau V + c t + R(psi) l + tau_psi ∫ r (−V_y, V_x) dt
+///
+/// with scale 1/(1 + k) of the speed, velocity axes turned by eps, positions late by tau, current c (only of a velocity
+/// through the water), antenna at l, heading late by tau_psi. A velocity that is late by tau_u makes positions and
+/// heading early by as much; which of the three it is, is told where one alone explains both.
+///
+/// Without sway the ship is taken to drift in proportion to the yaw rate, and late, v = l r + l' dr/dt; then neither
+/// antenna nor clocks can be told, which move the track sideways by as much as drift does; nor can the scale of a log
+/// in a run that turns, where drift takes or adds some per cent of the way.
+///
+/// @param run   measured samples
+/// @param speed u_ground, u, or speed_through_water
+std::vector<InstrumentError> track_errors(const Recording& run, Channel speed);
+
+/// Speeds that the track can be compared with.
+std::vector<Channel> speeds_of(const Recording& run);
+
+/// Sway on a straight course. A ship without wind does not drift there, so that velocities which do were measured in
+/// axes that are turned, or with a heading that is wrong:
+///
+///     v = eps u + l r − c_x sin psi + c_y cos psi
+///
+/// with the current only in a velocity over ground.
+///
+/// @return an error of the axes of the sway; wind and a single screw cause a degree of it, too
+std::optional<InstrumentError> drift_on_straight_courses(const Recording& run, Channel surge);
+
+/// By what the ship does: after a rudder has moved, the yaw rate changes to the side to which it moved, of every ship.
+/// With means over blocks of a few seconds, which leave out waves,
+///
+///     r_{k+1} − r_k = a (delta_k − delta_{k−1})
+///
+/// a is negative for a rudder positive to port. The change of the yaw rate comes after that of the rudder: an
+/// autopilot, which moves the rudder after the yaw rate has changed, tells the same sign.
+///
+/// @return an error of the sign with value a [1/s]; nothing if the rudder does not move
+std::optional<InstrumentError> rudder_sign(const Recording& run);
+
+}  // namespace swayaw::identification::detail

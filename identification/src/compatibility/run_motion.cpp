@@ -1,0 +1,85 @@
+#include "run_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swayaw::inline identification::detail {
+
+double usual_step(const std::vector<double>& time) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::ranges::nth_element(steps, middle);
+  return *middle;
+}
+
+std::vector<double> gaps_of(const Recording& run, Channel channel) {
+  constexpr double steps = 10.0, seconds = 5.0;  // a ship's motion is on straight lines for no longer
+  const double limit = std::max(seconds, steps * usual_step(run.time));
+  const auto values = run[channel];
+  std::vector<double> gaps(run.samples(), 0.0);
+  double last = run.time.front();
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    if (std::isnan(values[i])) continue;
+    if (run.time[i] - last > limit) gaps[i] = run.time[i] - last;
+    last = run.time[i];
+  }
+  return gaps;
+}
+
+std::vector<std::size_t> present(std::span<const double> values) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!std::isnan(values[i])) places.push_back(i);
+  return places;
+}
+
+std::vector<double> filled(const Recording& run, Channel channel) {
+  const Interpolant known(run, channel);
+  const auto times = known.times(), values = known.values();
+  std::vector<double> result(run.samples());
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    while (k + 1 < times.size() && times[k + 1] <= run.time[i]) ++k;
+    const bool between = k + 1 < times.size() && times[k] < run.time[i];
+    const double share = between ? (run.time[i] - times[k]) / (times[k + 1] - times[k]) : 0.0;
+    result[i] = between ? values[k] + share * (values[k + 1] - values[k]) : values[k];
+  }
+  return result;
+}
+
+std::vector<double> delayed(const std::vector<double>& time, const std::vector<double>& values, double delay) {
+  if (delay == 0.0) return values;
+  std::vector<double> result(time.size());
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    const double at = time[i] - delay;
+    while (k + 2 < time.size() && time[k + 1] <= at) ++k;
+    const double share = (at - time[k]) / (time[k + 1] - time[k]);  // drawn on beyond the ends
+    result[i] = values[k] + share * (values[k + 1] - values[k]);
+  }
+  return result;
+}
+
+std::vector<double> integral(const std::vector<double>& time, const std::vector<double>& f) {
+  std::vector<double> sum(f.size(), 0.0);
+  for (std::size_t i = 1; i < f.size(); ++i) sum[i] = sum[i - 1] + 0.5 * (f[i] + f[i - 1]) * (time[i] - time[i - 1]);
+  return sum;
+}
+
+std::vector<double> slope(const std::vector<double>& time, const std::vector<double>& f) {
+  std::vector<double> result(f.size(), 0.0);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const std::size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, f.size() - 1);
+    result[i] = (f[after] - f[before]) / (time[after] - time[before]);
+  }
+  return result;
+}
+
+double rms(const std::vector<double>& f) {
+  double sum = 0.0;
+  for (const double x : f) sum += x * x;
+  return f.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(f.size()));
+}
+
+}  // namespace swayaw::identification::detail

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "swayaw/core/recording.hpp"
+
+/// Samples of a run made ready for kinematics.
+namespace swayaw::inline identification::detail {
+
+/// Middle of the times between samples [s].
+double usual_step(const std::vector<double>& time);
+
+/// For each sample of the run the time without the channel that ends there, where it is too long to be integrated
+/// across as if nothing happened [s]; 0 elsewhere.
+std::vector<double> gaps_of(const Recording& run, Channel channel);
+
+/// Where values are not missing.
+std::vector<std::size_t> present(std::span<const double> values);
+
+/// The channel at every sample, by straight lines across missing ones.
+std::vector<double> filled(const Recording& run, Channel channel);
+
+/// Values at a series of increasing times, at times shifted by `delay` into the past, by straight lines.
+std::vector<double> delayed(const std::vector<double>& time, const std::vector<double>& values, double delay);
+
+/// ∫ f dt from the first sample, by trapezoids.
+std::vector<double> integral(const std::vector<double>& time, const std::vector<double>& f);
+
+/// df/dt by central differences.
+std::vector<double> slope(const std::vector<double>& time, const std::vector<double>& f);
+
+double rms(const std::vector<double>& f);
+
+}  // namespace swayaw::identification::detail
