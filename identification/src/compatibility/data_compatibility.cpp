@@ -42,20 +42,23 @@ double floor_of(const InstrumentError& e, double step, double radius) {
 /// one.
 constexpr double beyond_doubt = 3.7;
 
-void tell(std::vector<InstrumentError>& errors, double step, double radius) {
-  for (auto& e : errors)
-    e.told = std::abs(e.value) > std::max(beyond_doubt * e.standard_error, floor_of(e, step, radius));
+/// Standard deviations from none. Of a smoothing the data tell the square: an error of it is twice as large.
+double deviations(const InstrumentError& e) {
+  const double z = std::abs(e.value) / e.standard_error;
+  return e.kind == Kind::smoothing ? 0.5 * z : z;
 }
 
-/// Of the turns that only a twentieth of the time is harder than [m].
+void tell(std::vector<InstrumentError>& errors, double step, double radius) {
+  for (auto& e : errors) {
+    if (e.kind == Kind::clock) continue;
+    e.told = deviations(e) > beyond_doubt && std::abs(e.value) > floor_of(e, step, radius);
+  }
+}
+
+/// Of the hard turns of the ship [m].
 double radius_of(const Recording& run) {
   const auto speeds = speeds_of(run);
-  if (speeds.empty()) return 0.0;
-  auto turning = run.has(Channel::r) ? filled(run, Channel::r) : slope(run.time, filled(run, Channel::psi));
-  for (double& r : turning) r = std::abs(r);
-  std::ranges::sort(turning);
-  const double hard = turning[static_cast<std::size_t>(0.95 * static_cast<double>(turning.size() - 1))];
-  return rms(filled(run, speeds.front())) / std::max(hard, 1e-4);
+  return speeds.empty() ? 0.0 : rms(filled(run, speeds.front())) / hard_yaw_rate(run);
 }
 
 // ---------------------------------------------------------------- one run
@@ -119,13 +122,9 @@ std::vector<InstrumentError> errors_of(const Recording& run) {
   return errors;
 }
 
-/// The rudder turns the ship to the wrong side, beyond doubt.
-std::optional<InstrumentError> rudder_reversed(const Recording& run) {
-  constexpr double certain = 5.0;  // standard deviations: a run that is refused must be wrong
-  auto sign = rudder_sign(run);
-  if (!sign || sign->value < certain * sign->standard_error) return {};
-  *sign = {.channel = sign->channel, .kind = Kind::sign, .value = -1.0, .standard_error = 0.0, .told = true};
-  return sign;
+InstrumentError reversed_rudder(const Recording& run) {
+  const Channel rudder = run.has(Channel::delta) ? Channel::delta : Channel::delta_order;
+  return {.channel = rudder, .kind = Kind::sign, .value = -1.0, .standard_error = 0.0, .told = true};
 }
 
 void note_what_is_missing(const Recording& run, std::vector<std::string>& notes) {
@@ -157,7 +156,9 @@ RunCheck check_run(const Recording& run) {
   check.gaps = gaps_in(measured);
   check.errors = mistakes_of(measured);
   auto mended = without(measured, check.errors);
-  if (const auto reversed = rudder_reversed(mended)) check.errors.push_back(*reversed);
+  const auto reversed = rudder_is_reversed(mended);
+  if (!reversed) check.cannot_tell.push_back("the rudder moves too little to tell to which side it is positive");
+  else if (*reversed) check.errors.push_back(reversed_rudder(mended));
   add(check.errors, errors_of(mended));
   note_what_is_missing(run, check.cannot_tell);
   return check;

@@ -61,7 +61,8 @@ void put(std::vector<InstrumentError>& found, Channel channel, Kind kind, double
 
 /// Heading against integrated yaw rate. Which of the two is wrong is told by its size.
 void check_heading(const Recording& run, std::vector<InstrumentError>& found) {
-  constexpr double fastest_turn = 0.5;  // [rad/s], of a model of 2 m
+  constexpr double degrees_called_radians = 4.0 * pi;           // [rad]: two turns, which few manoeuvres make
+  constexpr double radians_called_degrees = 2.0 * pi * degree;  // [rad]: all headings lie below
   if (!run.has(Channel::r)) return;
   const auto psi = filled(run, Channel::psi), r = filled(run, Channel::r);
   const auto [factor, cosine] = proportion(changes(psi, blocks), changes(integral(run.time, r), blocks));
@@ -70,7 +71,7 @@ void check_heading(const Recording& run, std::vector<InstrumentError>& found) {
   const double unit = meant(std::abs(factor), angle_units);
   if (unit == 1.0) return;
   const auto [low, high] = std::ranges::minmax(psi);
-  const bool heading = unit > 1.0 ? high - low > 4.0 * pi : rms(r) < fastest_turn;
+  const bool heading = unit > 1.0 ? high - low > degrees_called_radians : std::max(-low, high) < radians_called_degrees;
   if (heading) put(found, Channel::psi, Kind::unit, unit);
   else put(found, Channel::r, Kind::unit, 1.0 / unit);
 }
@@ -88,14 +89,13 @@ double course_factor(const Recording& run) {
   return cosine > 0.7 ? factor : 1.0;
 }
 
-/// Radians called degrees: no ship answers a rudder of one degree with two degrees of heading in each second.
+/// Radians called degrees: no ship that changes her course by 20 deg and more does so with a rudder of one, nor answers
+/// a degree of it with half a degree of heading in each second.
 bool answers_too_strongly(const Recording& run, const std::vector<double>& delta, double largest) {
   constexpr double too_small = 0.02;  // [rad]: 65 deg, taken for radians called degrees
-  constexpr double strongest = 2.0;   // [1/s]: a model of 2 m has a gain K of 0.3
-  if (largest > too_small) return false;
-  const auto psi = changes(filled(run, Channel::psi), blocks), helm = changes(integral(run.time, delta), blocks);
-  const auto [gain, cosine] = proportion(psi, helm);
-  return cosine > 0.5 && std::abs(gain) > strongest;
+  constexpr double strongest = 0.5;   // [1/s]: a model of 2 m has a gain K of 0.3
+  if (largest > too_small || is_straight(run)) return false;
+  return rms(changes(filled(run, Channel::psi), blocks)) > strongest * rms(changes(integral(run.time, delta), blocks));
 }
 
 void check_angles(const Recording& run, std::vector<InstrumentError>& found) {
@@ -189,11 +189,8 @@ bool is_said_to_be_order(const Recording& run) {
 void check_order(const Recording& run, std::vector<InstrumentError>& found) {
   constexpr double impossible = 10.0, step_of_order = 4.0 * degree;
   if (!run.has(Channel::delta) || is_said_to_be_order(run)) return;
-  const auto delta = filled(run, Channel::delta), psi_dot = slope(run.time, filled(run, Channel::psi));
-  auto rates = psi_dot;
-  for (double& r : rates) r = std::abs(r);
-  std::ranges::sort(rates);
-  const double turning = rates[static_cast<std::size_t>(0.95 * static_cast<double>(rates.size() - 1))];
+  const auto delta = filled(run, Channel::delta);
+  const double turning = hard_yaw_rate(run);
   double in_jumps = 0.0, all = 0.0, fastest = 0.0;
   for (std::size_t i = 1; i < delta.size(); ++i) {
     const double moved = std::abs(delta[i] - delta[i - 1]), rate = moved / (run.time[i] - run.time[i - 1]);

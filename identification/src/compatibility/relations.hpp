@@ -33,9 +33,10 @@ std::vector<InstrumentError> yaw_rate_errors(const Recording& run);
 ///
 ///     p − I = p_0 + k I + eps (−I_y, I_x) − tau V + c t + R(psi) l + tau_psi ∫ r (−V_y, V_x) dt
 ///
-/// with scale 1/(1 + k) of the speed, velocity axes turned by eps, positions late by tau, current c (only of a velocity
-/// through the water), antenna at l, heading late by tau_psi. A velocity that is late by tau_u makes positions and
-/// heading early by as much; which of the three it is, is told where one alone explains both.
+/// with scale 1/(1 + k) of the speed, velocity axes turned by eps (both to first order here, exactly in the answer),
+/// positions late by tau, current c (only of a velocity through the water), antenna at l, heading late by tau_psi. A
+/// velocity that is late by tau_u makes positions and heading early by as much; which of the three it is, is told where
+/// one alone explains both.
 ///
 /// Without sway the ship is taken to drift in proportion to the yaw rate, and late, v = l r + l' dr/dt; then neither
 /// antenna nor clocks can be told, which move the track sideways by as much as drift does; nor can the scale of a log
@@ -58,15 +59,16 @@ std::vector<Channel> speeds_of(const Recording& run);
 /// @return an error of the axes of the sway; wind and a single screw cause a degree of it, too
 std::optional<InstrumentError> drift_on_straight_courses(const Recording& run, Channel surge);
 
-/// By what the ship does: after a rudder has moved, the yaw rate changes to the side to which it moved, of every ship.
-/// With means over blocks of a few seconds, which leave out waves,
+/// By what the ship does. A rudder held hard over turns every ship to its side; where none is held, the yaw rate
+/// changes after a rudder has moved to the side to which it moved. With means over blocks of a few seconds, which leave
+/// out waves,
 ///
-///     r_{k+1} − r_k = a (delta_k − delta_{k−1})
+///     r_{k+1} − r_k = a (delta_k − delta_{k−1}),    a < 0 for a rudder positive to port
 ///
-/// a is negative for a rudder positive to port. The change of the yaw rate comes after that of the rudder: an
-/// autopilot, which moves the rudder after the yaw rate has changed, tells the same sign.
+/// The change of the yaw rate comes after that of the rudder: an autopilot, which moves the rudder after the yaw rate
+/// has changed, tells the same sign.
 ///
-/// @return an error of the sign with value a [1/s]; nothing if the rudder does not move
-std::optional<InstrumentError> rudder_sign(const Recording& run);
+/// @return nothing where the run does not tell
+std::optional<bool> rudder_is_reversed(const Recording& run);
 
 }  // namespace swayaw::identification::detail

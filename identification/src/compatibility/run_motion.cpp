@@ -76,6 +76,25 @@ std::vector<double> slope(const std::vector<double>& time, const std::vector<dou
   return result;
 }
 
+std::vector<double> yaw_rate(const Recording& run) {
+  return run.has(Channel::r) ? filled(run, Channel::r) : slope(run.time, filled(run, Channel::psi));
+}
+
+double hard_yaw_rate(const Recording& run) {
+  constexpr double least = 1e-6;
+  auto r = yaw_rate(run);
+  for (double& x : r) x = std::abs(x);
+  const auto place = r.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(r.size() - 1));
+  std::ranges::nth_element(r, place);
+  return std::max(*place, least);
+}
+
+bool is_straight(const Recording& run) {
+  constexpr double little = 0.35;  // [rad]
+  const auto [low, high] = std::ranges::minmax(filled(run, Channel::psi));
+  return high - low < little;
+}
+
 double rms(const std::vector<double>& f) {
   double sum = 0.0;
   for (const double x : f) sum += x * x;

@@ -12,6 +12,11 @@ namespace swayaw::inline identification::detail {
 /// Middle of the times between samples [s].
 double usual_step(const std::vector<double>& time);
 
+/// Time since the sample before; 0 of the first [s].
+inline double step_before(const std::vector<double>& time, std::size_t i) {
+  return i > 0 ? time[i] - time[i - 1] : 0.0;
+}
+
 /// For each sample of the run the time without the channel that ends there, where it is too long to be integrated
 /// across as if nothing happened [s]; 0 elsewhere.
 std::vector<double> gaps_of(const Recording& run, Channel channel);
@@ -30,6 +35,15 @@ std::vector<double> integral(const std::vector<double>& time, const std::vector<
 
 /// df/dt by central differences.
 std::vector<double> slope(const std::vector<double>& time, const std::vector<double>& f);
+
+/// Recorded, or the slope of the heading, at every sample [rad/s].
+std::vector<double> yaw_rate(const Recording& run);
+
+/// Yaw rate that the ship exceeds in a twentieth of the time [rad/s]; more than zero.
+double hard_yaw_rate(const Recording& run);
+
+/// A run on one course, within 20 deg.
+bool is_straight(const Recording& run);
 
 double rms(const std::vector<double>& f);
 

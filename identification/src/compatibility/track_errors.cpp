@@ -47,10 +47,6 @@ Source source_of(const Recording& run, Channel speed) {
   return {speed, sway, run.has(sway), !ground};
 }
 
-std::vector<double> yaw_rate(const Recording& run) {
-  return run.has(Channel::r) ? filled(run, Channel::r) : slope(run.time, filled(run, Channel::psi));
-}
-
 DeadReckoning dead_reckoning(const Recording& run, const Source& source) {
   const auto psi = filled(run, Channel::psi), u = filled(run, source.surge), r = yaw_rate(run);
   const auto v = source.has_sway ? filled(run, source.sway) : std::vector<double>(run.samples(), 0.0);
@@ -124,10 +120,12 @@ TimeSeries rows_of(const Recording& run, const Source& source, const DeadReckoni
   const auto fixes = fixes_of(run);
   const auto gaps = gaps_of(run, source.surge);
   const double x_0 = first_of(run[Channel::x]), y_0 = first_of(run[Channel::y]), U = usual_speed(d);
+  const double noise = white_noise_of(run[source.surge]);
   TimeSeries s(fixes.size(), columns + 1);
   for (std::size_t k = 0, i = 0; k < fixes.size(); ++k) {
     const auto& [sample, north] = fixes[k];
-    for (; i <= sample; ++i) s.bridge[k] = std::hypot(s.bridge[k], lost * U * gaps[i]);
+    for (; i <= sample; ++i)
+      s.bridge[k] = std::hypot(s.bridge[k], lost * U * gaps[i], noise * step_before(run.time, i));
     s.time[k] = run.time[sample];
     s.axis[k] = north ? 0 : 1;
     s.speed[k] = north ? d.V_x[sample] : d.V_y[sample];
@@ -138,13 +136,6 @@ TimeSeries rows_of(const Recording& run, const Source& source, const DeadReckoni
 }
 
 constexpr double not_asked = 1e-6;
-
-/// A run on one course.
-bool is_straight(const Recording& run) {
-  constexpr double little = 0.35;  // [rad]
-  const auto [low, high] = std::ranges::minmax(filled(run, Channel::psi));
-  return high - low < little;
-}
 
 /// Means of the rows of each axis over blocks of time: what waves do to a ship within one is left out.
 TimeSeries block_means(const TimeSeries& s, double block) {
@@ -187,12 +178,8 @@ TimeSeries block_means(const TimeSeries& s, double block) {
 /// In which a ship turns by a tenth of a radian when she turns hard: a manoeuvre is slower, waves are not [s].
 double block_of(const Recording& run) {
   constexpr double little = 0.1;  // [rad]
-  auto r = yaw_rate(run);
-  for (double& x : r) x = std::abs(x);
-  std::ranges::sort(r);
-  const double hard = r[static_cast<std::size_t>(0.95 * static_cast<double>(r.size() - 1))];
-  const double longest = (run.time.back() - run.time.front()) / 60.0;
-  return std::clamp(little / std::max(hard, 1e-6), usual_step(run.time), std::max(longest, usual_step(run.time)));
+  const double step = usual_step(run.time), longest = (run.time.back() - run.time.front()) / 60.0;
+  return std::clamp(little / hard_yaw_rate(run), step, std::max(longest, step));
 }
 
 /// @param clock_drift  [s/s]
@@ -235,13 +222,13 @@ struct TrackFit {
 /// Gauss–Newton in the delay, the one error that bends the columns of the others.
 TrackFit settled(const Recording& run, const Source& source, const DeadReckoning& reckoned,
                  const Eigen::VectorXd& prior, std::vector<ErrorModel> starts) {
-  constexpr double little = 0.05;  // [s]: what is left is of second order in it
+  constexpr double little = 0.1;  // standard errors
   TrackFit found{{}, 0.0};
   for (int iterate = 0; iterate < 4; ++iterate) {
     const auto series = block_means(rows_of(run, source, seen_late(run.time, reckoned, found.delay)), block_of(run));
     found.fit = coloured_regression(series, prior, starts);
     starts = {found.fit.errors};
-    if (std::abs(found.fit.beta[delay]) < little) break;
+    if (std::abs(found.fit.beta[delay]) < little * std::sqrt(found.fit.covariance(delay, delay))) break;
     found.delay += found.fit.beta[delay];
   }
   return found;
@@ -277,8 +264,10 @@ std::vector<InstrumentError> delays_of(Channel speed, const Eigen::Vector2d& lat
                      left.dot(information * left));
   };
   const std::array causes{by(Channel::x, {1.0, 0.0}), by(Channel::psi, {0.0, 1.0}), by(speed, {-1.0, -1.0})};
-  const auto least = std::ranges::min_element(causes, {}, [](const auto& cause) { return cause.second; });
-  if (least->second < explained) return {least->first};
+  const double least = std::ranges::min(causes, {}, [](const auto& cause) { return cause.second; }).second;
+  constexpr double alike = 4.0;  // within which the clock of the positions is the likeliest to be wrong
+  if (least < explained)
+    return {std::ranges::find_if(causes, [&](const auto& cause) { return cause.second < least + alike; })->first};
   return {{Channel::x, InstrumentErrorKind::delay, late[0], std::sqrt(C(0, 0))},
           {Channel::psi, InstrumentErrorKind::delay, late[1], std::sqrt(C(1, 1))}};
 }
@@ -300,11 +289,13 @@ std::vector<InstrumentError> track_errors(const Recording& run, Channel speed) {
   const auto error = [&, &fit = fit](Channel channel, InstrumentErrorKind kind, Column at, double value) {
     return InstrumentError{channel, kind, value, std::sqrt(fit.covariance(at, at))};
   };
-  const double k = fit.beta[scale];
+  // p = p_0 + (1 + k) R(eps) I
+  const double along = 1.0 + fit.beta[scale], across = fit.beta[axes];
+  const double eps = std::atan2(across, along), one_more = std::hypot(along, across);
   std::vector<InstrumentError> found{
-      error(source.has_sway ? speed : Channel::psi, InstrumentErrorKind::axes, axes, fit.beta[axes])};
+      error(source.has_sway ? speed : Channel::psi, InstrumentErrorKind::axes, axes, eps)};
   if (source.has_sway || is_straight(run))
-    found.insert(found.begin(), error(speed, InstrumentErrorKind::scale, scale, -k / (1.0 + k)));
+    found.insert(found.begin(), error(speed, InstrumentErrorKind::scale, scale, 1.0 / one_more - 1.0));
   if (bad_clock) {
     // a clock that wanders may have run fast or slow all the time: as much of the way is not known
     for (auto& e : found)

@@ -19,12 +19,11 @@ TimeSeries rows_of(const Recording& run) {
   const auto psi = run[Channel::psi];
   const auto at = present(psi);
   TimeSeries s(at.size(), columns + 1);
-  double bridge = 0.0;
+  const double noise = white_noise_of(run[Channel::r]), across = lost * rms(r);
   for (std::size_t k = 0, i = 0; k < at.size(); ++k) {
-    for (bridge = 0.0; i <= at[k]; ++i) bridge = std::hypot(bridge, lost * rms(r) * gaps[i]);
     const std::size_t j = at[k];
     s.time[k] = run.time[j];
-    s.bridge[k] = bridge;
+    for (; i <= j; ++i) s.bridge[k] = std::hypot(s.bridge[k], across * gaps[i], noise * step_before(run.time, i));
     s.Xy.row(static_cast<Eigen::Index>(k)) << run.time[j] - run.time[at[0]], turned[j] - turned[at[0]], r[j], r_dot[j],
         1.0, psi[j] - psi[at[0]] - (turned[j] - turned[at[0]]);
   }
@@ -33,11 +32,9 @@ TimeSeries rows_of(const Recording& run) {
 
 Eigen::VectorXd priors(const Recording& run, const InstrumentPriors& prior) {
   constexpr double heading = 1.0;  // [rad], of the first sample
-  constexpr double enough = 0.35;  // [rad]: what turns less shows waves, which heading and gyro filter in their ways
   constexpr double not_asked = 1e-6;
-  const auto [low, high] = std::ranges::minmax(filled(run, Channel::psi));
-  const bool turns = high - low > enough;
-  return Eigen::Vector<double, columns>{prior.rate_zero, turns ? prior.scale : not_asked, prior.delay,
+  // a run that does not turn shows waves, which heading and gyro filter in their ways
+  return Eigen::Vector<double, columns>{prior.rate_zero, is_straight(run) ? not_asked : prior.scale, prior.delay,
                                         0.5 * prior.smoothing * prior.smoothing, heading};
 }
 
@@ -59,7 +56,7 @@ std::vector<InstrumentError> yaw_rate_errors(const Recording& run) {
   const double k = fit.beta[scale], one_more = 1.0 / (1.0 + k);  // 1 + s
   std::vector<InstrumentError> errors{error(InstrumentErrorKind::zero, zero, -fit.beta[zero] * one_more, one_more),
                                       error(InstrumentErrorKind::scale, scale, -k / (1.0 + k), 1.0),
-                                      error(InstrumentErrorKind::delay, delay, fit.beta[delay], 1.0)};
+                                      error(InstrumentErrorKind::delay, delay, fit.beta[delay] * one_more, one_more)};
   // half the second moment of the mean stands before dr/dt
   const double w = std::sqrt(2.0 * std::max(-fit.beta[smoothing], 0.0));
   if (w > 0.0) errors.push_back(error(InstrumentErrorKind::smoothing, smoothing, w, 1.0 / w));
