@@ -48,9 +48,13 @@ double deviations(const InstrumentError& e) {
   return e.kind == Kind::smoothing ? 0.5 * z : z;
 }
 
-void tell(std::vector<InstrumentError>& errors, double step, double radius) {
+/// One run does not tell turned axes from a ship that the wind drifts; runs on other courses do.
+enum class Scope { run, runs };
+
+void tell(std::vector<InstrumentError>& errors, Scope scope, double step, double radius) {
   for (auto& e : errors) {
     if (e.kind == Kind::clock) continue;
+    if (e.kind == Kind::axes && is_sway(e.channel) && scope == Scope::run) continue;
     e.told = deviations(e) > beyond_doubt && std::abs(e.value) > floor_of(e, step, radius);
   }
 }
@@ -83,7 +87,7 @@ void share_delay(std::vector<InstrumentError>& errors, double step, double radiu
   auto *heading = find(errors, Channel::psi, Kind::delay), *rate = find(errors, Channel::r, Kind::delay);
   if (!heading || !rate) return;
   std::vector<InstrumentError> alone{*heading};
-  tell(alone, step, radius);
+  tell(alone, Scope::run, step, radius);
   if (!alone.front().told) return;
   rate->value += heading->value;
   rate->standard_error = std::hypot(rate->standard_error, heading->standard_error);
@@ -113,12 +117,12 @@ std::vector<InstrumentError> errors_of(const Recording& run) {
   for (const Channel speed : speeds_of(run)) {
     add(errors, track_errors(on_time, speed));
     if (const auto drift = drift_on_straight_courses(run, speed)) add(errors, {*drift});
-    tell(errors, step, radius);
+    tell(errors, Scope::run, step, radius);
     on_time = with_clock_of_positions(run, errors);
   }
   add(errors, yaw_rate_errors(run));
   share_delay(errors, step, radius);
-  tell(errors, step, radius);
+  tell(errors, Scope::run, step, radius);
   return errors;
 }
 
@@ -187,7 +191,7 @@ std::vector<InstrumentError> pooled(std::span<const RunCheck> runs) {
     const double excess = group.size() > 1 ? std::max(1.0, scatter / static_cast<double>(group.size() - 1)) : 1.0;
     result.push_back({group[0]->channel, group[0]->kind, mean, std::sqrt(excess / information)});
   }
-  tell(result, 0.0, 0.0);
+  tell(result, Scope::runs, 0.0, 0.0);
   return result;
 }
 

@@ -66,11 +66,11 @@ std::string unit_meant(const InstrumentError& e) {
   const auto near = [&](double factor) { return std::abs(std::log(e.value / factor)) < 0.1; };
   if (dimension_of(e.channel) == Dimension::speed)
     return near(1.0 / knot) ? "kn" : near(3.6) ? "km/h" : near(knot) ? "m/s, not kn" : "km/h called kn";
-  if (near(degrees(1.0))) return e.channel == Channel::r ? "deg/s" : "deg";
+  if (e.channel != Channel::r) return e.value > 1.0 ? "deg" : "rad";
+  if (near(degrees(1.0))) return "deg/s";
   if (near(60.0 * degrees(1.0))) return "deg/min";
   if (near(60.0)) return "deg/min, not deg/s";
-  if (near(1.0 / 60.0)) return "deg/s, not deg/min";
-  return e.channel == Channel::r ? "rad/s" : "rad";
+  return near(1.0 / 60.0) ? "deg/s, not deg/min" : "rad/s";
 }
 
 }  // namespace

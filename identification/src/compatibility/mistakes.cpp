@@ -92,10 +92,13 @@ double course_factor(const Recording& run) {
 /// Radians called degrees: no ship that changes her course by 20 deg and more does so with a rudder of one, nor answers
 /// a degree of it with half a degree of heading in each second.
 bool answers_too_strongly(const Recording& run, const std::vector<double>& delta, double largest) {
-  constexpr double too_small = 0.02;  // [rad]: 65 deg, taken for radians called degrees
-  constexpr double strongest = 0.5;   // [1/s]: a model of 2 m has a gain K of 0.3
-  if (largest > too_small || is_straight(run)) return false;
-  return rms(changes(filled(run, Channel::psi), blocks)) > strongest * rms(changes(integral(run.time, delta), blocks));
+  constexpr double too_small = 0.0125;  // [rad]: 41 deg, taken for radians called degrees
+  constexpr double manoeuvre = 0.5;     // [rad] of heading: less than a zigzag 10/10
+  constexpr double strongest = 0.5;     // [1/s]: a model of 2 m has a gain K of 0.3
+  const auto psi = filled(run, Channel::psi);
+  const auto [low, high] = std::ranges::minmax(psi);
+  if (largest > too_small || high - low < manoeuvre) return false;
+  return rms(changes(psi, blocks)) > strongest * rms(changes(integral(run.time, delta), blocks));
 }
 
 void check_angles(const Recording& run, std::vector<InstrumentError>& found) {
