@@ -39,8 +39,9 @@ struct Blocks {
 
 Blocks blocks_of(const Recording& run, Channel rudder) {
   constexpr double blocks = 80.0, fewest = 3.0;  // of a manoeuvre; samples in each
-  const double duration = run.time.back() - run.time.front();
-  const double length = std::max(duration / blocks, fewest * usual_step(run.time));
+  constexpr double turned = 0.3;                 // [rad] in a block of a long log, hard over
+  const double shorter = std::min((run.time.back() - run.time.front()) / blocks, turned / hard_yaw_rate(run));
+  const double length = std::max(shorter, fewest * usual_step(run.time));
   return {block_means(run.time, filled(run, Channel::psi), length),
           block_means(run.time, integral(run.time, filled(run, rudder)), length), length};
 }
