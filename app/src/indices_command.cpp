@@ -107,6 +107,9 @@ Json indices_json(const LinearShip& ship, double speed) {
   json["sname"] = sname_json(ship, f.m);
   if (const auto* given = parts(ship)) json["parts"] = split_json(*given);
   json["condition_number"] = number(condition_number(f.m));
+  const auto steering = steering_of(ship, speed);
+  json["to_starboard"] = {{"K", number(steering.K_prime)}, {"T", number(steering.T_prime)}};
+  json["dimensional"]["K_to_starboard_per_s"] = number(steering.K_per_s);
   return json;
 }
 
@@ -131,6 +134,7 @@ void print_indices(const Findings& f, const PrimeScale& scale) {
   print_row("Kw", f.i.Kw, f.i.Kw / t, "1/s", "yaw rate by rudder angle");
   print_row("T_b", f.T_b, f.T_b * t, "s", "first-order drift, T1 + T2 - T3b");
   print_row("T_w", f.T_w, f.T_w * t, "s", "first-order yaw, T1 + T2 - T3w");
+  print_row("K", -f.i.Kw, -f.i.Kw / t, "1/s", "-Kw: positive where rudder to starboard turns her to starboard");
 }
 
 /// The rudder's part of each coefficient in percent of the whole.
@@ -159,6 +163,19 @@ void print_equations(const LinearShip& ship, const SwayYawCoefficients<double>& 
 
 void print_index_table(const LinearShip& ship, double speed) {
   print_indices(findings_of(ship), prime_scale(ship, speed));
+}
+
+Steering steering_of(const LinearShip& ship, double speed) {
+  const auto i = indices(ship);
+  const double T = first_order_yaw(i).T, t = ship.particulars.L / speed;
+  return {.K_prime = -i.Kw, .T_prime = T, .K_per_s = -i.Kw / t, .T_s = T * t};
+}
+
+void print_steering(const LinearShip& ship, double speed) {
+  const auto s = steering_of(ship, speed);
+  fmt::print("  K' = {} ({} 1/s), T' = {} ({} s), K positive where rudder to starboard turns her to starboard\n",
+             cell(s.K_prime), cell(s.K_per_s), cell(s.T_prime), cell(s.T_s));
+  fmt::print("  {}\n", stability_words(transfer_functions(ship)));
 }
 
 void print_coefficients(std::string_view name, const SwayYawCoefficients<double>& m) {
