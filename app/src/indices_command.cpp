@@ -236,14 +236,52 @@ Plot bode_plot(const LinearShip& ship, const SwayYawTransfer<double>& h, double 
   return plot;
 }
 
+// ---------------------------------------------------------------- sides
+
+/// The small motions of a nonlinear ship, and those of turns to each side where these differ.
+struct Sides {
+  LinearShip mean;
+  std::optional<LinearShip> port, starboard;
+};
+
+Sides sides_of(AnyShip any, const std::optional<double>& speed) {
+  if (auto* linear = std::get_if<LinearShip>(&any)) return {std::move(*linear), {}, {}};
+  const auto& ship = std::get<Ship>(any);
+  fmt::print(stderr, "swayaw: {}: linearized about the straight course\n", ship.name);
+  const auto point = straight_course(ship, speed.value_or(service_speed(ship)));
+  const auto on = [&](std::optional<Side> side) { return linear_ship(ship, linearize(ship, point, side)); };
+  if (!has_kink(ship, point)) return {on(std::nullopt), {}, {}};
+  return {on(std::nullopt), on(Side::port), on(Side::starboard)};
+}
+
+Json document_of(const Sides& sides, double speed) {
+  Json json = indices_json(sides.mean, speed);
+  if (sides.port) json["port"] = indices_json(*sides.port, speed);
+  if (sides.starboard) json["starboard"] = indices_json(*sides.starboard, speed);
+  return json;
+}
+
+void print_sides(const Sides& sides, double speed) {
+  if (!sides.port) return print_text(sides.mean, speed);
+  fmt::print(
+      "Her forces have a kink straight ahead: rudder, propeller or wake differ between turns to port and to "
+      "starboard.\n"
+      "First the mean of both, then each.\n\n");
+  print_text(sides.mean, speed);
+  for (const auto& [side, ship] : {std::pair{Side::port, &*sides.port}, {Side::starboard, &*sides.starboard}}) {
+    fmt::print("\nturning to {}: she is {}\n", name_of(side), stability_words(transfer_functions(*ship)));
+    print_index_table(*ship, speed);
+  }
+}
+
 }  // namespace
 
 void indices(const IndicesArguments& a) {
-  const auto ship = load_linear_ship(a.ship, a.speed);
-  const double speed = speed_of(ship, a.speed);
-  if (!a.svg.empty()) write_text(a.svg, svg_of(bode_plot(ship, transfer_functions(ship), speed)));
-  if (a.json) fmt::print("{}\n", indices_json(ship, speed).dump(2));
-  else print_text(ship, speed);
+  const auto sides = sides_of(load_ship(a.ship), a.speed);
+  const double speed = speed_of(sides.mean, a.speed);
+  if (!a.svg.empty()) write_text(a.svg, svg_of(bode_plot(sides.mean, transfer_functions(sides.mean), speed)));
+  if (a.json) fmt::print("{}\n", document_of(sides, speed).dump(2));
+  else print_sides(sides, speed);
 }
 
 }  // namespace swayaw::app

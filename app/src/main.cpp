@@ -161,15 +161,15 @@ void add_forces(CLI::App& app, ForcesArguments& a) {
 void add_linearize(CLI::App& app, LinearizeArguments& a) {
   auto& command = *app.add_subcommand("linearize", "linear coefficients of a nonlinear ship by part, and her indices");
   add_ship(command, a.ship);
-  auto* speed =
-      command.add_option("--speed", a.speed, "speed in m/s, self-propelled straight ahead (default: service speed)")
-          ->check(CLI::PositiveNumber);
-  auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s, in place of a speed")
-                  ->check(CLI::PositiveNumber)
-                  ->excludes(speed);
-  command.add_option("--thrust", a.thrust, "thrust of all propellers in N, in place of a speed")
+  command
+      .add_option(
+          "--speed", a.speed,
+          "speed in m/s straight ahead, self-propelled unless --rev or --thrust is given (default: service speed)")
+      ->check(CLI::PositiveNumber);
+  auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s; without --speed at the speed that it gives")
+                  ->check(CLI::PositiveNumber);
+  command.add_option("--thrust", a.thrust, "thrust of all propellers in N, likewise")
       ->check(CLI::PositiveNumber)
-      ->excludes(speed)
       ->excludes(rev);
   command.add_option("--rudder", a.rudder, "about the steady turn at this rudder angle in degrees, positive to port");
   command.add_option("--side", a.side, "side turned to, where the forces have a kink (default: mean, and both)")
