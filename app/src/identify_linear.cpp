@@ -86,6 +86,8 @@ Json document_of(const LinearFit& fit, const Particulars& p, const std::vector<R
 
 void identify_linear(const IdentifyArguments& a) {
   const auto p = particulars_of(load_ship(a.ship));
+  if (!a.holdout.empty())
+    fmt::print(stderr, "swayaw: --holdout has no use with --model linear, whose standard errors hold by themselves\n");
   std::vector<Recording> runs;
   for (const auto& file : a.runs) runs.push_back(load_run(file));
   const auto fit = fit_linear(runs, {.L = p.particulars.L});
