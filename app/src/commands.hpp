@@ -126,6 +126,33 @@ struct TuneArguments {
 };
 void tune(const TuneArguments& arguments);
 
+struct EstimateArguments {
+  std::optional<double> length, beam, draught;  ///< between perpendiculars, moulded, mean [m]
+  std::optional<double> block;                  ///< block coefficient
+  std::optional<double> speed;                  ///< service speed [m/s]; nothing: by Froude number
+  double trim = 0.0;                            ///< draught aft less forward [m]
+  double x_g = 0.0;                             ///< centre of gravity forward of midship [m]
+  std::optional<double> yaw_radius;             ///< radius of gyration [m]
+  std::optional<double> rudder_area;            ///< of all rudders together [m^2]
+  std::optional<double> rudder_height;          ///< span of each [m]
+  std::optional<double> propeller_diameter;     ///< of each [m]
+  std::optional<double> wake, thrust_deduction;
+  std::optional<double> resistance;  ///< at the service speed [N]
+  double density = 1025.0;           ///< [kg/m^3]
+  int screws = 1, rudders = 1;
+  bool azimuth = false;
+  std::string ship_type;                                               ///< empty: not told
+  std::optional<double> frontal_area, lateral_area;                    ///< above water [m^2]
+  std::optional<double> length_over_all;                               ///< [m]
+  std::optional<double> depth;                                         ///< keel to deck [m]
+  std::optional<double> superstructure_length, superstructure_height;  ///< of what stands on the deck [m]
+  std::optional<double> superstructure_x;                              ///< its middle forward of midship [m]
+  std::string name = "estimated ship";
+  std::filesystem::path out;
+  bool json = false;
+};
+void estimate(const EstimateArguments& arguments);
+
 struct IdentifyArguments {
   std::vector<std::filesystem::path> runs;
   std::vector<std::filesystem::path> holdout;  ///< not used in the fit

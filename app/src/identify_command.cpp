@@ -9,10 +9,12 @@
 #include "input.hpp"
 #include "json.hpp"
 #include "progress.hpp"
+#include "run_selection.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/trajectory_fit.hpp"
 #include "swayaw/mismatch/compare.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
+#include "swayaw/nonlinear/writable_ship.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -24,6 +26,7 @@ struct Question {
   std::vector<Recording> runs;
   std::vector<Recording> holdout;
   ForceFitOptions options;
+  std::vector<SetAside> aside{};
 };
 
 /// Those asked for, or the usual ones, with `also` and without `keep`.
@@ -61,6 +64,9 @@ Question question_of(const IdentifyArguments& a) {
   q.options.priors = a.prior;
   q.options.ridge = a.ridge;
   q.options.states.channels = channels_named(a.channels);
+  q.runs = sailable(q.ship, std::move(q.runs), q.aside);
+  require_some(q.runs, q.aside);
+  q.holdout = sailable(q.ship, std::move(q.holdout), q.aside);
   return q;
 }
 
@@ -92,6 +98,8 @@ struct Answer {
   std::vector<Resample> resamples;
   std::vector<ZigzagCheck> zigzags;
   std::vector<std::string> advice;
+  std::vector<std::string> troubles{};  ///< late steps that failed, in words; the rest is as found
+  std::string failed{};  ///< why what was asked for was not done though other things were; empty if it was
 };
 
 /// Smaller than any instrument tells: a simulation recorded without noise.
@@ -123,7 +131,12 @@ TrajectoryFit fit_on_trajectories(const Question& q, const ForceFit& start, Prog
                                   const Interrupt& interrupt) {
   TrajectoryFitOptions options{
       .parameters = q.options.parameters, .channels = q.options.states.channels, .priors = q.options.priors};
+  const double began = progress.seconds();
   options.progress = [&](const TrajectoryProgress& p) {
+    if (p.iteration > 0) {
+      const double each = (progress.seconds() - began) / p.iteration;
+      progress.tell_rest(0.0, (options.most_iterations - p.iteration) * each);
+    }
     progress.tell(fmt::format("trajectories, iteration {}, parameters move by {:.2g}", p.iteration, p.change));
     return !interrupt.asked();
   };
@@ -242,7 +255,26 @@ void choose(Answer& answer, const IdentifyArguments& a) {
                     words_for(answer.trajectories->status));
 }
 
-Answer answer_to(const Question& q, const IdentifyArguments& a) {
+/// States of the runs that the filter can follow to their end; the others are set aside.
+/// @throws Refusal  if none is left
+std::vector<StateEstimate> motions_of(Question& q, Progress& progress) {
+  std::vector<StateEstimate> states;
+  std::vector<Recording> followed;
+  for (auto& run : q.runs) {
+    progress.tell(fmt::format("motion of {}", run.name));
+    try {
+      states.push_back(estimate_states(q.ship, run, q.options.states));
+      followed.push_back(std::move(run));
+    } catch (const std::exception& trouble) {
+      set_aside(q.aside, run.name, trouble.what());
+    }
+  }
+  q.runs = std::move(followed);
+  require_some(q.runs, q.aside);
+  return states;
+}
+
+Answer answer_to(Question& q, const IdentifyArguments& a) {
   Progress progress("identify");
   const Interrupt interrupt;
   Answer answer{.ship = q.ship,
@@ -250,22 +282,23 @@ Answer answer_to(const Question& q, const IdentifyArguments& a) {
                 .trajectories = {},
                 .reason = {},
                 .found = {},
-                .stability = {},
+                .stability = {.straight_course = StraightCourse::not_told,
+                              .e0 = std::nan(""),
+                              .standard_error = std::nan(""),
+                              .range = {},
+                              .linear_hull = false,
+                              .words = "not told"},
                 .resamples = {},
                 .zigzags = {},
                 .advice = {}};
-  std::vector<StateEstimate> states;
-  for (const auto& run : q.runs) {
-    progress.tell(fmt::format("motion of {}", run.name));
-    states.push_back(estimate_states(q.ship, run, q.options.states));
-  }
+  auto states = motions_of(q, progress);
   answer.forces = fit_forces(q.ship, q.runs, std::move(states), q.options);
   if (a.fit != "forces" && !interrupt.asked()) {
     try {
       answer.trajectories = fit_on_trajectories(q, answer.forces, progress, interrupt);
-    } catch (const Refusal& trouble) {
-      if (a.fit == "trajectories") throw;
-      fmt::print(stderr, "swayaw: not fitted to trajectories: {}\n", trouble.what());
+    } catch (const std::exception& trouble) {
+      if (a.fit == "trajectories") answer.failed = fmt::format("not fitted to trajectories: {}", trouble.what());
+      else fmt::print(stderr, "swayaw: not fitted to trajectories: {}\n", trouble.what());
     }
   }
   choose(answer, a);
@@ -273,13 +306,15 @@ Answer answer_to(const Question& q, const IdentifyArguments& a) {
   for (const auto& number : parameters_of(q.ship, q.options.parameters))
     answer.found.push_back(answer.from_trajectories ? found_on_trajectories(number, *answer.trajectories)
                                                     : found_by_forces(number, answer.forces));
-  answer.stability = stability_verdict(answer.forces);
+  attempt(answer.troubles, "stability on a straight course",
+          [&] { answer.stability = stability_verdict(answer.forces); });
   if (a.resample && !interrupt.asked()) {
     progress.tell("other choices of runs");
-    answer.resamples = resample(q.ship, q.runs, answer.forces, q.options);
+    attempt(answer.troubles, "what other choices of runs give",
+            [&] { answer.resamples = resample(q.ship, q.runs, answer.forces, q.options); });
   }
-  answer.zigzags = zigzag_checks(q, answer.ship);
-  answer.advice = advice_for(q, answer);
+  attempt(answer.troubles, "overshoots of the zigzags", [&] { answer.zigzags = zigzag_checks(q, answer.ship); });
+  attempt(answer.troubles, "what to record next", [&] { answer.advice = advice_for(q, answer); });
   set_confidence(answer.ship, answer.found);
   return answer;
 }
@@ -294,13 +329,88 @@ Json errors_json(const Ship& before, const Ship& after, const std::vector<Record
       Json json = Json::object();
       for (const auto& e : compare(ship, run).errors) json[std::string(name_of(e.quantity))] = number(e.normalised());
       return json;
-    } catch (const Refusal&) {
+    } catch (const std::exception&) {  // she cannot sail it
       return nullptr;
     }
   };
   for (const auto& run : runs)
     list.push_back({{"run", run.name}, {"before", errors(before, run)}, {"after", errors(after, run)}});
   return list;
+}
+
+// ---------------------------------------------------------------- verdict
+
+/// How runs are predicted that were not used: root mean square, over them and their quantities, of the errors over the
+/// variation.
+struct HeldOut {
+  double before, after;
+  std::vector<std::string> lost;  ///< runs that the ship sailed before and does not now
+
+  bool worse() const { return after > before || !lost.empty(); }
+};
+
+/// @param errors  of errors_json. @return nothing where no run was held out, or none could be sailed before
+std::optional<HeldOut> held_out(const Json& errors) {
+  HeldOut result{0.0, 0.0, {}};
+  int count = 0;
+  for (const auto& run : errors) {
+    if (!run["before"].is_object()) continue;
+    if (!run["after"].is_object()) {
+      result.lost.push_back(run["run"].get<std::string>());
+      continue;
+    }
+    for (const auto& [quantity, before] : run["before"].items()) {
+      if (!before.is_number() || !run["after"].contains(quantity) || !run["after"][quantity].is_number()) continue;
+      result.before += std::pow(before.get<double>(), 2);
+      result.after += std::pow(run["after"][quantity].get<double>(), 2);
+      ++count;
+    }
+  }
+  if (count == 0 && result.lost.empty()) return std::nullopt;
+  result.before = std::sqrt(result.before / std::max(1, count));
+  result.after = std::sqrt(result.after / std::max(1, count));
+  return result;
+}
+
+std::string held_out_words(const Question& q, const std::optional<HeldOut>& h) {
+  if (q.holdout.empty())
+    return "No run was held out: whether the coefficients hold for others is not told (--holdout).";
+  if (!h) return "The held-out runs could not be replayed: whether the coefficients hold for them is not told.";
+  if (!h->lost.empty())
+    return fmt::format("Held-out runs WORSEN: with the coefficients found she cannot sail {}.",
+                       fmt::join(h->lost, ", "));
+  return fmt::format("Held-out runs {}: their error goes from {:.1f} to {:.1f} % of the variation.",
+                     h->worse()             ? "WORSEN"
+                     : h->after < h->before ? "improve"
+                                            : "stay as they were",
+                     100.0 * h->before, 100.0 * h->after);
+}
+
+/// What was found, and whether it holds elsewhere, in two or three sentences.
+std::string verdict_words(const Question& q, const Answer& answer, const std::optional<HeldOut>& h) {
+  std::vector<std::string> open;
+  for (const auto& f : answer.found)
+    if (f.undetermined) open.push_back(f.before.name);
+  auto words = fmt::format("{} of {} coefficients determined by {} run{}", answer.found.size() - open.size(),
+                           answer.found.size(), q.runs.size(), q.runs.size() == 1 ? "" : "s");
+  words += open.empty() ? "." : fmt::format("; not determined: {}.", fmt::join(open, ", "));
+  if (!q.aside.empty()) {
+    std::vector<std::string> names;
+    for (const auto& [run, why] : q.aside) names.push_back(run);
+    words += fmt::format(" Set aside: {}.", fmt::join(names, ", "));
+  }
+  return words + " " + held_out_words(q, h);
+}
+
+Json verdict_json(const Question& q, const Answer& answer, const std::optional<HeldOut>& h) {
+  Json aside = Json::array();
+  for (const auto& [run, why] : q.aside) aside.push_back({{"run", run}, {"why", why}});
+  const Json held = h ? Json{{"before", number(h->before)},
+                             {"after", number(h->after)},
+                             {"cannot_sail", h->lost},
+                             {"worse", h->worse()}}
+                      : Json(nullptr);
+  return {{"words", verdict_words(q, answer, h)}, {"holdout", held}, {"set_aside", std::move(aside)}};
 }
 
 // ---------------------------------------------------------------- JSON
@@ -395,28 +505,32 @@ Json names_of(const std::vector<Recording>& runs) {
   return list;
 }
 
-Json document_of(const Question& q, const Answer& answer, const IdentifyArguments& a) {
+Json document_of(const Question& q, const Answer& answer, const IdentifyArguments& a,
+                 const std::vector<std::string>& not_written) {
   Json coefficients = Json::array(), equations = Json::array(), zigzags = Json::array();
+  Json train = errors_json(q.ship, answer.ship, q.runs), holdout = errors_json(q.ship, answer.ship, q.holdout);
+  const auto judged = held_out(holdout);
   for (const auto& f : answer.found) coefficients.push_back(coefficient_json(f));
   for (const auto& e : answer.forces.equations) equations.push_back(equation_json(e));
   for (const auto& z : answer.zigzags) zigzags.push_back(zigzag_json(z));
-  return {
-      {"schema", "swayaw.identification/1"},
-      {"version", version()},
-      {"ship", q.ship.name},
-      {"model", a.model},
-      {"runs", names_of(q.runs)},
-      {"method", answer.from_trajectories ? "trajectories" : "forces"},
-      {"reason", answer.reason},
-      {"coefficients", std::move(coefficients)},
-      {"equations", std::move(equations)},
-      {"trajectories", answer.trajectories ? trajectory_json(*answer.trajectories) : Json(nullptr)},
-      {"stability", stability_json(answer.stability)},
-      {"errors",
-       {{"train", errors_json(q.ship, answer.ship, q.runs)}, {"holdout", errors_json(q.ship, answer.ship, q.holdout)}}},
-      {"zigzags", std::move(zigzags)},
-      {"resamples", resamples_json(answer.resamples, q.options.parameters)},
-      {"advice", answer.advice}};
+  return {{"schema", "swayaw.identification/1"},
+          {"version", version()},
+          {"ship", q.ship.name},
+          {"model", a.model},
+          {"verdict", verdict_json(q, answer, judged)},
+          {"runs", names_of(q.runs)},
+          {"method", answer.from_trajectories ? "trajectories" : "forces"},
+          {"reason", answer.reason},
+          {"coefficients", std::move(coefficients)},
+          {"equations", std::move(equations)},
+          {"trajectories", answer.trajectories ? trajectory_json(*answer.trajectories) : Json(nullptr)},
+          {"stability", stability_json(answer.stability)},
+          {"errors", {{"train", std::move(train)}, {"holdout", std::move(holdout)}}},
+          {"zigzags", std::move(zigzags)},
+          {"resamples", resamples_json(answer.resamples, q.options.parameters)},
+          {"advice", answer.advice},
+          {"not_written", not_written},
+          {"troubles", answer.troubles}};
 }
 
 // ---------------------------------------------------------------- text
@@ -479,7 +593,7 @@ void print_resamples(const std::vector<Resample>& resamples, const std::vector<s
 }
 
 void print_answer(const Question& q, const Answer& answer, const Json& document) {
-  fmt::print("{}\n{}\n\n", q.ship.name, answer.reason);
+  fmt::print("{}\n{}\n{}\n\n", q.ship.name, document["verdict"]["words"].get<std::string>(), answer.reason);
   print_coefficients(answer);
   fmt::print("\nforce equations\n");
   print_equations(answer);
@@ -492,6 +606,18 @@ void print_answer(const Question& q, const Answer& answer, const Json& document)
   print_resamples(answer.resamples, q.options.parameters);
   fmt::print("\nstraight course: {}\n", answer.stability.words);
   for (const auto& line : answer.advice) fmt::print("{}\n", line);
+  for (const auto& line : document["not_written"]) fmt::print("{}\n", line.get<std::string>());
+  for (const auto& line : answer.troubles) fmt::print("{}\n", line);
+}
+
+/// What a script must know of a work that was done: runs that were not used are predicted worse, or what was asked for
+/// could not be done.
+/// @throws Refusal  in one line
+void require_success(const Answer& answer, const Json& document) {
+  if (!answer.failed.empty()) throw Refusal(answer.failed);
+  const auto& held = document["verdict"]["holdout"];
+  if (held.is_object() && held["worse"].get<bool>())
+    throw Refusal("held-out runs are predicted worse with the coefficients found than with those of the ship file");
 }
 
 /// Where the parameters of the file come from.
@@ -511,13 +637,22 @@ std::string remark_of(const Question& q, const Answer& answer) {
 
 void identify(const IdentifyArguments& a) {
   if (a.model == "linear") return identify_linear(a);
-  const auto question = question_of(a);
-  const auto answer = answer_to(question, a);
-  const auto document = document_of(question, answer, a);
-  write_ship(a.out, answer.ship, remark_of(question, answer));
+  auto question = question_of(a);
+  auto answer = answer_to(question, a);
+  const auto kept = writable(answer.ship, question.ship);
+  auto remark = remark_of(question, answer);
+  for (const auto& line : kept.changed) remark += "\n" + line + ".";
+  bool saved = false;
+  attempt(answer.troubles, a.out.string(), [&] {
+    write_ship(a.out, kept.ship, remark);
+    saved = true;
+  });
+  const auto document = document_of(question, answer, a, kept.changed);
   if (a.json) fmt::print("{}\n", document.dump(2));
   else print_answer(question, answer, document);
-  fmt::print(stderr, "swayaw: ship file written to {}\n", a.out.string());
+  if (saved) fmt::print(stderr, "swayaw: ship file written to {}\n", a.out.string());
+  else throw Refusal(fmt::format("{}: the ship file was not written", a.out.string()));
+  require_success(answer, document);
 }
 
 }  // namespace swayaw::app

@@ -87,6 +87,8 @@ Json document_of(const LinearFit& fit, const Particulars& p, const std::vector<R
 
 void identify_linear(const IdentifyArguments& a) {
   const auto p = particulars_of(load_ship(a.ship));
+  if (!a.holdout.empty())
+    fmt::print(stderr, "swayaw: --holdout has no use with --model linear, whose standard errors hold by themselves\n");
   const auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check});
   const auto fit = fit_linear(runs, {.L = p.particulars.L});
   if (!std::isfinite(fit.coefficients.a1.value))

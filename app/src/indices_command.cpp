@@ -107,6 +107,9 @@ Json indices_json(const LinearShip& ship, double speed) {
   json["sname"] = sname_json(ship, f.m);
   if (const auto* given = parts(ship)) json["parts"] = split_json(*given);
   json["condition_number"] = number(condition_number(f.m));
+  const auto steering = steering_of(ship, speed);
+  json["to_starboard"] = {{"K", number(steering.K_prime)}, {"T", number(steering.T_prime)}};
+  json["dimensional"]["K_to_starboard_per_s"] = number(steering.K_per_s);
   return json;
 }
 
@@ -131,6 +134,7 @@ void print_indices(const Findings& f, const PrimeScale& scale) {
   print_row("Kw", f.i.Kw, f.i.Kw / t, "1/s", "yaw rate by rudder angle");
   print_row("T_b", f.T_b, f.T_b * t, "s", "first-order drift, T1 + T2 - T3b");
   print_row("T_w", f.T_w, f.T_w * t, "s", "first-order yaw, T1 + T2 - T3w");
+  print_row("K", -f.i.Kw, -f.i.Kw / t, "1/s", "-Kw: positive where rudder to starboard turns her to starboard");
 }
 
 /// The rudder's part of each coefficient in percent of the whole.
@@ -159,6 +163,19 @@ void print_equations(const LinearShip& ship, const SwayYawCoefficients<double>& 
 
 void print_index_table(const LinearShip& ship, double speed) {
   print_indices(findings_of(ship), prime_scale(ship, speed));
+}
+
+Steering steering_of(const LinearShip& ship, double speed) {
+  const auto i = indices(ship);
+  const double T = first_order_yaw(i).T, t = ship.particulars.L / speed;
+  return {.K_prime = -i.Kw, .T_prime = T, .K_per_s = -i.Kw / t, .T_s = T * t};
+}
+
+void print_steering(const LinearShip& ship, double speed) {
+  const auto s = steering_of(ship, speed);
+  fmt::print("  K' = {} ({} 1/s), T' = {} ({} s), K positive where rudder to starboard turns her to starboard\n",
+             cell(s.K_prime), cell(s.K_per_s), cell(s.T_prime), cell(s.T_s));
+  fmt::print("  {}\n", stability_words(transfer_functions(ship)));
 }
 
 void print_coefficients(std::string_view name, const SwayYawCoefficients<double>& m) {
@@ -219,14 +236,52 @@ Plot bode_plot(const LinearShip& ship, const SwayYawTransfer<double>& h, double 
   return plot;
 }
 
+// ---------------------------------------------------------------- sides
+
+/// The small motions of a nonlinear ship, and those of turns to each side where these differ.
+struct Sides {
+  LinearShip mean;
+  std::optional<LinearShip> port, starboard;
+};
+
+Sides sides_of(AnyShip any, const std::optional<double>& speed) {
+  if (auto* linear = std::get_if<LinearShip>(&any)) return {std::move(*linear), {}, {}};
+  const auto& ship = std::get<Ship>(any);
+  fmt::print(stderr, "swayaw: {}: linearized about the straight course\n", ship.name);
+  const auto point = straight_course(ship, speed.value_or(service_speed(ship)));
+  const auto on = [&](std::optional<Side> side) { return linear_ship(ship, linearize(ship, point, side)); };
+  if (!has_kink(ship, point)) return {on(std::nullopt), {}, {}};
+  return {on(std::nullopt), on(Side::port), on(Side::starboard)};
+}
+
+Json document_of(const Sides& sides, double speed) {
+  Json json = indices_json(sides.mean, speed);
+  if (sides.port) json["port"] = indices_json(*sides.port, speed);
+  if (sides.starboard) json["starboard"] = indices_json(*sides.starboard, speed);
+  return json;
+}
+
+void print_sides(const Sides& sides, double speed) {
+  if (!sides.port) return print_text(sides.mean, speed);
+  fmt::print(
+      "Her forces have a kink straight ahead: rudder, propeller or wake differ between turns to port and to "
+      "starboard.\n"
+      "First the mean of both, then each.\n\n");
+  print_text(sides.mean, speed);
+  for (const auto& [side, ship] : {std::pair{Side::port, &*sides.port}, {Side::starboard, &*sides.starboard}}) {
+    fmt::print("\nturning to {}: she is {}\n", name_of(side), stability_words(transfer_functions(*ship)));
+    print_index_table(*ship, speed);
+  }
+}
+
 }  // namespace
 
 void indices(const IndicesArguments& a) {
-  const auto ship = load_linear_ship(a.ship, a.speed);
-  const double speed = speed_of(ship, a.speed);
-  if (!a.svg.empty()) write_text(a.svg, svg_of(bode_plot(ship, transfer_functions(ship), speed)));
-  if (a.json) fmt::print("{}\n", indices_json(ship, speed).dump(2));
-  else print_text(ship, speed);
+  const auto sides = sides_of(load_ship(a.ship), a.speed);
+  const double speed = speed_of(sides.mean, a.speed);
+  if (!a.svg.empty()) write_text(a.svg, svg_of(bode_plot(sides.mean, transfer_functions(sides.mean), speed)));
+  if (a.json) fmt::print("{}\n", document_of(sides, speed).dump(2));
+  else print_sides(sides, speed);
 }
 
 }  // namespace swayaw::app

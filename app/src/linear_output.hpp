@@ -25,6 +25,17 @@ Json indices_json(const LinearShip& ship, double speed);
 /// Time constants and gains with and without dimension.
 void print_index_table(const LinearShip& ship, double speed);
 
+/// First-order steering in the signs of ship owners, where a rudder to starboard that turns the ship to starboard has
+/// K > 0: K = −Kw, T = T1 + T2 − T3w.
+struct Steering {
+  double K_prime, T_prime;  ///< per L/U
+  double K_per_s, T_s;
+};
+Steering steering_of(const LinearShip& ship, double speed);
+
+/// "K' = 1.3 (0.031 1/s), T' = …, course stable": two lines.
+void print_steering(const LinearShip& ship, double speed);
+
 /// A row a1 … c2.
 void print_coefficients(std::string_view name, const SwayYawCoefficients<double>& m);
 

@@ -20,9 +20,16 @@ OperatingPoint steady_turn(const Ship& ship, const Controls<double>& controls) {
   return {std::ranges::max_element(turns, better)->motion, controls};
 }
 
+/// Whether a speed and another drive than self-propulsion are given: a motion that is not steady.
+bool is_transient(const LinearizeArguments& a) { return a.speed && (a.rev || a.thrust); }
+
 /// As asked: straight ahead, or in a steady turn.
+/// @throws Refusal  if a steady turn is asked for at a speed that it does not have
 OperatingPoint point_of(const Ship& ship, const LinearizeArguments& a) {
   const auto driven = propulsion(ship, a.speed.value_or(service_speed(ship)), a.rev, a.thrust);
+  if (a.rudder && is_transient(a))
+    throw Refusal("--rudder asks for the steady turn, whose speed follows from --rev or --thrust: leave out --speed");
+  if (is_transient(a)) return {{*a.speed, 0.0, 0.0}, driven};
   if (a.rudder) return steady_turn(ship, with_rudder(driven, radians(*a.rudder)));
   return a.rev || a.thrust ? straight_course(ship, driven)
                            : straight_course(ship, a.speed.value_or(service_speed(ship)));
@@ -81,7 +88,7 @@ Json document_of(const Ship& ship, const Linearization& linear) {
 /// Both sides, where they differ.
 void add_sides(Json& json, const Ship& ship, const OperatingPoint& point) {
   for (const Side side : {Side::port, Side::starboard})
-    json[std::string(name_of(side))] = document_of(ship, linearize(ship, point, side));
+    json[std::string(name_of(side))] = document_of(ship, linearize_transient(ship, point, side));
 }
 
 // ---------------------------------------------------------------- text
@@ -109,18 +116,21 @@ void linearize(const LinearizeArguments& a) {
   const auto point = point_of(ship, a);
   const bool kink = a.side.empty() && has_kink(ship, point);
   const auto side = a.side.empty() ? std::nullopt : std::optional(side_named(a.side));
-  const auto linear = linearize(ship, point, side);
+  const auto linear = is_transient(a) ? linearize_transient(ship, point, side) : linearize(ship, point, side);
   if (a.json) {
     auto json = document_of(ship, linear);
     if (kink) add_sides(json, ship, point);
     fmt::print("{}\n", json.dump(2));
     return;
   }
+  if (is_transient(a))
+    fmt::print(stderr, "swayaw: {}: about a speed that this propulsion does not keep; the numbers hold near it\n",
+               ship.name);
   print_text(ship, linear, kink ? ", mean of turns to both sides" : "");
   if (!kink) return;
   for (const Side each : {Side::port, Side::starboard}) {
     fmt::print("\n");
-    print_text(ship, linearize(ship, point, each), fmt::format(", turning to {}", name_of(each)));
+    print_text(ship, linearize_transient(ship, point, each), fmt::format(", turning to {}", name_of(each)));
   }
 }
 

@@ -5,10 +5,12 @@
 #include <exception>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "commands.hpp"
 #include "spelling.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/core/steered_thrust.hpp"
 #include "swayaw/core/version.hpp"
 
 /// The program. Exit code 0: done; 1: the data or the question is bad; 2: wrong usage.
@@ -16,8 +18,9 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 12> commands{"check",  "compare",   "diagnose", "forces", "identify", "indices",
-                                                    "invert", "linearize", "loop",     "replay", "simulate", "tune"};
+constexpr std::array<std::string_view, 15> commands{"check",   "compare", "diagnose",  "estimate", "forces",
+                                                    "identify", "import", "indices",   "invert",   "linearize",
+                                                    "loop",    "replay",  "simulate",  "trial",    "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -187,15 +190,15 @@ void add_forces(CLI::App& app, ForcesArguments& a) {
 void add_linearize(CLI::App& app, LinearizeArguments& a) {
   auto& command = *app.add_subcommand("linearize", "linear coefficients of a nonlinear ship by part, and her indices");
   add_ship(command, a.ship);
-  auto* speed =
-      command.add_option("--speed", a.speed, "speed in m/s, self-propelled straight ahead (default: service speed)")
-          ->check(CLI::PositiveNumber);
-  auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s, in place of a speed")
-                  ->check(CLI::PositiveNumber)
-                  ->excludes(speed);
-  command.add_option("--thrust", a.thrust, "thrust of all propellers in N, in place of a speed")
+  command
+      .add_option(
+          "--speed", a.speed,
+          "speed in m/s straight ahead, self-propelled unless --rev or --thrust is given (default: service speed)")
+      ->check(CLI::PositiveNumber);
+  auto* rev = command.add_option("--rev", a.rev, "shaft speed in 1/s; without --speed at the speed that it gives")
+                  ->check(CLI::PositiveNumber);
+  command.add_option("--thrust", a.thrust, "thrust of all propellers in N, likewise")
       ->check(CLI::PositiveNumber)
-      ->excludes(speed)
       ->excludes(rev);
   command.add_option("--rudder", a.rudder, "about the steady turn at this rudder angle in degrees, positive to port");
   command.add_option("--side", a.side, "side turned to, where the forces have a kink (default: mean, and both)")
@@ -311,6 +314,58 @@ void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
   command.callback([&a] { diagnose(a); });
 }
 
+/// Options that are missing, all in one message.
+void require_dimensions(const EstimateArguments& a) {
+  std::vector<std::string_view> missing;
+  if (!a.length) missing.push_back("--length (between perpendiculars, m)");
+  if (!a.beam) missing.push_back("--beam (m)");
+  if (!a.draught) missing.push_back("--draught (mean, m)");
+  if (!a.block) missing.push_back("--block (displaced volume over length, beam and draught)");
+  if (a.out.empty()) missing.push_back("--out (the ship file to be written)");
+  if (!missing.empty()) throw CLI::ValidationError("missing", fmt::format("{}", fmt::join(missing, ", ")));
+}
+
+void add_estimate(CLI::App& app, EstimateArguments& a) {
+  auto& command = *app.add_subcommand("estimate", "a ship from her main dimensions, and how far the formulas agree");
+  const auto positive_number = [&](const char* option, auto& value, const char* what) {
+    return command.add_option(option, value, what)->check(CLI::PositiveNumber);
+  };
+  positive_number("--length", a.length, "length between perpendiculars in m; needed");
+  positive_number("--beam", a.beam, "beam in m; needed");
+  positive_number("--draught", a.draught, "mean draught in m; needed");
+  positive_number("--block", a.block, "block coefficient; needed")->check(CLI::Range(0.0, 1.0));
+  positive_number("--speed", a.speed, "service speed in m/s (default: by Froude number)");
+  command.add_option("--trim", a.trim, "draught aft less draught forward in m")->capture_default_str();
+  command.add_option("--x-g", a.x_g, "centre of gravity forward of midship in m")->capture_default_str();
+  positive_number("--yaw-radius", a.yaw_radius, "yaw radius of gyration in m (default: a quarter of the length)");
+  positive_number("--rudder-area", a.rudder_area, "movable area of all rudders together in m2");
+  positive_number("--rudder-height", a.rudder_height, "span of each rudder in m");
+  positive_number("--propeller-diameter", a.propeller_diameter, "diameter of each propeller in m");
+  command.add_option("--wake", a.wake, "wake fraction at the propeller")->check(CLI::Range(-0.5, 0.95));
+  command.add_option("--thrust-deduction", a.thrust_deduction, "thrust deduction fraction")
+      ->check(CLI::Range(-0.5, 0.95));
+  positive_number("--resistance", a.resistance, "resistance at the service speed in N");
+  positive_number("--density", a.density, "density of the water in kg/m3")->capture_default_str();
+  command.add_option("--screws", a.screws, "1, or 2 that turn together")->capture_default_str();
+  command.add_option("--rudders", a.rudders, "1, or 2 that turn together")->capture_default_str();
+  command.add_flag("--azimuth", a.azimuth, "the ship has azimuth thrusters or pods: refused, no model here has them");
+  command.add_option("--ship-type", a.ship_type, "tanker, container, ferry, ro-ro, general cargo, ...: drag in wind");
+  positive_number("--frontal-area", a.frontal_area, "projected area above water from ahead in m2");
+  positive_number("--lateral-area", a.lateral_area, "the same from the side in m2");
+  positive_number("--length-over-all", a.length_over_all, "length over all in m, lever of the wind's moment");
+  auto* depth = positive_number("--depth", a.depth, "from keel to deck in m, where areas above water are not known");
+  positive_number("--superstructure-length", a.superstructure_length, "of what stands on the deck, in m")->needs(depth);
+  positive_number("--superstructure-height", a.superstructure_height, "its height above the deck in m")->needs(depth);
+  command.add_option("--superstructure-x", a.superstructure_x, "its middle forward of midship in m")->needs(depth);
+  command.add_option("--name", a.name, "name of the ship")->capture_default_str();
+  command.add_option("--out", a.out, "ship file to be written (TOML); needed");
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] {
+    if (!a.azimuth && !names_steered_thrust(a.ship_type)) require_dimensions(a);
+    estimate(a);
+  });
+}
+
 /// Says what was probably meant by a command that does not exist. @return whether there was one
 bool refuse_unknown_command(int count, char** words) {
   if (count < 2 || words[1][0] == '-') return false;
@@ -340,6 +395,7 @@ int run(int count, char** words) {
   InvertArguments invert_arguments;
   LoopArguments loop_arguments;
   TuneArguments tune_arguments;
+  EstimateArguments estimate_arguments;
   IdentifyArguments identify_arguments;
   DiagnoseArguments diagnose_arguments;
   add_simulate(app, simulate_arguments);
@@ -352,6 +408,7 @@ int run(int count, char** words) {
   add_invert(app, invert_arguments);
   add_loop(app, loop_arguments);
   add_tune(app, tune_arguments);
+  add_estimate(app, estimate_arguments);
   add_identify(app, identify_arguments);
   add_diagnose(app, diagnose_arguments);
   try {

@@ -19,12 +19,21 @@ class Progress {
 
   void tell(std::string_view how_far);
 
+  /// Seconds since the work began.
+  double seconds() const;
+
+  /// Says once on stderr how long the rest will take, "about 20 s to 2 min to go", or "up to 2 min to go"
+  /// where the least is 0; nothing where that is short.
+  void tell_rest(double least_seconds, double most_seconds);
+
  private:
   using Clock = std::chrono::steady_clock;
 
   std::string work_;
   bool terminal_;
   bool written_ = false;
+  bool rest_told_ = false;
+  Clock::time_point began_;
   Clock::time_point next_;  ///< when the line is written next
 };
 

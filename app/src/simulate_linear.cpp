@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "input.hpp"
@@ -9,6 +11,28 @@
 
 namespace swayaw::app {
 namespace {
+
+// ---------------------------------------------------------------- how far the equations hold
+
+/// Drift angle beyond which linear equations mean nothing: where the cubic sway force Y_vvv v'^3 of measured hulls is
+/// half of the linear Y_v v', 14.8 deg for KCS and 18.2 deg for KVLCC2.
+constexpr double largest_linear_drift = radians(15.0);
+
+void warn_of_drift(const LinearShip& ship, double drift) {
+  if (std::abs(drift) <= largest_linear_drift) return;
+  fmt::print(stderr,
+             "swayaw: {}: she reaches a drift angle of {:.1f} deg; beyond {:.0f} deg linear equations mean nothing, as "
+             "the cubic forces that they leave out are as large as the rest. A nonlinear ship tells this manoeuvre\n",
+             ship.name, std::abs(degrees(drift)), degrees(largest_linear_drift));
+}
+
+/// Largest drift angle of a zigzag; 0 for a ship whose drift is not known.
+double largest_drift(const Recording& run) {
+  double largest = 0.0;
+  const auto u = run[Channel::u], v = run[Channel::v];
+  for (std::size_t i = 0; i < u.size(); ++i) largest = std::max(largest, std::abs(std::atan2(-v[i], u[i])));
+  return largest;
+}
 
 // ---------------------------------------------------------------- zigzag
 
@@ -86,6 +110,8 @@ void print_zigzag(const LinearShip& ship, const Run& run) {
 
 void simulate_zigzag(const LinearShip& ship, const SimulateArguments& a) {
   const auto run = run_of(ship, a);
+  if (has_coefficients(ship))
+    warn_of_drift(ship, largest_drift(zigzag_recording(ship, run.zigzag, run.order, run.scale.U, std::nullopt)));
   if (wants_files(a)) write_files(zigzag_recording(ship, run.zigzag, run.order, run.scale.U, a.step), a);
   if (a.json) fmt::print("{}\n", zigzag_json(run).dump(2));
   else print_zigzag(ship, run);
@@ -134,6 +160,7 @@ void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
   const double angle = radians(*a.turn), speed = speed_of(ship, a.speed);
   require_rudder(angle, ship.steering_gear);
   const auto turn = steady_turn(ship, rudder_sign(side_named(a.first)) * angle, speed);
+  warn_of_drift(ship, turn.drift);
   if (a.json) {
     fmt::print("{}\n", turn_json(turn, a, speed).dump(2));
     return;

@@ -219,7 +219,10 @@ std::string remark(const Tuning& t, const TuneArguments& a) {
 Tuning tuned(const Ship& ship, const MeasuredIndices& measured, TuningOptions options) {
   const Interrupt interrupt;
   Progress progress("tune");
+  const int most_turns = options.most_turns;
   options.watch = [&](const TuningProgress& p) {
+    if (const int turns = static_cast<int>(p.simulations.turns); turns > 0 && progress.seconds() > 1.0)
+      progress.tell_rest(0.0, (most_turns - turns) * progress.seconds() / turns);
     progress.tell(fmt::format("{} turning circles, {} zigzags, squared errors {:.4f} and {:.4f}", p.simulations.turns,
                               p.simulations.zigzags, p.error.turns, p.error.zigzags));
     return !interrupt.asked();

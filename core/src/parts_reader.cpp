@@ -8,6 +8,7 @@
 
 #include "swayaw/core/detail/toml_text.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/core/steered_thrust.hpp"
 
 namespace swayaw::inline core {
 namespace {
@@ -192,6 +193,19 @@ class KeysReader {
   std::vector<KnownKey> keys_;
 };
 
+/// A key, or a text that is not a name, with the name of a drive that no model here has, refuses the ship.
+void refuse_steered_thrust(const ShipText& file, const toml::table& table) {
+  const auto refuse = [&](const toml::source_region& where, std::string_view words) {
+    file.fail(where.begin, fmt::format("\"{}\" {}", words, no_steered_thrust));
+  };
+  for (auto&& [key, node] : table) {
+    if (names_steered_thrust(key.str())) refuse(key.source(), key.str());
+    const auto word = node.value<std::string>();
+    if (word && key != "name" && names_steered_thrust(*word)) refuse(node.source(), *word);
+    if (const auto* inner = node.as_table()) refuse_steered_thrust(file, *inner);
+  }
+}
+
 FileEffect effect_of(const ShipText& text, const toml::table& table) {
   const auto place = table.source().begin;
   FileEffect effect{.kind = {}, .numbers = {}, .line = place.line, .column = place.column, .channel = {}};
@@ -219,7 +233,9 @@ struct PartsReader::Document {
 };
 
 PartsReader::PartsReader(std::string_view text, const std::filesystem::path& name)
-    : document_(std::make_unique<Document>(Document{detail::parsed_toml(text, name), name})) {}
+    : document_(std::make_unique<Document>(Document{detail::parsed_toml(text, name), name})) {
+  refuse_steered_thrust(document_->text(), document_->root);
+}
 
 PartsReader::~PartsReader() = default;
 

@@ -165,7 +165,7 @@ std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s
         for (std::size_t i = 0; i < form.coordinates.size(); ++i)
           add(form, form.with_terms ? parameters[i] : *number,
               D(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
-    } catch (const Refusal&) {}
+    } catch (const std::exception&) {}
   }
   return sizes;
 }

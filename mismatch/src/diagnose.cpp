@@ -69,7 +69,7 @@ std::vector<ParameterEstimate> estimates(const Trial& trial, const Accepted& acc
 /// Nothing where the ship cannot sail the run.
 std::vector<QuantityError> errors_of(const Ship& ship, const Recording& run) try {
   return compare(ship, run).errors;
-} catch (const Refusal&) {
+} catch (const std::exception&) {
   return {};
 }
 
@@ -235,6 +235,14 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
   }
 }
 
+/// Does a step after the search; where it fails, that is noted in words and the rest is kept.
+template <class Step>
+void attempt(Diagnosis& d, std::string_view what, const Step& step) try {
+  step();
+} catch (const std::exception& trouble) {
+  d.troubles.push_back(fmt::format("{} could not be told: {}", what, trouble.what()));
+}
+
 DiagnosisVerdict verdict_of(const Diagnosis& d) {
   if (std::ranges::any_of(d.effects, is_nameless) || d.process_noise > ordinary_scale)
     return DiagnosisVerdict::unexplained;
@@ -280,29 +288,32 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
               .process_noise = s.named_scale,
               .refitted_process_noise = s.null.noise.largest_scale(),
               .prior_inflation = s.prior_inflation};
+  d.troubles = s.troubles;
   put_effects(d, trial, s, options.detection);
   d.verdict = verdict_of(d);
   if (d.process_noise > ordinary_scale)
     for (auto& e : d.effects) e.probability *= 0.5;
   goes_on("where, and what next");
   if (d.verdict == DiagnosisVerdict::nothing_missing) {
-    d.detectable = detectable_sizes(trial, s, forms, options.detection);
+    attempt(d, "the smallest effects that would have shown",
+            [&] { d.detectable = detectable_sizes(trial, s, forms, options.detection); });
   } else {
     d.symmetry = s.located.symmetry;
     d.location = s.located.places;
     if (!d.effects.empty() && !shown_wrong(d.effects.front().effect).empty())
       d.location = places_of(d.effects.front().effect, runs),
       d.symmetry = "it is in what was recorded, not in how she moved";
-    d.next = next_manoeuvre(trial, s);
+    attempt(d, "what to sail next", [&] { d.next = next_manoeuvre(trial, s); });
   }
-  d.linear = linear_view(d.refitted, runs);
+  attempt(d, "the linear view", [&] { d.linear = linear_view(d.refitted, runs); });
   d.train = errors_of(ship, d.refitted, d.improved, runs);
   d.holdout = errors_of(ship, d.refitted, d.improved, holdout);
-  put_holdout_gains(d, trial, s, holdout);
-  if (options.pictures && goes_on("drawing the runs")) {
-    d.train_pictures = run_pictures(ship, d.refitted, d.improved, runs, s.null.noise);
-    d.holdout_pictures = run_pictures(ship, d.refitted, d.improved, holdout, s.null.noise);
-  }
+  attempt(d, "what held-out runs gain", [&] { put_holdout_gains(d, trial, s, holdout); });
+  if (options.pictures && goes_on("drawing the runs"))
+    attempt(d, "pictures of the runs", [&] {
+      d.train_pictures = run_pictures(ship, d.refitted, d.improved, runs, s.null.noise);
+      d.holdout_pictures = run_pictures(ship, d.refitted, d.improved, holdout, s.null.noise);
+    });
   d.words = words_of(d);
   return d;
 }

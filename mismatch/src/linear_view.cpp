@@ -67,7 +67,7 @@ std::optional<LinearView> view_of_run(const Ship& model, const Recording& run) t
     amplitude = std::max(amplitude, std::isfinite(delta) ? std::abs(delta) : 0.0);
   return LinearView{run.name, amplitude, view_of(run, path_of(motions_of(run, U), L), L),
                     view_of(simulated, path_of(motions_of(simulated, U), L), L)};
-} catch (const Refusal&) {  // no zigzag, or one that she cannot sail
+} catch (const std::exception&) {  // no zigzag, or one that she cannot sail
   return std::nullopt;
 }
 

@@ -56,7 +56,7 @@ std::optional<Traced> traced(const Ship& ship, const Recording& run, const Noise
     t.psi.push_back(run.has(Channel::psi) ? run[Channel::psi][i] : 0.0);
   }
   return t;
-} catch (const Refusal&) {
+} catch (const std::exception&) {
   return std::nullopt;
 }
 

@@ -90,7 +90,7 @@ template <class F>
 auto unless_refused(F&& f) -> std::optional<decltype(f())> {
   try {
     return f();
-  } catch (const Refusal&) {
+  } catch (const std::exception&) {
     return std::nullopt;
   }
 }

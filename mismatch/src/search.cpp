@@ -1,5 +1,7 @@
 #include "search.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -73,7 +75,7 @@ void work_on(std::vector<Job>& jobs, const Trial& trial, const Hypothesis& accep
     try {
       jobs[i].predicted_gain =
           predicted_gain(trial, accepted, linear, *jobs[i].form, jobs[i].start, jobs[i].iterations);
-    } catch (const Refusal&) {  // the ship cannot sail with such an effect
+    } catch (const std::exception&) {  // the ship cannot sail with such an effect
     }
   });
 }
@@ -282,7 +284,7 @@ std::vector<FittedCandidate> confirmed(const Trial& trial, const Hypothesis& acc
       const double without = pruned(form, found).gain, nameless = is_unknown(form) ? worth_of_a_name : 0.0;
       fits[i] =
           FittedCandidate{&form, found, gain + without - nameless, effect, is_trace(trial.ship, form, found, effect)};
-    } catch (const Refusal&) {}
+    } catch (const std::exception&) {}
   });
   std::vector<FittedCandidate> result;
   for (auto& tried : fits)
@@ -434,7 +436,7 @@ std::optional<FittedCandidate> chosen(const Trial& trial, const HeldOutRuns& hel
       if (place && !(whole_gain(whole) > whole_gain(*place))) continue;
       if (whole.trace) leader = &t;
       place = std::move(whole);
-    } catch (const Refusal&) {  // a ship with some of its terms alone cannot sail these runs
+    } catch (const std::exception&) {  // a ship with some of its terms alone cannot sail these runs
     }
   }
   if (!trace || (best && whole_gain(*best) > whole_gain(*trace) - as_good)) return best;
@@ -459,7 +461,7 @@ std::optional<MapFit> inflation_instead(const Trial& trial, const HeldOutRuns& h
   if (!held_out.is_empty()) gain += held_out_gain(trial, held_out, hypothesis, s.now, hypothesis, found);
   if (!(gain > whole_gain(best))) return std::nullopt;
   return found;
-} catch (const Refusal&) {
+} catch (const std::exception&) {
   return std::nullopt;
 }
 
@@ -486,7 +488,7 @@ void map_unknown(const Trial& trial, const Trial& unused, Search& s, double need
   if (map.refuted) return;
   s.accepted.push_back(accepted_as(map, {&map, 1}, needed));
   s.now = map.fit;
-} catch (const Refusal&) {  // she cannot sail with such a force
+} catch (const std::exception&) {  // she cannot sail with such a force
 }
 
 }  // namespace
@@ -531,7 +533,7 @@ ActiveTime active_time(const Trial& trial, const Search& s, std::size_t accepted
                b = log_likelihoods(problem_of(trial, without), {}, s.now.noise);
     for (std::size_t i = 0; i < a.size(); ++i)
       for (std::size_t k = 0; k < a[i].size(); ++k) samples.push_back({trial.runs[i].run->time[k], a[i][k] - b[i][k]});
-  } catch (const Refusal&) {
+  } catch (const std::exception&) {
     return {};
   }
   std::ranges::stable_sort(samples, {}, &Sample::time);
@@ -567,6 +569,36 @@ std::vector<Candidate> ranked(std::span<const FittedCandidate> tried, double nee
 
 namespace {
 
+/// One effect more, if one is told. @return whether another may follow
+bool find_another(Trial& trial, const Trial& unused, Search& s, const DiagnosisOptions& options, std::size_t& findings,
+                  std::size_t& traces) {
+  const auto before = s.hypothesis();
+  const auto linear = linearized(trial, before, s.now);
+  if (s.accepted.empty()) s.baseline = linear;
+  auto promising = screened(trial, before, linear, s.forms);
+  if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale)
+    std::erase_if(promising, [](const Screened& c) { return c.predicted_gain.gain < 0.0; });
+  auto tried = confirmed(trial, before, s.now, linear, promising, options.confirmed);
+  const double needed = s.accepted.empty() ? options.detection : options.further;
+  const auto held_out = held_out_runs(unused, before, s.now);
+  const auto best = chosen(trial, held_out, s, tried, needed, traces < most_traces);
+  std::ranges::stable_sort(tried, std::greater{}, whole_gain);
+  if (s.accepted.empty()) s.first = tried;
+  if (!best) return false;
+  if (s.prior_inflation * inflation_step < most_inflation)
+    if (auto instead = inflation_instead(trial, held_out, s, linear, *best)) {
+      trial = with_inflated_prior(std::move(trial), inflation_step);
+      s.prior_inflation *= inflation_step;
+      s.now = *std::move(instead);
+      if (s.accepted.empty()) s.null = s.now;
+      return true;
+    }
+  s.accepted.push_back(accepted_as(*best, tried, needed));
+  s.now = best->fit;
+  ++(best->trace ? traces : findings);
+  return true;
+}
+
 /// All effects that have names, or come and go, beside a process noise that begins as given.
 Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options,
              const Noise& start, const std::function<bool(std::string_view)>& goes_on) {
@@ -582,36 +614,28 @@ Search named(Trial trial, const Trial& unused, std::span<const EffectForm> forms
   begin_where_force_is_missing(s.forms, s.located, length(trial.ship) / service_speed(trial.ship));
   std::size_t findings = 0, traces = 0;
   bool working = true;
-  while (working && findings < options.most_effects &&
-         (findings == 0 || s.now.noise.largest_scale() > adequate_scale)) {
-    working = goes_on(s.accepted.empty() ? "trying every effect" : "trying a further effect");
-    const auto before = s.hypothesis();
-    const auto linear = linearized(trial, before, s.now);
-    if (s.accepted.empty()) s.baseline = linear;
-    auto promising = screened(trial, before, linear, s.forms);
-    if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale)
-      std::erase_if(promising, [](const Screened& c) { return c.predicted_gain.gain < 0.0; });
-    auto tried = confirmed(trial, before, s.now, linear, promising, options.confirmed);
-    const double needed = s.accepted.empty() ? options.detection : options.further;
-    const auto held_out = held_out_runs(unused, before, s.now);
-    const auto best = chosen(trial, held_out, s, tried, needed, traces < most_traces);
-    std::ranges::stable_sort(tried, std::greater{}, whole_gain);
-    if (s.accepted.empty()) s.first = tried;
-    if (!best) break;
-    if (s.prior_inflation * inflation_step < most_inflation)
-      if (auto instead = inflation_instead(trial, held_out, s, linear, *best)) {
-        trial = with_inflated_prior(std::move(trial), inflation_step);
-        s.prior_inflation *= inflation_step;
-        s.now = *std::move(instead);
-        if (s.accepted.empty()) s.null = s.now;
-        continue;
-      }
-    s.accepted.push_back(accepted_as(*best, tried, needed));
-    s.now = best->fit;
-    ++(best->trace ? traces : findings);
+  try {
+    while (working && findings < options.most_effects &&
+           (findings == 0 || s.now.noise.largest_scale() > adequate_scale)) {
+      working = goes_on(s.accepted.empty() ? "trying every effect" : "trying a further effect");
+      if (!find_another(trial, unused, s, options, findings, traces)) break;
+    }
+  } catch (const std::exception& trouble) {
+    s.troubles.push_back(fmt::format("the search for effects ended early: {}", trouble.what()));
   }
   s.named_scale = s.now.noise.largest_scale();
   return s;
+}
+
+/// The same with surge, sway and yaw apart; nothing where it fails, as the first search stands.
+std::optional<Search> named_apart(const Trial& trial, const Trial& unused, std::span<const EffectForm> forms,
+                                  const DiagnosisOptions& options,
+                                  const std::function<bool(std::string_view)>& goes_on) try {
+  Noise apart;
+  apart.apart = true;
+  return named(trial, unused, forms, options, apart, goes_on);
+} catch (const std::exception&) {
+  return std::nullopt;
 }
 
 }  // namespace
@@ -623,11 +647,9 @@ Search search(const Trial& trial, const Trial& unused, std::span<const EffectFor
                  [&](std::string_view what) { return working = working && goes_on(what); });
   if (working && s.named_scale > ordinary_scale) {
     working = goes_on("once more, surge, sway and yaw apart");
-    Noise apart;
-    apart.apart = true;
-    auto other = named(trial, unused, forms, options, apart,
-                       [&](std::string_view what) { return working = working && goes_on(what); });
-    if (other.now.log_evidence > s.now.log_evidence) s = std::move(other);
+    auto other = named_apart(trial, unused, forms, options,
+                             [&](std::string_view what) { return working = working && goes_on(what); });
+    if (other && other->now.log_evidence > s.now.log_evidence) s = *std::move(other);
   }
   if (working && s.named_scale > ordinary_scale &&
       std::ranges::none_of(s.accepted, [](const Accepted& a) { return is_unknown(*a.form); })) {

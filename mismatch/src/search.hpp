@@ -38,13 +38,14 @@ struct Search {
   MapFit null, now;
   double prior_inflation =
       1.0;  ///< factor on what the coefficients of the baseline are known to, where the runs speak against it
-  double named_scale = 0.0;            ///< of the process noise beside all effects that have names
-  LinearizedFit baseline;              ///< alone
-  Located located;                     ///< where the baseline alone lacks force
-  std::vector<EffectForm> forms;       ///< that were tried
-  std::vector<Accepted> accepted;      ///< in the order of acceptance, traces with them
-  std::vector<FittedCandidate> first;  ///< all that were tried alone, best first by runs used and held out
-  std::deque<EffectForm> reduced;      ///< forms made by the search
+  double named_scale = 0.0;             ///< of the process noise beside all effects that have names
+  LinearizedFit baseline;               ///< alone
+  Located located;                      ///< where the baseline alone lacks force
+  std::vector<EffectForm> forms;        ///< that were tried
+  std::vector<Accepted> accepted;       ///< in the order of acceptance, traces with them
+  std::vector<FittedCandidate> first;   ///< all that were tried alone, best first by runs used and held out
+  std::deque<EffectForm> reduced;       ///< forms made by the search
+  std::vector<std::string> troubles{};  ///< what ended the search early, in words; what was found before stands
 
   Hypothesis hypothesis(std::size_t count) const;
   Hypothesis hypothesis() const { return hypothesis(accepted.size()); }

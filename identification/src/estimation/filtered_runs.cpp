@@ -60,7 +60,7 @@ Eigen::VectorXd residuals_if_any(const EstimationProblem& problem, const Point& 
   constexpr double huge = 1e6;  // standard deviations: no step is taken there
   try {
     return residuals(problem, point, passes);
-  } catch (const Refusal&) {
+  } catch (const std::exception&) {
     return Eigen::VectorXd::Constant(problem.rows(), huge);
   }
 }

@@ -20,7 +20,7 @@ PlanarAcceleration<double> process_noise(const Ship& ship, const Noise& noise) {
 double log_likelihood(const EstimationProblem& problem, const Point& point, const Noise& noise) {
   try {
     return filtered(problem, point, noise)->log_likelihood();
-  } catch (const Refusal&) {
+  } catch (const std::exception&) {
     return -HUGE_VAL;
   }
 }

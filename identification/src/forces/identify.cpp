@@ -86,7 +86,7 @@ std::optional<double> constant_term(const Ship& ship, double speed) {
   try {
     const auto linear = linearize(ship, straight_course(ship, speed));
     return transfer_functions(sway_yaw(linear.whole, linear.scale)).e0;
-  } catch (const Refusal&) {
+  } catch (const std::exception&) {
     return std::nullopt;
   }
 }
@@ -295,7 +295,7 @@ std::optional<std::vector<double>> simulated_overshoots(const Ship& ship, const 
     for (const auto& reversal : zigzag(ship, order, options).reversals)
       if (reversal.overshoot && overshoots.size() < most) overshoots.push_back(*reversal.overshoot);
     return overshoots;
-  } catch (const Refusal&) {
+  } catch (const std::exception&) {
     return std::nullopt;
   }
 }

@@ -59,26 +59,53 @@ double thrust_loading(const HullDimensions<double>& hull, double R_0, const MmgP
   return 0.5 * hull.L * hull.d * R_0 / ((1.0 - p.t_P) * p.D * p.D * u_P * u_P);
 }
 
+/// Linear size of the one propeller, or rudder, that has the area of so many.
+double enlargement(int count) { return std::sqrt(static_cast<double>(count)); }
+
+double taylor_wake(const HullDimensions<double>& hull, int screws) {
+  return screws == 2 ? 0.55 * hull.C_B - 0.20 : 0.5 * hull.C_B - 0.05;
+}
+
+/// The thrust curve of so many propellers of the diameter D as that of one with the same disc area, at the same shaft
+/// speed n. With z screws, J is sqrt(z) times smaller there, and K_T z times:
+///
+///     K_T(J) = k_0/z + k_1/sqrt(z) J + k_2 J²
+void make_one_of(int screws, MmgPropeller<double>& p) {
+  p.k_0 /= screws;
+  p.k_1 /= enlargement(screws);
+}
+
 MmgPropeller<double> propeller_of(const HullDimensions<double>& hull, double R_0, const EstimateOptions& options,
                                   Assumptions& assumed) {
   const ReferencePropeller reference;
   const double C_2 = 0.5 * (reference.C_2_positive + reference.C_2_negative);
+  const double size = enlargement(options.screws);
+  const bool twin = options.screws == 2;
   MmgPropeller<double> p{};
-  p.D = assumed.number(options.propeller_diameter, diameter_over_draught(hull.C_B) * hull.d, "propeller diameter [m]",
-                       "0.7 to 0.5 of the draught, by block coefficient");
+  p.D = size * assumed.number(options.propeller_diameter, diameter_over_draught(hull.C_B) * hull.d / size,
+                              "propeller diameter [m]",
+                              twin ? "each, with the disc area of one screw of 0.7 to 0.5 of the draught"
+                                   : "0.7 to 0.5 of the draught, by block coefficient");
   p.x_P = -0.48;
-  p.w_P0 = assumed.number(options.wake_fraction, 0.5 * hull.C_B - 0.05, "wake fraction w_P0", "C_B/2 - 0.05, Taylor");
+  p.w_P0 = assumed.number(options.wake_fraction, taylor_wake(hull, options.screws), "wake fraction w_P0",
+                          twin ? "0.55 C_B - 0.20, Taylor for two screws" : "C_B/2 - 0.05, Taylor");
   p.t_P = assumed.number(options.thrust_deduction, 0.6 * p.w_P0, "thrust deduction t_P", "0.6 w_P0");
   const double pitch = pitch_factor(reference, thrust_loading(hull, R_0, p));
   p.k_0 = reference.k_0 * pitch;
   p.k_1 = reference.k_1;
   p.k_2 = reference.k_2 / pitch;
+  make_one_of(options.screws, p);
   p.C_1 = reference.C_1;
   p.C_2_positive = p.C_2_negative = C_2;
   assumed.note(
       fmt::format("thrust curve of KVLCC2 with its pitch times {:.3g}; its wake change, C_1 = {:.3g}, C_2 = {:.3g} on "
                   "both sides; x_P' = {:.3g}",
                   pitch, p.C_1, C_2, p.x_P));
+  if (twin)
+    assumed.note(fmt::format(
+        "two screws that turn together stand as one propeller of the same disc area, diameter {:.4g} m, with their "
+        "thrust and race at their shaft speed",
+        p.D));
   return p;
 }
 
@@ -86,9 +113,15 @@ MmgRudder<double> rudder_of(const HullDimensions<double>& hull, const MmgPropell
                             const EstimateOptions& options, Assumptions& assumed) {
   const auto i = yoshimura_masumoto_interaction(hull, propeller.w_P0);
   const double A_R =
-      assumed.number(options.rudder_area, dnv_rudder_area(hull), "rudder area [m2]", "rule of Det Norske Veritas");
-  const double H_R = assumed.number(options.rudder_height, std::max(0.75 * hull.d, propeller.D), "rudder span [m]",
-                                    "0.75 of the draught, at least the propeller diameter");
+      assumed.number(options.rudder_area, dnv_rudder_area(hull), "rudder area [m2]",
+                     options.rudders == 2 ? "rule of Det Norske Veritas, both together" : "rule of Det Norske Veritas");
+  const double size = enlargement(options.screws);  // a rudder behind each of two screws grows with its screw
+  const double H_R = size * assumed.number(options.rudder_height, std::max(0.75 * hull.d, propeller.D) / size,
+                                           "rudder span [m]", "0.75 of the draught, at least the propeller diameter");
+  const double side_by_side = static_cast<double>(options.rudders) / options.screws;  // in one race
+  if (options.rudders == 2)
+    assumed.note(fmt::format(
+        "two rudders that turn together stand as one of their total area, {:.4g} m2, with the slope of each", A_R));
   assumed.note(
       "hull, propeller and rudder interaction of Yoshimura and Masumoto; x_R' = -0.5; slope of the normal force after "
       "Fujii");
@@ -104,8 +137,19 @@ MmgRudder<double> rudder_of(const HullDimensions<double>& hull, const MmgPropell
       .gamma_R_positive = i.gamma_R,
       .epsilon = i.epsilon,
       .kappa = i.kappa,
-      .f_alpha = fujii_slope(H_R * H_R / A_R),
+      .f_alpha = fujii_slope(H_R * H_R * side_by_side / A_R),
   };
+}
+
+void require_drives(const EstimateOptions& options) {
+  const auto one_or_two = [](int count) { return count == 1 || count == 2; };
+  if (!one_or_two(options.screws) || !one_or_two(options.rudders))
+    throw Refusal(fmt::format("the estimate knows one or two screws and rudders, not {} and {}", options.screws,
+                              options.rudders));
+  if (options.screws == 2 && options.rudders == 1)
+    throw Refusal(
+        "one rudder between two screws stands outside their races, and the model's rudder stands in a race: no "
+        "estimate is made of such a ship");
 }
 
 MmgHull<double> hull_of(const HullDimensions<double>& hull, const MmgAddedMass<double>& added,
@@ -165,6 +209,7 @@ EstimatedShip estimated_mmg_ship(const HullDimensions<double>& hull, double serv
   require_hull(hull);
   require_positive(service_speed, "service speed [m/s]");
   require_positive(options.rho, "density of the water [kg/m3]");
+  require_drives(options);
   Assumptions assumed;
   const bool kijima = options.hull == HullFormula::kijima;
   assumed.note(

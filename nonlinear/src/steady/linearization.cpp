@@ -104,12 +104,17 @@ SnameDerivatives<double> masses_of(const Model& model) {
   return d;
 }
 
+void require_ahead(const OperatingPoint& point, double L) {
+  const auto& [m, c] = point;
+  if (!(m.u > 0.0)) throw Refusal(fmt::format("a ship is linearized under way ahead, not at u = {:.6g} m/s", m.u));
+  require_valid(m, c, L);
+}
+
 template <class Model>
 void require_steady(const ActingShip<Model>& acting, const OperatingPoint& point) {
   const auto& model = acting.model;
   const auto& [m, c] = point;
-  if (!(m.u > 0.0)) throw Refusal(fmt::format("a ship is linearized under way ahead, not at u = {:.6g} m/s", m.u));
-  require_valid(m, c, model.particulars.L);
+  require_ahead(point, model.particulars.L);
   const double L = model.particulars.L, U = speed(m), unit = U * U / L;
   const auto a = acceleration(model, m, steady_force(model, acting.added, m, c));
   const double size = std::max({std::abs(a.u), std::abs(a.v), std::abs(a.r) * L}) / unit;
@@ -123,7 +128,7 @@ void require_steady(const ActingShip<Model>& acting, const OperatingPoint& point
 template <class Model>
 Linearization linearize_model(const ActingShip<Model>& acting, const OperatingPoint& point, std::optional<Side> side) {
   const auto& model = acting.model;
-  require_steady(acting, point);
+  require_ahead(point, model.particulars.L);
   Linearization result{.point = point,
                        .scale = {.L = model.particulars.L, .U = speed(point.motion)},
                        .whole = {},
@@ -150,11 +155,17 @@ AccelerationDerivatives& AccelerationDerivatives::operator+=(const AccelerationD
 }
 
 Linearization linearize(const Ship& ship, const OperatingPoint& point, std::optional<Side> side) {
+  visit_acting(ship, [&](const auto& acting) { require_steady(acting, point); });
+  return linearize_transient(ship, point, side);
+}
+
+Linearization linearize_transient(const Ship& ship, const OperatingPoint& point, std::optional<Side> side) {
   return visit_acting(ship, [&](const auto& acting) { return linearize_model(acting, point, side); });
 }
 
 bool has_kink(const Ship& ship, const OperatingPoint& point) {
-  const auto port = linearize(ship, point, Side::port).whole, starboard = linearize(ship, point, Side::starboard).whole;
+  const auto port = linearize_transient(ship, point, Side::port).whole,
+             starboard = linearize_transient(ship, point, Side::starboard).whole;
   const auto differ = [](double a, double b) { return std::abs(a - b) > 1e-9 * std::max(std::abs(a), std::abs(b)); };
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 4; ++k)

@@ -115,6 +115,7 @@ struct Diagnosis {
   std::optional<Advice> next{};
   std::vector<DetectableSize> detectable{};
   std::vector<RunPicture> train_pictures{}, holdout_pictures{};  ///< if asked for
+  std::vector<std::string> troubles{};  ///< steps that failed, in words; everything else is as found
 };
 
 /// @param reference  runs in which nothing is hidden; they calibrate the baseline first

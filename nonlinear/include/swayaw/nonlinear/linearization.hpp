@@ -53,7 +53,14 @@ struct Linearization {
 /// @throws Refusal  if the ship does not move ahead, or accelerates there by more than 1e-6 U²/L
 Linearization linearize(const Ship& ship, const OperatingPoint& point, std::optional<Side> side = std::nullopt);
 
-/// Whether the derivatives of turns to port and to starboard differ there.
+/// The same about a motion that need not be steady, such as a speed at which the thrust is not that of self-propulsion:
+/// the derivatives hold while the motion is near it.
+///
+/// @throws Refusal  if the ship does not move ahead
+Linearization linearize_transient(const Ship& ship, const OperatingPoint& point,
+                                  std::optional<Side> side = std::nullopt);
+
+/// Whether the derivatives of turns to port and to starboard differ there; the motion need not be steady.
 bool has_kink(const Ship& ship, const OperatingPoint& point);
 
 /// Coupled equations of drift and yaw at constant speed; drift counts from that of the operating point, beta = −v/U.

@@ -21,12 +21,14 @@ struct EstimateOptions {
   double nu = 1.19e-6;                  ///< kinematic viscosity of the water [m^2/s], sea water of 15 °C unless given
   double x_G = 0.0;                     ///< centre of gravity forward of midship [m]
   double k_zz_prime = 0.25;             ///< yaw radius of gyration over L
-  std::optional<double> rudder_area;    ///< movable area [m^2]
-  std::optional<double> rudder_height;  ///< span [m]
-  std::optional<double> propeller_diameter;  ///< [m]
+  std::optional<double> rudder_area;    ///< movable area of all rudders together [m^2]
+  std::optional<double> rudder_height;  ///< span of each [m]
+  std::optional<double> propeller_diameter;  ///< of each [m]
   std::optional<double> wake_fraction;       ///< w_P0
   std::optional<double> thrust_deduction;    ///< t_P
   std::optional<double> resistance;          ///< R_0'
+  int screws = 1;                            ///< 1 or 2, which turn together
+  int rudders = 1;                           ///< 1 or 2, which turn together
 };
 
 /// A ship, what was assumed about her, and in which ratios she lies outside the range of the formulas.
@@ -57,8 +59,8 @@ double fujii_slope(double aspect_ratio);
 /// Source: [ITTC1957], k after Watanabe, S after Mumford, allowance as usual for new ships
 double estimated_resistance(const HullDimensions<double>& hull, double speed, double nu = 1.19e-6);
 
-/// A single-screw, single-rudder ship in sea water, complete, mirror-symmetric, her shaft able to hold the service
-/// speed.
+/// A ship with one rudder in the race of one propeller, in sea water, complete, mirror-symmetric, her shaft able to
+/// hold the service speed.
 ///
 /// Hull: the formula chosen; added masses zhou_added_mass; interaction yoshimura_masumoto_interaction.
 /// Propeller: K_T curve of KVLCC2 [Yasukawa2015], stretched over J by the pitch factor p as K_T = k_0 p + k_1 J + k_2
@@ -68,9 +70,15 @@ double estimated_resistance(const HullDimensions<double>& hull, double speed, do
 /// −0.5, fujii_slope; 35 deg, and 65 deg in 28 s (SOLAS II-1/29). Every assumption that was used stands in
 /// `assumptions`, with its number.
 ///
+/// Two screws that turn together become one propeller of the same disc area, thrust and race at the same shaft speed
+/// n: diameter sqrt(2) D, K_T(J) = ½ k_0 + k_1/sqrt(2) J + k_2 J². Two rudders become one of their total area with the
+/// slope of each and the same share of its span in the race. What differs between the sides, the couple of two thrusts
+/// among it, is left out. Two screws have w_P0 = 0.55 C_B − 0.20 [Taylor1943] and together the disc area of the one
+/// screw above.
+///
 /// @throws std::domain_error  if a dimension, the speed or a given number is not positive
-/// @throws Refusal            if a trimmed ship is asked of formulas for even keel, or the propeller cannot hold the
-/// speed
+/// @throws Refusal            if a trimmed ship is asked of formulas for even keel, the propeller cannot hold the
+/// speed, there are other than one or two screws or rudders, or one rudder between two screws, outside their races
 EstimatedShip estimated_mmg_ship(const HullDimensions<double>& hull, double service_speed,
                                  const EstimateOptions& options = {});
 

@@ -1,0 +1,77 @@
+#include "run_selection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/replay.hpp"
+
+namespace swayaw::app {
+namespace {
+
+/// What tells the speed of a ship, docs/formats.md.
+bool tells_speed(const Recording& run) {
+  constexpr std::array channels{Channel::u, Channel::u_ground, Channel::speed_through_water, Channel::speed_over_ground,
+                                Channel::x};
+  return std::ranges::any_of(channels, [&](Channel c) { return run.has(c); });
+}
+
+/// The service speed as the first reading of the log: how a manoeuvre begins, and nothing of how it goes on.
+void begin_at_service_speed(const Ship& ship, Recording& run) {
+  run.fill(Channel::speed_through_water)[0] = service_speed(ship);
+  fmt::print(stderr,
+             "swayaw: {}: no channel tells her speed; the service speed of {:.4g} m/s is taken at the start. A column "
+             "stw_kn, sog_kn or a position tells it\n",
+             run.name, service_speed(ship));
+}
+
+/// Why the ship cannot sail the first two ship lengths of the run; empty where she can.
+std::string why_not(const Ship& ship, const Recording& run) try {
+  const auto start = recorded_state(ship, run, run.time.front());
+  const double until = run.time.front() + 2.0 * length(ship) / service_speed(ship);
+  const auto count = std::max<std::ptrdiff_t>(2, std::ranges::upper_bound(run.time, until) - run.time.begin());
+  const auto times = std::span(run.time).first(std::min(run.time.size(), static_cast<std::size_t>(count)));
+  if (times.size() < 2) return "it has one sample";
+  (void)replay_from(ship, RecordedControls(ship, run), start, times);
+  return {};
+} catch (const std::exception& trouble) {
+  return trouble.what();
+}
+
+}  // namespace
+
+void set_aside(std::vector<SetAside>& aside, const std::string& run, const std::string& why) {
+  fmt::print(stderr, "swayaw: {}: set aside: {}\n", run, why);
+  aside.push_back({run, why});
+}
+
+std::vector<Recording> sailable(const Ship& ship, std::vector<Recording> runs, std::vector<SetAside>& aside) {
+  std::vector<Recording> result;
+  for (auto& run : runs) {
+    if (!tells_speed(run) && run.samples() > 0) begin_at_service_speed(ship, run);
+    const auto why = why_not(ship, run);
+    if (why.empty()) {
+      result.push_back(std::move(run));
+      continue;
+    }
+    set_aside(aside, run.name, "the ship cannot sail it: " + why);
+  }
+  return result;
+}
+
+void require_some(const std::vector<Recording>& runs, const std::vector<SetAside>& aside) {
+  if (!runs.empty()) return;
+  std::vector<std::string> reasons;
+  for (const auto& [run, why] : aside) reasons.push_back(run + ": " + why);
+  throw Refusal(fmt::format("no run is left to work on: {}", fmt::join(reasons, "; ")));
+}
+
+void tell_trouble(std::vector<std::string>& troubles, const std::string& what, const std::string& why) {
+  troubles.push_back(fmt::format("{} could not be told: {}", what, why));
+  fmt::print(stderr, "swayaw: {}\n", troubles.back());
+}
+
+}  // namespace swayaw::app

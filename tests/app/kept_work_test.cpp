@@ -1,0 +1,146 @@
+#include <catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "program.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/core/recording_csv.hpp"
+#include "swayaw/nonlinear/coefficients.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/published_ships.hpp"
+#include "swayaw/nonlinear/ship_file.hpp"
+
+/// What long works do with runs they cannot use, with findings no file holds and with findings that do not hold.
+namespace swayaw {
+namespace {
+
+using test::run;
+using test::Scratch;
+
+/// A zigzag of the 7 m model without noise, changed, in a file. @return its name and a blank
+template <class Change>
+std::string recorded(const Scratch& scratch, const std::string& name, double rudder, const Change& change) {
+  const auto ship = published_ship("kvlcc2_l7");
+  auto recording =
+      zigzag(ship, {radians(rudder), radians(rudder)}, {.step = 0.03 * length(ship) / service_speed(ship)}).run;
+  change(recording);
+  write_recording(recording, scratch / name);
+  return (scratch / name).string() + " ";
+}
+
+void as_it_is(Recording&) {}
+
+void with_astern_shaft(Recording& recording) {
+  for (double& n : recording.fill(Channel::rev)) n = -5.0;
+}
+
+/// Her rudder angle on the wrong side.
+void with_wrong_rudder(Recording& recording) {
+  for (double& delta : recording.channels[index_of(Channel::delta)]) delta = -delta;
+}
+
+void without_speed(Recording& recording) {
+  for (const Channel c : {Channel::u, Channel::v, Channel::x, Channel::y, Channel::u_ground, Channel::v_ground,
+                          Channel::speed_through_water, Channel::speed_over_ground, Channel::course_over_ground})
+    recording.channels[index_of(c)].clear();
+}
+
+std::string identify_words(const Scratch& scratch, const std::string& runs) {
+  return "identify " + runs + "--ship " + test::ship_file("kvlcc2_l7.toml") +
+         " --model mmg --fit forces --find N_v,N_r --out " + (scratch / "new.toml").string();
+}
+
+TEST_CASE("identify says first what was found and whether held-out runs improve", "[app]") {
+  const Scratch scratch;
+  const auto runs = recorded(scratch, "zz10.csv", 10, as_it_is), held = recorded(scratch, "zz20.csv", 20, as_it_is);
+  auto wrong = published_ship("kvlcc2_l7");
+  const auto N_r = parameters_of(wrong, std::array{std::string("N_r")});
+  write_ship(scratch / "wrong.toml", with_values(wrong, N_r, std::array{1.3 * N_r[0].value}));
+  const auto outcome = run(scratch, "identify " + runs + "--ship " + (scratch / "wrong.toml").string() +
+                                        " --model mmg --fit forces --find N_v,N_r --holdout " + held + "--out " +
+                                        (scratch / "new.toml").string());
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.code == 0);
+  const auto second = outcome.out.substr(outcome.out.find('\n') + 1);
+  CHECK_THAT(second, Catch::Matchers::StartsWith("2 of 2 coefficients determined by 1 run. Held-out runs improve: "));
+}
+
+TEST_CASE("identify fails when held-out runs worsen, with everything printed and written", "[app]") {
+  const Scratch scratch;
+  const auto runs = recorded(scratch, "zz10.csv", 10, with_wrong_rudder),
+             held = recorded(scratch, "zz20.csv", 20, as_it_is);
+  const auto outcome = run(scratch, identify_words(scratch, runs) + " --json --holdout " + held);
+  INFO(outcome.out << outcome.err);
+  CHECK(outcome.code == 1);
+  CHECK_THAT(outcome.err, ContainsSubstring("held-out runs are predicted worse"));
+  const auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json["verdict"]["holdout"]["worse"] == true);
+  CHECK_THAT(json["verdict"]["words"].get<std::string>(), ContainsSubstring("WORSEN"));
+  CHECK(json["coefficients"].size() == 2);
+  CHECK(std::filesystem::exists(scratch / "new.toml"));
+}
+
+TEST_CASE("a run that the ship cannot sail is set aside by name and the others go on", "[app]") {
+  const Scratch scratch;
+  const auto good = recorded(scratch, "good.csv", 10, as_it_is),
+             astern = recorded(scratch, "astern.csv", 20, with_astern_shaft);
+  const auto outcome = run(scratch, identify_words(scratch, good + astern) + " --json");
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK_THAT(outcome.err, ContainsSubstring("astern.csv: set aside: the ship cannot sail it: "));
+  const auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json["runs"].size() == 1);
+  CHECK(json["verdict"]["set_aside"][0]["run"] == "astern.csv");
+}
+
+TEST_CASE("diagnose sets aside what the ship cannot sail, goes on, and saves what it found", "[app]") {
+  const Scratch scratch;
+  const auto good = recorded(scratch, "good.csv", 10, as_it_is),
+             astern = recorded(scratch, "astern.csv", 20, with_astern_shaft);
+  const auto saved = scratch / "found.toml";
+  const auto outcome = run(scratch, "diagnose kvlcc2_l7 " + good + astern + "--json --save-model " + saved.string());
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  const auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json["set_aside"][0]["run"] == "astern.csv");
+  CHECK(json["fit"]["train"].size() == 1);
+  CHECK(json["not_written"].empty());
+  CHECK(json["troubles"].empty());
+  CHECK(read_ship(saved).name == published_ship("kvlcc2_l7").name);
+}
+
+TEST_CASE("identify prints what it found though its file cannot be written", "[app]") {
+  const Scratch scratch;
+  const auto outcome = run(scratch, "identify " + recorded(scratch, "zz10.csv", 10, as_it_is) + "--ship kvlcc2_l7 " +
+                                        "--model mmg --fit forces --find N_v,N_r --json --out " +
+                                        (scratch / "no" / "such.toml").string());
+  CHECK(outcome.code == 1);
+  CHECK_THAT(outcome.err, ContainsSubstring("the ship file was not written"));
+  const auto json = nlohmann::json::parse(outcome.out);
+  CHECK(json["coefficients"].size() == 2);
+  CHECK(json["troubles"].size() == 1);
+}
+
+TEST_CASE("where no run is left that the ship can sail, identify and diagnose are refused", "[app][refusal]") {
+  const Scratch scratch;
+  const auto astern = recorded(scratch, "astern.csv", 20, with_astern_shaft);
+  for (const auto& words : {identify_words(scratch, astern), "diagnose kvlcc2_l7 " + astern}) {
+    const auto outcome = run(scratch, words);
+    CHECK(outcome.code == 1);
+    CHECK(outcome.out.empty());
+    CHECK_THAT(outcome.err, ContainsSubstring("no run is left to work on: astern.csv: "));
+  }
+  CHECK_FALSE(std::filesystem::exists(scratch / "new.toml"));
+}
+
+TEST_CASE("a run without any speed begins at the service speed, which is said", "[app]") {
+  const Scratch scratch;
+  const auto outcome =
+      run(scratch, identify_words(scratch, recorded(scratch, "blind.csv", 10, without_speed)) + " --json");
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  CHECK_THAT(outcome.err, ContainsSubstring("blind.csv: no channel tells her speed; the service speed of 1.179 m/s"));
+  CHECK(nlohmann::json::parse(outcome.out)["coefficients"].size() == 2);
+}
+
+}  // namespace
+}  // namespace swayaw
