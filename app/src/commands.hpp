@@ -114,6 +114,14 @@ struct TuneArguments {
 };
 void tune(const TuneArguments& arguments);
 
+struct ImportArguments {
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path columns;  ///< column map; empty: none
+  std::filesystem::path out;
+  bool json = false;
+};
+void import_run(const ImportArguments& arguments);
+
 struct IdentifyArguments {
   std::vector<std::filesystem::path> runs;
   std::vector<std::filesystem::path> holdout;  ///< not used in the fit

@@ -16,8 +16,8 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 11> commands{"compare",   "diagnose", "forces", "identify", "indices", "invert",
-                                                    "linearize", "loop",     "replay", "simulate", "tune"};
+constexpr std::array<std::string_view, 12> commands{"compare", "diagnose",  "forces", "identify", "import",   "indices",
+                                                    "invert",  "linearize", "loop",   "replay",   "simulate", "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -281,6 +281,15 @@ void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
   command.callback([&a] { diagnose(a); });
 }
 
+void add_import(CLI::App& app, ImportArguments& a) {
+  auto& command = *app.add_subcommand("import", "logs and spreadsheets to a recording; says what it takes for what");
+  command.add_option("FILE", a.files, "tables of text; several with the same columns are joined by time")->required();
+  command.add_option("--out", a.out, "recording (CSV)")->required();
+  command.add_option("--columns", a.columns, "what the files do not say themselves: names, units, zone, signs (TOML)");
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { import_run(a); });
+}
+
 /// Says what was probably meant by a command that does not exist. @return whether there was one
 bool refuse_unknown_command(int count, char** words) {
   if (count < 2 || words[1][0] == '-') return false;
@@ -311,6 +320,7 @@ int run(int count, char** words) {
   TuneArguments tune_arguments;
   IdentifyArguments identify_arguments;
   DiagnoseArguments diagnose_arguments;
+  ImportArguments import_arguments;
   add_simulate(app, simulate_arguments);
   add_replay(app, replay_arguments);
   add_compare(app, compare_arguments);
@@ -322,6 +332,7 @@ int run(int count, char** words) {
   add_tune(app, tune_arguments);
   add_identify(app, identify_arguments);
   add_diagnose(app, diagnose_arguments);
+  add_import(app, import_arguments);
   try {
     app.parse(count, words);
     return done;
