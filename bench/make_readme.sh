@@ -7,7 +7,7 @@ cd "$(dirname "$0")"
 {
   sed '/^<!-- table -->$/q' README.md
   printf '\n%s, %s, %s.\n\n```\n' "$(lscpu | sed -n 's/^Model name: *//p')" "$(g++ --version | head -1)" "$(uname -m)"
-  "$program" --benchmark_min_time=0.5 2>&1 | grep -E "^(reference|linear|mmg|pi_|kvlcc2|simulator|states|noise|regression|trajectory|diagnosis|Benchmark|-)" | sed "s/\(x_atan2=[0-9.k]*\)s/\1/" | cut -c1-300
+  "$program" --benchmark_min_time=0.5 2>&1 | grep -E "^(reference|import|linear|mmg|pi_|kvlcc2|simulator|states|noise|regression|trajectory|diagnosis|Benchmark|-)" | sed "s/\(x_atan2=[0-9.k]*\)s/\1/" | cut -c1-300
   printf '```\n'
 } > README.md.new
 mv README.md.new README.md

@@ -153,6 +153,14 @@ struct EstimateArguments {
 };
 void estimate(const EstimateArguments& arguments);
 
+struct ImportArguments {
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path columns;  ///< column map; empty: none
+  std::filesystem::path out;
+  bool json = false;
+};
+void import_run(const ImportArguments& arguments);
+
 struct IdentifyArguments {
   std::vector<std::filesystem::path> runs;
   std::vector<std::filesystem::path> holdout;  ///< not used in the fit

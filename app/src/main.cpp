@@ -366,6 +366,15 @@ void add_estimate(CLI::App& app, EstimateArguments& a) {
   });
 }
 
+void add_import(CLI::App& app, ImportArguments& a) {
+  auto& command = *app.add_subcommand("import", "logs and spreadsheets to a recording; says what it takes for what");
+  command.add_option("FILE", a.files, "tables of text; several with the same columns are joined by time")->required();
+  command.add_option("--out", a.out, "recording (CSV)")->required();
+  command.add_option("--columns", a.columns, "what the files do not say themselves: names, units, zone, signs (TOML)");
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { import_run(a); });
+}
+
 /// Says what was probably meant by a command that does not exist. @return whether there was one
 bool refuse_unknown_command(int count, char** words) {
   if (count < 2 || words[1][0] == '-') return false;
@@ -398,6 +407,7 @@ int run(int count, char** words) {
   EstimateArguments estimate_arguments;
   IdentifyArguments identify_arguments;
   DiagnoseArguments diagnose_arguments;
+  ImportArguments import_arguments;
   add_simulate(app, simulate_arguments);
   add_replay(app, replay_arguments);
   add_check(app, check_arguments);
@@ -411,6 +421,7 @@ int run(int count, char** words) {
   add_estimate(app, estimate_arguments);
   add_identify(app, identify_arguments);
   add_diagnose(app, diagnose_arguments);
+  add_import(app, import_arguments);
   try {
     app.parse(count, words);
     return done;

@@ -236,8 +236,9 @@ class RecordingParser {
   void keep_unknown(Reading& column) {
     const auto similar = same_but_for_capitals(column.name);
     const auto hint = similar.empty() ? std::string{} : fmt::format("; is {} meant?", similar);
-    warnings_.push_back(
-        fmt::format("{}: column {} is not understood; kept as it is{}", recording_.name, shown(column.name), hint));
+    if (std::ranges::count(convention_.extra_columns, column.name) == 0)
+      warnings_.push_back(
+          fmt::format("{}: column {} is not understood; kept as it is{}", recording_.name, shown(column.name), hint));
     recording_.extra.push_back({column.name, std::move(column.cells)});
   }
 

@@ -21,8 +21,9 @@ using namespace detail;
 
 /// Facts of the run that change how samples are read.
 struct Convention {
-  double rudder_sign = 1.0;  ///< inside sign of a recorded positive angle
-  double reference_x = 0.0;  ///< reported point forward of midship [m]
+  double rudder_sign = 1.0;                     ///< inside sign of a recorded positive angle
+  double reference_x = 0.0;                     ///< reported point forward of midship [m]
+  std::vector<std::string> extra_columns = {};  ///< that the file itself says are none of a recording's
 };
 
 inline constexpr std::array<std::string_view, 5> run_keys{"rudder_positive", "reference_x_m", "water_depth_m",
@@ -54,7 +55,7 @@ class RunKeyReader {
                                std::string(trimmed(line.substr(equals + 1)))};
     try {
       for (auto&& [key, value] : toml::parse(line))
-        if (!take_key(key.str(), value)) keep(key.str(), as_written);
+        if (!take_key(key.str(), value)) keep(key.str(), as_written, value);
     } catch (const toml::parse_error& error) {
       throw FileError(at(error.source().begin.column), error.description());
     }
@@ -74,9 +75,15 @@ class RunKeyReader {
     return true;
   }
 
-  void keep(std::string_view key, const RunRemark& as_written) {
+  void keep(std::string_view key, const RunRemark& as_written, const toml::node& value) {
+    if (key == "extra_columns") take_extra_columns(value);
     facts_.remarks.push_back(as_written);
     if (const auto similar = similar_run_key(key); !similar.empty()) warn(key, similar);
+  }
+
+  void take_extra_columns(const toml::node& value) {
+    if (const auto* list = value.as_array())
+      for (const auto& name : *list) convention_.extra_columns.push_back(text("each of extra_columns", name));
   }
 
   void warn_of_remark(std::string_view remark) {
