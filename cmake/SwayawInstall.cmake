@@ -10,7 +10,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/swayaw-config-version.cma
 install(EXPORT swayaw NAMESPACE swayaw:: FILE swayaw-targets.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/swayaw)
 install(FILES ${PROJECT_BINARY_DIR}/swayaw-config.cmake ${PROJECT_BINARY_DIR}/swayaw-config-version.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/FindGeographicLib.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/FindGeographicLib.cmake ${CMAKE_CURRENT_LIST_DIR}/FindMatio.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/swayaw)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/ships/ DESTINATION ${CMAKE_INSTALL_DATADIR}/swayaw/ships
   FILES_MATCHING PATTERN "*.toml")
@@ -26,6 +26,9 @@ set(pc${pc_private}_requires " fmt tomlplusplus")
 set(pc${pc_private}_libraries " -pthread")
 if(SWAYAW_HAS_GEOGRAPHICLIB)
   string(PREPEND pc${pc_private}_libraries " ${GeographicLib_LIBRARY}")
+endif()
+if(SWAYAW_HAS_MATIO)
+  string(PREPEND pc${pc_private}_libraries " ${Matio_LIBRARY}")
 endif()
 set(pc_includes "")
 foreach(folder ${SWAYAW_CERES_INCLUDE} ${SWAYAW_XSIMD_INCLUDE})

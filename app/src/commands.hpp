@@ -157,6 +157,7 @@ struct ImportArguments {
   std::vector<std::filesystem::path> files;
   std::filesystem::path columns;  ///< column map; empty: none
   std::filesystem::path out;
+  bool split = false;  ///< a file for each manoeuvre
   bool json = false;
 };
 void import_run(const ImportArguments& arguments);

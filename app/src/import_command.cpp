@@ -10,6 +10,7 @@
 #include "json.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/import.hpp"
+#include "swayaw/core/manoeuvres_in.hpp"
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/version.hpp"
@@ -57,11 +58,16 @@ FileKind kind_of(const std::vector<fs::path>& files) {
   return kind;
 }
 
+const fs::path& only(const std::vector<fs::path>& files) {
+  if (files.size() > 1) throw FileError({files[1]}, "MATLAB files are imported one by one");
+  return files.front();
+}
+
 Import imported(const ImportArguments& a) {
   const ImportOptions options{.column_map = a.columns};
   switch (kind_of(a.files)) {
-    case FileKind::nmea: throw FileError({a.files.front(), 1, 1}, "NMEA 0183 sentences cannot be imported yet");
-    case FileKind::matlab: throw FileError({a.files.front(), 1, 1}, "MATLAB files cannot be imported yet");
+    case FileKind::nmea: return import_nmea(a.files, options);
+    case FileKind::matlab: return import_mat(only(a.files), options);
     case FileKind::table: break;
   }
   return import_table(a.files, options);
@@ -81,7 +87,45 @@ std::string grouped(std::size_t count) {
   return count < 1000 ? std::to_string(count) : fmt::format("{},{:03}", grouped(count / 1000), count % 1000);
 }
 
-Json document_of(const ImportArguments& a, const Import& import) {
+// ---------------------------------------------------------------- manoeuvres
+
+/// A manoeuvre with the file it was written to.
+struct WrittenPiece {
+  ManoeuvrePiece piece;
+  fs::path file;
+};
+
+std::vector<WrittenPiece> write_pieces(const ImportArguments& a, const Import& import) {
+  if (!a.split) return {};
+  const auto log = parse_recording(import.text, a.out).recording;
+  std::vector<WrittenPiece> pieces;
+  for (const auto& piece : manoeuvres_in(log)) {
+    const auto file = file_of_piece(a.out, pieces.size() + 1, piece);
+    write_recording(piece_of(log, piece), file);
+    pieces.push_back({piece, file});
+  }
+  return pieces;
+}
+
+Json piece_json(const WrittenPiece& p) {
+  return {{"file", p.file.string()},
+          {"manoeuvre", p.piece.manoeuvre},
+          {"from_s", p.piece.begin},
+          {"to_s", p.piece.end},
+          {"execute_s", p.piece.execute ? Json(*p.piece.execute) : Json(nullptr)},
+          {"why", p.piece.why}};
+}
+
+void print_pieces(const ImportArguments& a, const std::vector<WrittenPiece>& pieces) {
+  if (a.split && pieces.empty()) fmt::print("no manoeuvre was found in it\n");
+  for (const auto& p : pieces)
+    fmt::print("{}: {} from {:.6g} to {:.6g} s, {}\n", p.file.string(), p.piece.manoeuvre, p.piece.begin, p.piece.end,
+               p.piece.why);
+}
+
+// ---------------------------------------------------------------- answers
+
+Json document_of(const ImportArguments& a, const Import& import, const std::vector<WrittenPiece>& pieces) {
   Json columns = Json::array();
   for (const auto& c : import.columns)
     columns.push_back({{"source", c.source},
@@ -90,8 +134,12 @@ Json document_of(const ImportArguments& a, const Import& import) {
                        {"samples", c.samples}});
   Json files = Json::array();
   for (const auto& file : a.files) files.push_back(file.string());
-  return {{"schema", "swayaw.import/1"}, {"version", version()},          {"files", std::move(files)},
-          {"out", a.out.string()},       {"columns", std::move(columns)}, {"notes", import.notes}};
+  Json manoeuvres = Json::array();
+  for (const auto& p : pieces) manoeuvres.push_back(piece_json(p));
+  return {{"schema", "swayaw.import/1"},        {"version", version()},
+          {"files", std::move(files)},          {"out", a.out.string()},
+          {"columns", std::move(columns)},      {"notes", import.notes},
+          {"manoeuvres", std::move(manoeuvres)}};
 }
 
 void print_text(const ImportArguments& a, const Import& import) {
@@ -111,8 +159,13 @@ void import_run(const ImportArguments& a) {
   require_other_file(a);
   const auto import = imported(a);
   write_text(a.out, import.text);
-  if (a.json) fmt::print("{}\n", document_of(a, import).dump(2));
-  else print_text(a, import);
+  const auto pieces = write_pieces(a, import);
+  if (a.json) {
+    fmt::print("{}\n", document_of(a, import, pieces).dump(2));
+    return;
+  }
+  print_text(a, import);
+  print_pieces(a, pieces);
 }
 
 }  // namespace swayaw::app

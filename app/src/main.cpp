@@ -18,9 +18,9 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 15> commands{"check",   "compare", "diagnose",  "estimate", "forces",
-                                                    "identify", "import", "indices",   "invert",   "linearize",
-                                                    "loop",    "replay",  "simulate",  "trial",    "tune"};
+constexpr std::array<std::string_view, 15> commands{"check",    "compare", "diagnose", "estimate", "forces",
+                                                    "identify", "import",  "indices",  "invert",   "linearize",
+                                                    "loop",     "replay",  "simulate", "trial",    "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -368,8 +368,12 @@ void add_estimate(CLI::App& app, EstimateArguments& a) {
 
 void add_import(CLI::App& app, ImportArguments& a) {
   auto& command = *app.add_subcommand("import", "logs and spreadsheets to a recording; says what it takes for what");
-  command.add_option("FILE", a.files, "tables of text; several with the same columns are joined by time")->required();
+  command
+      .add_option("FILE", a.files,
+                  "tables of text, logs of NMEA 0183, or a MATLAB file; several of a kind are joined by time")
+      ->required();
   command.add_option("--out", a.out, "recording (CSV)")->required();
+  command.add_flag("--split", a.split, "also a recording for each manoeuvre that is found in it");
   command.add_option("--columns", a.columns, "what the files do not say themselves: names, units, zone, signs (TOML)");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { import_run(a); });

@@ -1,6 +1,6 @@
 #!/bin/bash
 # A consumer that has a compiler, CMake, Eigen, Boost, fmt, toml++ and the Jet header, and nothing else: no npm, no CLI11,
-# no JSON, no xsimd, no GeographicLib, no network. He adds swayaw to his project and links swayaw::nonlinear.
+# no JSON, no xsimd, no GeographicLib, no libmatio, no network. He adds swayaw to his project and links swayaw::nonlinear.
 #
 # The root he works in is made of the files of those Debian packages and of what they depend on.
 #   tests/consumer/alone.sh [SCRATCH]      exit code 77: not possible here
@@ -30,7 +30,7 @@ packages=$(apt-cache depends --recurse --installed --no-recommends --no-suggests
   tar -C / -c -T - --ignore-failed-read | tar -C "$root" -x --keep-directory-symlink
 cp -a "$sources"/tests/consumer/alone/. "$root/consumer"
 
-for absent in usr/bin/npm usr/include/CLI usr/include/nlohmann usr/include/xsimd usr/include/GeographicLib usr/include/catch2; do
+for absent in usr/bin/npm usr/include/CLI usr/include/nlohmann usr/include/xsimd usr/include/GeographicLib usr/include/matio.h usr/include/catch2; do
   if [[ -e $root/$absent ]]; then echo "consumer.alone: $absent is in the root" >&2; exit 1; fi
 done
 

@@ -59,8 +59,8 @@ RawTables surveyed(std::vector<RawTable> tables, const NumberRules& rules) {
 
 class TableImporter {
  public:
-  TableImporter(const std::vector<std::filesystem::path>& files, const ColumnMap& map)
-      : map_(map), raw_(surveyed(read_tables(files, map.numbers), map.numbers)) {}
+  TableImporter(std::vector<RawTable> tables, const ColumnMap& map)
+      : map_(map), raw_(surveyed(std::move(tables), map.numbers)) {}
 
   Import run() {
     columns_ = named_columns(raw_, map_);
@@ -269,7 +269,12 @@ class TableImporter {
 Import import_table(const std::vector<std::filesystem::path>& files, const ImportOptions& options) {
   if (files.empty()) throw Refusal("no file to import");
   const auto map = read_column_map(options.column_map);
-  return TableImporter(files, map).run();
+  return TableImporter(read_tables(files, map.numbers), map).run();
+}
+
+Import import_table_text(std::string_view text, const std::filesystem::path& name, const ImportOptions& options) {
+  const auto map = read_column_map(options.column_map);
+  return TableImporter({table_of(std::string(text), name, map.numbers)}, map).run();
 }
 
 }  // namespace swayaw::core

@@ -1,0 +1,296 @@
+#include "mat_table.hpp"
+
+#include "swayaw/core/import.hpp"
+#include "swayaw/core/refusal.hpp"
+
+#ifdef SWAYAW_MATIO
+#include <fmt/format.h>
+#include <matio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "swayaw/core/detail/csv_text.hpp"
+#endif
+
+namespace swayaw::inline core {
+
+std::string table_of_mat(const std::filesystem::path& file) { return detail::read_mat_table(file).text; }
+
+}  // namespace swayaw::core
+
+namespace swayaw::inline core::detail {
+
+#ifndef SWAYAW_MATIO
+
+MatTable read_mat_table(const std::filesystem::path& file) {
+  throw FileError({file, 1, 1}, "MATLAB files need a swayaw built with libmatio; or give the columns as text");
+}
+
+#else
+namespace {
+
+struct MatColumn {
+  std::string name;
+  std::vector<double> values;
+  std::vector<double> time = {};  ///< of its own, in place of a column of the file
+};
+
+// ---------------------------------------------------------------- numbers and texts of a variable
+
+template <class Number>
+void append(const matvar_t& variable, std::size_t count, std::vector<double>& values) {
+  const auto* data = static_cast<const Number*>(variable.data);
+  for (std::size_t i = 0; i < count; ++i) values.push_back(static_cast<double>(data[i]));
+}
+
+std::size_t count_of(const matvar_t& variable) {
+  std::size_t count = 1;
+  for (int i = 0; i < variable.rank; ++i) count *= variable.dims[i];
+  return variable.rank > 0 ? count : 0;
+}
+
+/// Real numbers in the order of MATLAB, column by column; none for anything else.
+std::vector<double> numbers_of(const matvar_t& variable) {
+  std::vector<double> values;
+  const auto count = count_of(variable);
+  if (variable.data == nullptr || variable.isComplex != 0 || count == 0) return values;
+  if (variable.nbytes < count * static_cast<std::size_t>(variable.data_size)) return values;
+  switch (variable.class_type) {
+    case MAT_C_DOUBLE: append<double>(variable, count, values); break;
+    case MAT_C_SINGLE: append<float>(variable, count, values); break;
+    case MAT_C_INT8: append<std::int8_t>(variable, count, values); break;
+    case MAT_C_UINT8: append<std::uint8_t>(variable, count, values); break;
+    case MAT_C_INT16: append<std::int16_t>(variable, count, values); break;
+    case MAT_C_UINT16: append<std::uint16_t>(variable, count, values); break;
+    case MAT_C_INT32: append<std::int32_t>(variable, count, values); break;
+    case MAT_C_UINT32: append<std::uint32_t>(variable, count, values); break;
+    case MAT_C_INT64: append<std::int64_t>(variable, count, values); break;
+    case MAT_C_UINT64: append<std::uint64_t>(variable, count, values); break;
+    default: break;
+  }
+  return values;
+}
+
+/// One text for each row of a matrix of characters; those beyond ASCII become '?' unless they are bytes of UTF-8.
+std::vector<std::string> rows_of_text(const matvar_t& variable) {
+  if (variable.class_type != MAT_C_CHAR || variable.data == nullptr || variable.rank != 2) return {};
+  const std::size_t rows = variable.dims[0], length = variable.dims[1];
+  const auto size = static_cast<std::size_t>(variable.data_size);
+  if (variable.nbytes < rows * length * size || (size != 1 && size != 2)) return {};
+  const auto* bytes = static_cast<const unsigned char*>(variable.data);
+  std::vector<std::string> texts(rows);
+  for (std::size_t i = 0; i < rows * length; ++i) {
+    std::uint16_t wide = 0;
+    if (size == 2) std::memcpy(&wide, bytes + 2 * i, 2);
+    const unsigned code = size == 2 ? wide : bytes[i];
+    texts[i % rows] += size == 2 && code > 0x7F ? (code == 0xB0 ? "°" : "?") : std::string(1, static_cast<char>(code));
+  }
+  for (auto& text : texts) text = std::string(trimmed(text.substr(0, text.find('\0'))));
+  return texts;
+}
+
+std::string text_of(const matvar_t* variable) {
+  const auto rows = variable == nullptr ? std::vector<std::string>{} : rows_of_text(*variable);
+  return rows.size() == 1 ? rows.front() : std::string{};
+}
+
+/// Texts of a cell array, or the rows of a matrix of characters.
+std::vector<std::string> names_in(const matvar_t& variable) {
+  if (variable.class_type != MAT_C_CELL || variable.data == nullptr) return rows_of_text(variable);
+  std::vector<std::string> names;
+  const auto* cells = static_cast<matvar_t* const*>(variable.data);
+  for (std::size_t i = 0; i < count_of(variable); ++i) names.push_back(text_of(cells[i]));
+  const bool all = std::ranges::none_of(names, [](const auto& name) { return name.empty(); });
+  return all ? names : std::vector<std::string>{};
+}
+
+bool is_vector(const matvar_t& variable) {
+  return variable.rank == 2 && (variable.dims[0] == 1 || variable.dims[1] == 1) && count_of(variable) > 1;
+}
+
+bool is_matrix(const matvar_t& variable) { return variable.rank == 2 && variable.dims[0] > 1 && variable.dims[1] > 1; }
+
+// ---------------------------------------------------------------- the file
+
+class MatReader {
+ public:
+  explicit MatReader(const std::filesystem::path& file) : file_(file) {}
+
+  MatTable read() {
+    read_variables();
+    for (const auto& matrix : matrices_) add_matrix(matrix);
+    if (columns_.empty()) refuse("no numbers in columns: no variable is a vector, a matrix or a struct of vectors");
+    join_times();
+    keep_one_length();
+    return {table(), std::move(notes_)};
+  }
+
+ private:
+  struct Matrix {
+    std::string name;
+    std::size_t rows, columns;
+    std::vector<double> values;
+  };
+
+  [[noreturn]] void refuse(std::string_view what) const { throw FileError({file_, 1, 1}, what); }
+
+  void read_variables() {
+    Mat_LogInitFunc("swayaw", [](int, char*) {});  // what is wrong is said by what could not be read
+    const std::unique_ptr<mat_t, int (*)(mat_t*)> mat(Mat_Open(file_.c_str(), MAT_ACC_RDONLY), &Mat_Close);
+    if (!mat) refuse("not a MATLAB file of version 4 to 7.3, or it cannot be read");
+    using Variable = std::unique_ptr<matvar_t, void (*)(matvar_t*)>;
+    while (const auto variable = Variable(Mat_VarReadNext(mat.get()), &Mat_VarFree))
+      if (variable->name != nullptr) add(*variable, variable->name);
+  }
+
+  void add(const matvar_t& variable, const std::string& name) {
+    if (variable.class_type == MAT_C_STRUCT) return add_struct(variable, name);
+    if (auto names = names_in(variable); names.size() > 1) return names_.push_back(std::move(names));
+    if (!is_vector(variable) && !is_matrix(variable)) return;
+    auto values = numbers_of(variable);
+    if (values.empty()) notes_.push_back(fmt::format("variable {} holds no real numbers; left out", shown(name)));
+    else if (is_vector(variable)) columns_.push_back({name, std::move(values)});
+    else matrices_.push_back({name, variable.dims[0], variable.dims[1], std::move(values)});
+  }
+
+  // -------------------------------------------------------------- structs
+
+  static const matvar_t* field(const matvar_t& variable, const char* name, std::size_t element = 0) {
+    return Mat_VarGetStructFieldByName(const_cast<matvar_t*>(&variable), name, element);
+  }
+
+  void add_struct(const matvar_t& variable, const std::string& name) {
+    const auto fields = Mat_VarGetNumberOfFields(const_cast<matvar_t*>(&variable));
+    char* const* field_names = Mat_VarGetStructFieldnames(&variable);
+    if (field_names == nullptr || variable.data == nullptr) return;
+    if (count_of(variable) == 1 && add_timeseries(variable, name)) return;
+    for (unsigned i = 0; i < fields; ++i) {
+      if (count_of(variable) > 1) add_field_of_array(variable, field_names[i]);
+      else if (const auto* value = field(variable, field_names[i])) add(*value, field_names[i]);
+    }
+  }
+
+  /// A struct of Time and Data, as timeseries become when they are saved as structs.
+  bool add_timeseries(const matvar_t& variable, const std::string& name) {
+    const auto either = [&](const char* capital, const char* small) {
+      const auto* found = field(variable, capital);
+      return found != nullptr ? found : field(variable, small);
+    };
+    const auto *time = either("Time", "time"), *data = either("Data", "data");
+    if (time == nullptr || data == nullptr) return false;
+    MatColumn column{name, numbers_of(*data), numbers_of(*time)};
+    if (const auto said = text_of(either("Name", "name")); !said.empty()) column.name = said;
+    const bool fits = column.values.size() > 1 && column.values.size() == column.time.size();
+    if (fits) columns_.push_back(std::move(column));
+    return fits;
+  }
+
+  /// A number in each element of an array of structs.
+  void add_field_of_array(const matvar_t& variable, const char* name) {
+    MatColumn column{name, {}};
+    for (std::size_t k = 0; k < count_of(variable); ++k) {
+      const auto* value = field(variable, name, k);
+      const auto numbers = value != nullptr ? numbers_of(*value) : std::vector<double>{};
+      if (numbers.size() > 1) return;
+      column.values.push_back(numbers.empty() ? std::nan("") : numbers.front());
+    }
+    columns_.push_back(std::move(column));
+  }
+
+  // -------------------------------------------------------------- matrices
+
+  /// Columns of a matrix; its rows, where the names are as many as those.
+  void add_matrix(const Matrix& matrix) {
+    const auto fits = [&](std::size_t count) {
+      return [count](const std::vector<std::string>& names) { return names.size() == count; };
+    };
+    auto names = std::ranges::find_if(names_, fits(matrix.columns));
+    const bool by_rows = names == names_.end() && std::ranges::any_of(names_, fits(matrix.rows));
+    if (by_rows) names = std::ranges::find_if(names_, fits(matrix.rows));
+    const auto count = by_rows ? matrix.rows : matrix.columns, length = by_rows ? matrix.columns : matrix.rows;
+    for (std::size_t k = 0; k < count; ++k) {
+      MatColumn column{names != names_.end() ? (*names)[k] : fmt::format("{}_{}", matrix.name, k + 1), {}};
+      for (std::size_t i = 0; i < length; ++i)
+        column.values.push_back(matrix.values[by_rows ? k + i * count : i + k * length]);
+      columns_.push_back(std::move(column));
+    }
+  }
+
+  // -------------------------------------------------------------- one table
+
+  /// Columns with times of their own come to all of these times.
+  void join_times() {
+    std::vector<double> all;
+    for (const auto& column : columns_) all.insert(all.end(), column.time.begin(), column.time.end());
+    std::erase_if(all, [](double time) { return !std::isfinite(time); });
+    if (all.empty()) return;
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    for (auto& column : columns_)
+      if (!column.time.empty()) column.values = at_times(column, all);
+    columns_.insert(columns_.begin(), {"Time", std::move(all)});
+  }
+
+  static std::vector<double> at_times(const MatColumn& column, const std::vector<double>& all) {
+    std::vector<double> values(all.size(), std::nan(""));
+    for (std::size_t i = 0; i < column.time.size(); ++i)
+      if (std::isfinite(column.time[i]))
+        values[static_cast<std::size_t>(std::ranges::lower_bound(all, column.time[i]) - all.begin())] =
+            column.values[i];
+    return values;
+  }
+
+  /// The length that most columns have; of lengths that are equally frequent the greater.
+  void keep_one_length() {
+    std::map<std::size_t, std::size_t> columns_of;
+    for (const auto& column : columns_) ++columns_of[column.values.size()];
+    const auto most = std::ranges::max_element(columns_of, [](const auto& a, const auto& b) {
+      return std::pair(a.second, a.first) < std::pair(b.second, b.first);
+    });
+    const auto length = most->first;
+    for (const auto& column : columns_)
+      if (column.values.size() != length)
+        notes_.push_back(fmt::format("variable {} has {} numbers and most have {}; left out", shown(column.name),
+                                     column.values.size(), length));
+    std::erase_if(columns_, [&](const auto& column) { return column.values.size() != length; });
+  }
+
+  std::string table() const {
+    fmt::memory_buffer out;
+    auto to = fmt::appender(out);
+    std::map<std::string, int> met;
+    for (const auto& column : columns_) {
+      const int before = met[column.name]++;
+      const auto name = before > 0 ? fmt::format("{}_{}", column.name, before + 1) : column.name;
+      fmt::format_to(to, "{}{}", &column == &columns_.front() ? "" : ",", cell_naming(name));
+    }
+    for (std::size_t i = 0; i < columns_.front().values.size(); ++i) {
+      out.push_back('\n');
+      for (const auto& column : columns_) {
+        if (&column != &columns_.front()) out.push_back(',');
+        if (std::isfinite(column.values[i])) fmt::format_to(to, "{}", column.values[i]);
+      }
+    }
+    out.push_back('\n');
+    return fmt::to_string(out);
+  }
+
+  std::filesystem::path file_;
+  std::vector<MatColumn> columns_;
+  std::vector<Matrix> matrices_;
+  std::vector<std::vector<std::string>> names_;  ///< lists of names met
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+MatTable read_mat_table(const std::filesystem::path& file) { return MatReader(file).read(); }
+#endif
+
+}  // namespace swayaw::core::detail
