@@ -20,4 +20,8 @@ std::string loop_page(const nlohmann::json& document);
 /// series are rounded as those of a comparison.
 std::string diagnosis_page(const nlohmann::json& document);
 
+/// One HTML page for the owner that shows judged trials ("swayaw.trial/1") with their rows and series: the verdict of
+/// MSC.137(76), a table of numbers for each run, heading and rudder, the track.
+std::string trial_page(const nlohmann::json& document);
+
 }  // namespace swayaw
