@@ -25,7 +25,7 @@ std::string_view in_words(SpeedSource source) {
   switch (source) {
     case SpeedSource::none: return "not recorded";
     case SpeedSource::given: return "as given";
-    case SpeedSource::log: return "by the log";
+    case SpeedSource::log: return "ahead through the water";
     case SpeedSource::water: return "through the water";
     case SpeedSource::ground: return "over ground";
     case SpeedSource::positions: return "over ground, from the positions";

@@ -115,7 +115,7 @@ void find_speed(TrialRun& t) {
   };
   if (run.has(Channel::u) && run.has(Channel::v))
     take(SpeedSource::water, complete(run, combined(run, Channel::u, Channel::v, hypotenuse)));
-  take(SpeedSource::water, samples_of(run, Channel::u));
+  take(SpeedSource::log, samples_of(run, Channel::u));
   take(SpeedSource::log, samples_of(run, Channel::speed_through_water));
   take(SpeedSource::ground, samples_of(run, Channel::speed_over_ground));
   if (run.has(Channel::u_ground) && run.has(Channel::v_ground))

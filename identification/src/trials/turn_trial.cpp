@@ -235,7 +235,8 @@ void tell_steady(TurnTrial& result, const Turn& turn, double change, const Drift
   const MaybeTold clear = drift != nullptr ? track(*drift, diameter) : std::nullopt;
   if (result.corrected) result.corrected->final_diameter = clear;
   const double r = result.final_yaw_rate ? std::abs(result.final_yaw_rate->value) : 0.0;
-  if (through_water(run.source))
+  // a log shows u = U cos(beta) only
+  if (run.source == SpeedSource::water || (run.source == SpeedSource::log && !clear))
     result.final_speed = over([&](double a, double b) { return mean_over(run.speed, a, b); });
   else if (clear && r > 0.0) result.final_speed = Told{0.5 * r * clear->value, 0.5 * r * clear->standard_error};
   if (drift_angles.size() > 8)

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "swayaw/core/angle.hpp"
 #include "swayaw/core/recording.hpp"
 #include "swayaw/core/side.hpp"
 #include "swayaw/nonlinear/manoeuvres/imo_criteria.hpp"
@@ -45,7 +46,7 @@ struct TrialManoeuvre {
   std::string name;  ///< "zigzag 10/10", "turn 35", "spiral", "steady run"
 };
 
-/// Where a speed comes from.
+/// Where a speed comes from: the log shows that ahead only, water and ground are speeds of surge and sway together.
 enum class SpeedSource { none, given, log, water, ground, positions };
 
 std::string_view in_words(SpeedSource source);
