@@ -98,7 +98,7 @@ TrialManoeuvre zigzag_named(const TrialRun& run, const std::vector<double>& numb
   const bool said = numbers.size() >= 2 && numbers[0] > 0.0 && numbers[1] > 0.0;
   const double D = said ? radians(numbers[0]) : to_degree(held_rudder(run)),
                H = said ? radians(numbers[1]) : to_degree(switch_heading(run));
-  if (!(H > 0.0))
+  if (!(H > 0.0 && H < radians(90.0)))
     throw Refusal(
         fmt::format("{}: a zigzag whose heading cannot be told; write # manoeuvre = \"zigzag 10/10\" above the "
                     "header row",

@@ -123,19 +123,20 @@ void find_speed(TrialRun& t) {
   if (t.has_track()) take(SpeedSource::positions, track_speed(t.x, t.y, t.psi));
 }
 
-/// When the samples pass that level between two times, by straight lines.
-double crossing(const Samples& s, double level, double from, double to) {
+/// When the samples first pass that level in the direction of `way` between two times, by straight lines.
+double crossing(const Samples& s, double level, double way, double from, double to) {
   std::size_t i = std::max<std::size_t>(s.index_at(from), 1);
   for (; i < s.size() && s.time[i - 1] <= to; ++i) {
     const double a = s.value[i - 1] - level, b = s.value[i] - level;
-    if (a * b <= 0.0 && a != b) return s.time[i - 1] + a / (a - b) * (s.time[i] - s.time[i - 1]);
+    if (a * way < 0.0 && b * way >= 0.0) return s.time[i - 1] + a / (a - b) * (s.time[i] - s.time[i - 1]);
   }
   return missing;
 }
 
-/// The straight line of a move from one angle to another: through 20 % and 80 % of the way.
-RudderMove move_between(const Samples& delta, double from_angle, double to_angle, double from, double to) {
-  const double way = to_angle - from_angle, late = crossing(delta, from_angle + 0.8 * way, from, to);
+/// The straight line of the move from one leg to the next: through 20 % and 80 % of the way.
+RudderMove move_between(const Samples& delta, const RudderLeg& before, const RudderLeg& after) {
+  const double from_angle = before.level, to_angle = after.level, from = before.from, to = after.to;
+  const double way = to_angle - from_angle, late = crossing(delta, from_angle + 0.8 * way, way, from, to);
   RudderMove move{.start = {late, 0.0}, .from = from_angle, .to = to_angle, .rate = std::nullopt};
   // the last passage of 20 % before that of 80 %
   double early = missing;
@@ -158,6 +159,7 @@ RudderMove move_between(const Samples& delta, double from_angle, double to_angle
   } else {
     move.start = {delta.time[k - 1] + 0.5 * step, step / std::sqrt(12.0)};
   }
+  move.start.value = std::max(move.start.value, delta.time.front());
   return move;
 }
 
@@ -169,9 +171,28 @@ double still_until(const Samples& delta) {
   return delta.time[i];
 }
 
-MaybeTold first_move(const Samples& delta, const std::vector<RudderLeg>& legs, double before) {
+/// Without the legs before the execute, or before the leg that turns the ship by 180 deg or more, which no leg of a
+/// zigzag does: steering in the approach.
+std::vector<RudderLeg> without_approach(std::vector<RudderLeg> legs, const Samples& psi,
+                                        std::optional<double> execute) {
+  std::size_t first = 1;
+  double most = radians(180.0);
+  const auto heading = [&](double t) { return psi.value[std::min(psi.index_at(t), psi.size() - 1)]; };
+  for (std::size_t k = 1; k < legs.size(); ++k) {
+    const double change = std::abs(heading(legs[k].to) - heading(legs[k].from));
+    if (legs[k].sign != 0.0 && change > most) first = k, most = change;
+    if (execute && legs[k].to < *execute) first = std::max(first, k + 1);
+  }
+  if (first >= legs.size() || first == 1) return legs;
+  legs[0].from = legs[first - 1].from;
+  legs[0].to = legs[first - 1].to;
+  legs.erase(legs.begin() + 1, legs.begin() + static_cast<std::ptrdiff_t>(first));
+  return legs;
+}
+
+MaybeTold first_move(const Samples& delta, const std::vector<RudderLeg>& legs) {
   if (legs.size() < 2) return std::nullopt;
-  return move_between(delta, before, legs[1].level, delta.time.front(), legs[1].to).start;
+  return move_between(delta, legs[0], legs[1]).start;
 }
 
 }  // namespace
@@ -207,17 +228,16 @@ TrialRun prepared(const Recording& run) {
   t.rudder_before = median_between(t.delta, start, first > start ? first : still_until(t.delta));
   if (std::abs(t.rudder_before) > 0.3 * largest_off(t.delta, 0.0)) t.rudder_before = 0.0;
   t.largest = largest_off(t.delta, t.rudder_before);
-  t.legs = legs_of(t.delta, t.rudder_before, t.largest);
+  t.legs = without_approach(legs_of(t.delta, t.rudder_before, t.largest), t.psi, run.facts.execute);
   if (run.facts.execute) t.execute = {*run.facts.execute, 0.0};
-  else if (const auto moved = first_move(t.delta, t.legs, t.rudder_before)) t.execute = *moved;
+  else if (const auto moved = first_move(t.delta, t.legs)) t.execute = *moved;
   return t;
 }
 
 std::vector<RudderMove> moves_of(const TrialRun& run) {
   std::vector<RudderMove> moves;
   for (std::size_t k = 1; k < run.legs.size(); ++k)
-    moves.push_back(
-        move_between(run.delta, run.legs[k - 1].level, run.legs[k].level, run.legs[k - 1].from, run.legs[k].to));
+    moves.push_back(move_between(run.delta, run.legs[k - 1], run.legs[k]));
   return moves;
 }
 

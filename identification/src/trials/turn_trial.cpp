@@ -5,6 +5,7 @@
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/detail/matrices.hpp"
+#include "swayaw/core/refusal.hpp"
 #include "trial_run.hpp"
 
 namespace swayaw::inline identification::detail {
@@ -263,9 +264,14 @@ TurnTrial turn_trial(const TrialRun& run, const Approach& approach, std::vector<
   while (turning + 1 < run.legs.size() && run.legs[turning].sign == 0.0) ++turning;
   Turn turn{&run, &approach, 1.0, turning < run.legs.size() ? run.legs[turning].to : run.end()};
   if (turning + 1 >= run.legs.size()) turn.end = run.end();
+  if (turn.end <= approach.execute.value)
+    throw Refusal(fmt::format("{}: the rudder is not held over for a turn; is execute_s right?", run.recording->name));
   const auto last = value_at(run.psi, turn.end);
   turn.sign = last->value < approach.heading.value ? -1.0 : 1.0;
   const double change = turn.off(last->value);
+  if (change < radians(10.0))
+    throw Refusal(fmt::format("{}: the heading changes by {:.1f} deg while the rudder is held over: no turn to judge",
+                              run.recording->name, degrees(change)));
   TurnTrial result{};
   result.side = turn.sign > 0.0 ? Side::starboard : Side::port;
   result.heading_change = change;
