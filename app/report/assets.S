@@ -15,6 +15,7 @@ swayaw_report_\name\()_end:
     embed compare_js, compare.js
     embed loop_js, loop.js
     embed diagnose_js, diagnose.js
+    embed trial_js, trial.js
     embed plotly_js, SWAYAW_PLOTLY
 
     .section .note.GNU-stack, "", %progbits

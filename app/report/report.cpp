@@ -24,6 +24,8 @@ extern const char swayaw_report_loop_js[];
 extern const char swayaw_report_loop_js_end[];
 extern const char swayaw_report_diagnose_js[];
 extern const char swayaw_report_diagnose_js_end[];
+extern const char swayaw_report_trial_js[];
+extern const char swayaw_report_trial_js_end[];
 extern const char swayaw_report_plotly_js[];
 extern const char swayaw_report_plotly_js_end[];
 }
@@ -200,6 +202,11 @@ std::string loop_page(const json& document) {
 std::string diagnosis_page(const json& document) {
   const auto script = between(swayaw_report_diagnose_js, swayaw_report_diagnose_js_end);
   return fill(skeleton(), {script, document_text(compact(document))});
+}
+
+std::string trial_page(const json& document) {
+  const auto script = between(swayaw_report_trial_js, swayaw_report_trial_js_end);
+  return fill(skeleton(), {script, document_text(document)});
 }
 
 }  // namespace swayaw

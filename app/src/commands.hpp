@@ -114,6 +114,16 @@ struct LoopArguments {
 };
 void loop(const LoopArguments& arguments);
 
+struct TrialArguments {
+  std::vector<std::filesystem::path> runs;
+  std::filesystem::path ship;    ///< simulated beside the recording, and her length; empty: none
+  std::optional<double> speed;   ///< approach speed in place of the recorded one [m/s]
+  std::optional<double> length;  ///< [m]
+  std::filesystem::path report;  ///< empty: no page
+  bool json = false;
+};
+void trial(const TrialArguments& arguments);
+
 struct TuneArguments {
   std::filesystem::path ship;
   std::filesystem::path indices;

@@ -245,6 +245,21 @@ void add_loop(CLI::App& app, LoopArguments& a) {
   command.callback([&a] { loop(a); });
 }
 
+void add_trial(CLI::App& app, TrialArguments& a) {
+  auto& command =
+      *app.add_subcommand("trial", "judge recorded manoeuvres: overshoots, K and T, turning circle, MSC.137(76)");
+  command.add_option("RUN", a.runs, "recordings (CSV), one manoeuvre each")->required();
+  command.add_option(
+      "--ship", a.ship,
+      "ship file (TOML), or the name of a published ship: the same manoeuvre simulated beside each number");
+  command.add_option("--speed", a.speed, "approach speed in m/s, in place of the recorded one")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--length", a.length, "ship length in m (default: that of the ship)")->check(CLI::PositiveNumber);
+  command.add_option("--report", a.report, "write an HTML page that needs no network");
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { trial(a); });
+}
+
 void add_tune(CLI::App& app, TuneArguments& a) {
   auto& command = *app.add_subcommand("tune", "coefficients of a ship from measured indices of her manoeuvres");
   add_ship(command, a.ship);
@@ -407,6 +422,7 @@ int run(int count, char** words) {
   IndicesArguments indices_arguments;
   InvertArguments invert_arguments;
   LoopArguments loop_arguments;
+  TrialArguments trial_arguments;
   TuneArguments tune_arguments;
   EstimateArguments estimate_arguments;
   IdentifyArguments identify_arguments;
@@ -421,6 +437,7 @@ int run(int count, char** words) {
   add_indices(app, indices_arguments);
   add_invert(app, invert_arguments);
   add_loop(app, loop_arguments);
+  add_trial(app, trial_arguments);
   add_tune(app, tune_arguments);
   add_estimate(app, estimate_arguments);
   add_identify(app, identify_arguments);

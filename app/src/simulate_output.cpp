@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "input.hpp"
+#include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw::app {
@@ -44,6 +46,47 @@ Json criteria_json(const std::vector<Criterion>& criteria) {
                     {"unit", c.unit},
                     {"pass", c.pass ? Json(*c.pass) : Json(nullptr)}});
   return list;
+}
+
+Json zigzag_json(const Ship& ship, const Zigzag& z, const ZigzagOrder& order) {
+  Json execute = Json::array({0.0}), peaks = Json::array(), overshoots = Json::array();
+  for (const auto& reversal : z.reversals) {
+    execute.push_back(reversal.time);
+    if (!reversal.overshoot) continue;
+    peaks.push_back(*reversal.peak_time);
+    overshoots.push_back(degrees(*reversal.overshoot));
+  }
+  Json json{{"manoeuvre", name_of(ZigzagAngles{order.rudder, order.heading})},
+            {"first", name_of(order.first)},
+            {"approach_speed_m_s", z.approach_speed},
+            {"execute_s", std::move(execute)},
+            {"peak_s", std::move(peaks)},
+            {"overshoot_deg", std::move(overshoots)},
+            {"period_s", number(z.period)},
+            {"initial_turning_m", number(z.initial_turning)}};
+  add_propulsion(json, ship, z.propulsion);
+  json["criteria"] = criteria_json(criteria_of(z, order, length(ship)));
+  return json;
+}
+
+Json circle_json(const Ship& ship, const TurningCircle& c, const TurnOrder& order) {
+  const bool steady = c.steady.has_value();
+  Json json{{"manoeuvre", fmt::format("turn {:.6g}", degrees(order.rudder))},
+            {"first", name_of(order.side)},
+            {"approach_speed_m_s", c.approach_speed},
+            {"advance_m", number(c.advance)},
+            {"transfer_m", number(c.transfer)},
+            {"tactical_diameter_m", number(c.tactical_diameter)},
+            {"final_diameter_m", number(c.final_diameter)},
+            {"time_90_s", number(c.time_90)},
+            {"time_180_s", number(c.time_180)},
+            {"initial_turning_m", number(c.initial_turning)},
+            {"final_speed_m_s", steady ? number(speed(*c.steady)) : Json(nullptr)},
+            {"final_drift_rad", steady ? number(drift_angle(*c.steady)) : Json(nullptr)},
+            {"final_yaw_rate_rad_s", steady ? number(c.steady->r) : Json(nullptr)}};
+  add_propulsion(json, ship, c.propulsion);
+  json["criteria"] = criteria_json(criteria_of(c, order, length(ship), turning_rudder(ship)));
+  return json;
 }
 
 void print_criteria(const std::vector<Criterion>& criteria) {

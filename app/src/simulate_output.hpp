@@ -24,6 +24,12 @@ void add_propulsion(Json& json, const Ship& ship, const Controls<double>& contro
 /// [{"name", "side", "value", "limit", "unit", "pass"}, …]
 Json criteria_json(const std::vector<Criterion>& criteria);
 
+/// Indices of a zigzag as `simulate --json` prints them.
+Json zigzag_json(const Ship& ship, const Zigzag& zigzag, const ZigzagOrder& order);
+
+/// The same of a turning circle.
+Json circle_json(const Ship& ship, const TurningCircle& circle, const TurnOrder& order);
+
 /// A table of value, limit and verdict; nothing without criteria.
 void print_criteria(const std::vector<Criterion>& criteria);
 

@@ -32,7 +32,7 @@ TEST_CASE("the program tells its version and its commands", "[app]") {
   const auto help = run(scratch, "--help");
   CHECK(help.code == 0);
   for (const char* command :
-       {"simulate", "replay", "compare", "forces", "indices", "invert", "linearize", "loop", "tune"}) {
+       {"simulate", "replay", "compare", "forces", "indices", "invert", "linearize", "loop", "trial", "tune"}) {
     CHECK_THAT(help.out, ContainsSubstring(command));
     CHECK(run(scratch, std::string(command) + " --help").code == 0);
   }

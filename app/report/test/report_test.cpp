@@ -181,6 +181,16 @@ void the_diagnosis_page_carries_its_document() {
   check(!swayaw::diagnosis_page(json::object()).empty(), "an empty document gives a page");
 }
 
+void the_trial_page_carries_its_document() {
+  const json run = {{"run", "zz10.csv"}, {"overshoot_deg", {{{"value", 8.25}, {"standard_error", 0.04}}}}};
+  const json document = {{"schema", "swayaw.trial/1"}, {"ship", "<Tanker>"}, {"runs", {run}}};
+  const auto page = swayaw::trial_page(document);
+  check(json::parse(document_text(page))["runs"] == document["runs"], "the numbers of a trial are carried unchanged");
+  check(contains(page, "showTrial"), "the page of a trial has its own script");
+  check(!contains(page, "<Tanker>"), "the ship's name cannot become markup");
+  check(!swayaw::trial_page(json::object()).empty(), "an empty document gives a page");
+}
+
 int main() {
   the_page_carries_the_document();
   the_page_is_whole();
@@ -192,5 +202,6 @@ int main() {
   sparse_documents_are_accepted();
   the_loop_page_carries_its_document();
   the_diagnosis_page_carries_its_document();
+  the_trial_page_carries_its_document();
   return failures == 0 ? 0 : 1;
 }

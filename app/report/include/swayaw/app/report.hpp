@@ -24,4 +24,8 @@ std::string diagnosis_page(const nlohmann::json& document);
 /// errors of all runs side by side, and what the samples of each channel are like.
 std::string check_page(const nlohmann::json& document);
 
+/// One HTML page for the owner that shows judged trials ("swayaw.trial/1") with their rows and series: the verdict of
+/// MSC.137(76), a table of numbers for each run, heading and rudder, the track.
+std::string trial_page(const nlohmann::json& document);
+
 }  // namespace swayaw

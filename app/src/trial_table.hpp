@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "json.hpp"
+#include "swayaw/identification/trial.hpp"
+#include "swayaw/nonlinear/manoeuvre.hpp"
+
+/// What `swayaw trial` shows of a judged run: as JSON, and as rows for text and page.
+namespace swayaw::app {
+
+/// The same manoeuvre of a ship, at the approach speed of the recording.
+struct SimulatedTrial {
+  std::optional<Zigzag> zigzag;
+  std::optional<TurningCircle> turn;
+  Json json;  ///< as `simulate --json` prints it; null without a ship
+};
+
+/// One number of a run in the unit that people read.
+struct TrialRow {
+  std::string name, unit;
+  MaybeTold recorded;   ///< of the track as recorded where lengths are corrected
+  MaybeTold corrected;  ///< without the drift of the track
+  std::optional<double> simulated;
+  std::optional<double> in_lengths;  ///< of the best told length, over L
+};
+
+std::vector<TrialRow> rows_of(const TrialResult& trial, const SimulatedTrial& simulated,
+                              const std::optional<double>& L);
+
+/// {"value": …, "standard_error": …}; null where it is not told.
+Json told_json(const MaybeTold& told, double unit = 1.0);
+
+Json trial_json(const TrialResult& trial, const SimulatedTrial& simulated);
+
+Json rows_json(const std::vector<TrialRow>& rows);
+
+/// "8.23 ± 0.05", to the second digit of the standard error.
+std::string shown(const Told& told);
+
+/// "pass", "fail", "cannot tell", "not reached".
+std::string_view verdict_of(const JudgedCriterion& criterion);
+
+/// One sentence on the criteria of all runs.
+std::string in_words(const ImoSummary& summary);
+
+}  // namespace swayaw::app
