@@ -121,6 +121,7 @@ struct TrialArguments {
   std::optional<double> length;  ///< [m]
   std::filesystem::path report;  ///< empty: no page
   bool json = false;
+  std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
 };
 void trial(const TrialArguments& arguments);
 

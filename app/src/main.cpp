@@ -256,6 +256,7 @@ void add_trial(CLI::App& app, TrialArguments& a) {
       ->check(CLI::PositiveNumber);
   command.add_option("--length", a.length, "ship length in m (default: that of the ship)")->check(CLI::PositiveNumber);
   command.add_option("--report", a.report, "write an HTML page that needs no network");
+  add_rudder_positive(command, a.rudder_positive);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { trial(a); });
 }

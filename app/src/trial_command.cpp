@@ -225,7 +225,7 @@ void trial(const TrialArguments& a) {
   std::vector<JudgedRun> runs;
   std::vector<TrialResult> trials;
   for (const auto& file : a.runs) {
-    JudgedRun run{load_run(file), {}, {}};
+    JudgedRun run{load_run(file, a.rudder_positive), {}, {}};
     run.trial = judge_trial(run.recording, options);
     if (sailing != nullptr) run.simulated = simulated_trial(*sailing, run.trial);
     trials.push_back(run.trial);

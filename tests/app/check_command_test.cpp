@@ -51,15 +51,15 @@ TEST_CASE("a reversed rudder is refused with its remedy before any number is sho
   auto reversed = zigzag_run();
   for (double& delta : reversed.fill(Channel::delta)) delta = -delta;
   const auto file = written(reversed, scratch, "reversed.csv");
-  for (const std::string command :
+  for (const std::string& command :
        {"compare kvlcc2_l7 " + file, "diagnose kvlcc2_l7 " + file,
         "identify " + file + " --ship kvlcc2_l7 --model mmg --out " + (scratch / "new.toml").string()}) {
     INFO(command);
     CHECK(refusal(command).find("--rudder-positive") != std::string::npos);
   }
   CHECK(!std::filesystem::exists(scratch / "new.toml"));
-  CHECK(run("compare kvlcc2_l7 " + file + " --rudder-positive starboard").status == 0);
-  CHECK(run("compare kvlcc2_l7 " + file + " --no-check").status == 0);
+  CHECK(run(scratch, "compare kvlcc2_l7 " + file + " --rudder-positive starboard").code == 0);
+  CHECK(run(scratch, "compare kvlcc2_l7 " + file + " --no-check").code == 0);
 }
 
 TEST_CASE("units that are not those of the column are refused with their names", "[app][refusal]") {
@@ -77,9 +77,9 @@ TEST_CASE("the page of a check is written, and --out asks for one recording", "[
   const Scratch scratch;
   const auto file = written(zigzag_run(), scratch, "run.csv");
   const auto page = (scratch / "page.html").string();
-  CHECK(run("check " + file + " --report " + page).status == 0);
+  CHECK(run(scratch, "check " + file + " --report " + page).code == 0);
   CHECK(std::filesystem::file_size(page) > 100000);
-  CHECK(run("check " + file + " " + file + " --out " + page).status == 2);
+  CHECK(run(scratch, "check " + file + " " + file + " --out " + page).code == 2);
 }
 
 }  // namespace swayaw

@@ -147,7 +147,7 @@ inline constexpr std::array name_table{
             "forward velocity|longitudinal velocity"},
     NameRow{Quantity::sway, "all",
             "v|sway|sway velocity|sway speed|v sway|sway v|transverse speed|lateral speed|quergeschwindigkeit|"
-            "lateral velocity|transverse velocity"},
+            "querfahrt|lateral velocity|transverse velocity"},
     NameRow{Quantity::ground_surge, "all",
             "ug|u ground|surge over ground|longitudinal ground speed|u over ground|longitudinal speed over ground|"
             "laengsgeschwindigkeit ueber grund"},
@@ -161,7 +161,7 @@ inline constexpr std::array name_table{
         "shaft revolutions|propeller revolutions|shaft revs|n prop|n p|np|main engine rpm|me rpm|prop revs|"
         "propeller rate|prop rev|prop rate|prop speed|propeller rev|propeller revs|shaft rate|propeller rps|shaft rps"},
     NameRow{Quantity::shaft_speed, "German",
-            "drehzahl|wellendrehzahl|propellerdrehzahl|schraubendrehzahl|maschinendrehzahl|drehzahl welle|"
+            "drehzahl|welle|wellendrehzahl|propellerdrehzahl|schraubendrehzahl|maschinendrehzahl|drehzahl welle|"
             "drehzahl propeller|umdrehungen|hauptmaschine drehzahl"},
     NameRow{Quantity::shaft_speed, "Norwegian, Danish",
             "turtall|omdreininger|omdrejninger|akselturtall|propellturtall|omdrejningstal|propelomdrejninger|turtall "

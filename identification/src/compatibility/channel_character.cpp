@@ -63,6 +63,7 @@ std::vector<double> bends_of(const Samples& s) {
 struct Line {
   std::vector<bool> corner;
   double share_between = 0.0;  ///< of the samples on a slope
+  double sharpness = 0.0;      ///< how far the usual corner is off the line, over what counts as straight
 };
 
 Line line_of(const Samples& s, double step) {
@@ -71,11 +72,18 @@ Line line_of(const Samples& s, double step) {
   const double straight = 1.01 * step + 1e-9 * rms(s.value);
   Line line{std::vector<bool>(s.size(), true)};
   std::size_t slopes = 0, between = 0;
+  std::vector<double> corners;
   for (std::size_t i = 1; i + 1 < s.size(); ++i) {
     const bool on_slope = std::abs(s.value[i + 1] - s.value[i - 1]) > 6.0 * straight;
     line.corner[i] = !(on_slope && std::abs(bends[i]) <= straight);
     slopes += on_slope;
     between += on_slope && !line.corner[i];
+    if (on_slope && line.corner[i]) corners.push_back(std::abs(bends[i]) / straight);
+  }
+  if (!corners.empty()) {
+    const auto middle = corners.begin() + static_cast<std::ptrdiff_t>(corners.size() / 2);
+    std::ranges::nth_element(corners, middle);
+    line.sharpness = *middle;
   }
   if (slopes > 0) line.share_between = static_cast<double>(between) / static_cast<double>(slopes);
   return line;
@@ -111,12 +119,13 @@ std::vector<double> at_corners(const Samples& s, const Line& line) {
 
 ChannelCharacter character_of(const Recording& run, Channel channel) {
   constexpr double interpolated = 0.25;  // share on straight lines; smooth motion recorded in full digits has none
+  constexpr double sharp = 8.0;          // noise alone puts a quarter of the samples on lines where its corners have 3
   const auto s = samples_of(run, channel);
   ChannelCharacter c{.channel = channel, .samples = s.size()};
   if (s.size() < 5) return c;
   c.step = step_of(s.value);
   const auto line = line_of(s, c.step);
-  c.interpolated = line.share_between > interpolated;
+  c.interpolated = line.share_between > interpolated && line.sharpness > sharp;
   const auto fixes = c.interpolated ? at_corners(s, line) : s.value;
   c.noise = white_noise_of(fixes);
   c.interval = (s.time.back() - s.time.front()) / static_cast<double>(std::max<std::size_t>(fixes.size(), 2) - 1);

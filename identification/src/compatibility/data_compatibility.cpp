@@ -133,12 +133,12 @@ InstrumentError reversed_rudder(const Recording& run) {
 
 void note_what_is_missing(const Recording& run, std::vector<std::string>& notes) {
   const bool track = run.has(Channel::x) && run.has(Channel::y);
-  if (!run.has(Channel::r)) notes.push_back("no yaw rate: zero, scale and clock of a gyro cannot be told");
-  if (!track) notes.push_back("no positions: scale of the log, compass and clocks against the track cannot be told");
+  if (!run.has(Channel::r)) notes.push_back("no yaw rate: zero, scale and clock of a gyro");
+  if (!track) notes.push_back("no positions: scale of the log, compass and clocks against the track");
   const auto speeds = speeds_of(run);
   if (track && speeds.size() == 1 && speeds[0] != Channel::u_ground && !run.has(Channel::v))
-    notes.push_back("no sway: clocks and antenna cannot be told, nor the scale of the log while the ship turns");
-  if (track && speeds.empty()) notes.push_back("no speed but that of the track: nothing to compare the track with");
+    notes.push_back("no sway: clocks, antenna and compass, and the scale of the log while the ship turns");
+  if (track && speeds.empty()) notes.push_back("no speed beside the track: scale, compass and clocks of positions");
 }
 
 }  // namespace
@@ -161,7 +161,7 @@ RunCheck check_run(const Recording& run) {
   check.errors = mistakes_of(measured);
   auto mended = without(measured, check.errors);
   const auto reversed = rudder_is_reversed(mended);
-  if (!reversed) check.cannot_tell.push_back("the rudder moves too little to tell to which side it is positive");
+  if (!reversed) check.cannot_tell.push_back("to which side the rudder is positive: it moves too little");
   else if (*reversed) check.errors.push_back(reversed_rudder(mended));
   add(check.errors, errors_of(mended));
   note_what_is_missing(run, check.cannot_tell);

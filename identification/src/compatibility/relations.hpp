@@ -38,9 +38,9 @@ std::vector<InstrumentError> yaw_rate_errors(const Recording& run);
 /// velocity that is late by tau_u makes positions and heading early by as much; which of the three it is, is told where
 /// one alone explains both.
 ///
-/// Without sway the ship is taken to drift in proportion to the yaw rate, and late, v = l r + l' dr/dt; then neither
-/// antenna nor clocks can be told, which move the track sideways by as much as drift does; nor can the scale of a log
-/// in a run that turns, where drift takes or adds some per cent of the way.
+/// Without sway a run that turns tells nothing: drift adds or takes some per cent of the way and turns the track by
+/// some degrees. On one course the ship is taken to drift in proportion to the yaw rate, and late, v = l r + l' dr/dt;
+/// clocks and antenna are not told there, which move the track sideways by as much.
 ///
 /// @param run   measured samples
 /// @param speed u_ground, u, or speed_through_water

@@ -189,11 +189,10 @@ Eigen::VectorXd priors(const Recording& run, const Source& source, const DeadRec
   // of a velocity over ground a current is an error of its zero
   const double current = source.through_water ? p.current * U : 1e-3 * U, place = 10.0 * U;
   const auto known = [&](double prior) { return source.has_sway ? prior : not_asked; };
-  const double speed_scale = source.has_sway || is_straight(run) ? p.scale : not_asked;
   const double lag = source.has_sway ? not_asked : p.lever * radius * radius / U;
   return Eigen::Vector<double, columns>{
-      speed_scale, p.axes,  known(p.delay), clock_drift, known(p.delay), p.lever * radius, known(p.lever * radius),
-      lag,         current, current,        place,       place};
+      p.scale, p.axes,  known(p.delay), clock_drift, known(p.delay), p.lever * radius, known(p.lever * radius),
+      lag,     current, current,        place,       place};
 }
 
 /// Of a receiver with a memory of a minute; of velocities whose errors add up.
@@ -285,6 +284,7 @@ std::vector<Channel> speeds_of(const Recording& run) {
 std::vector<InstrumentError> track_errors(const Recording& run, Channel speed) {
   if (!run.has(Channel::x) || !run.has(Channel::y)) return {};
   const auto source = source_of(run, speed);
+  if (!source.has_sway && !is_straight(run)) return {};
   const auto [fit, late, bad_clock] = settled(run, source);
   const auto error = [&, &fit = fit](Channel channel, InstrumentErrorKind kind, Column at, double value) {
     return InstrumentError{channel, kind, value, std::sqrt(fit.covariance(at, at))};
@@ -293,9 +293,8 @@ std::vector<InstrumentError> track_errors(const Recording& run, Channel speed) {
   const double along = 1.0 + fit.beta[scale], across = fit.beta[axes];
   const double eps = std::atan2(across, along), one_more = std::hypot(along, across);
   std::vector<InstrumentError> found{
+      error(speed, InstrumentErrorKind::scale, scale, 1.0 / one_more - 1.0),
       error(source.has_sway ? speed : Channel::psi, InstrumentErrorKind::axes, axes, eps)};
-  if (source.has_sway || is_straight(run))
-    found.insert(found.begin(), error(speed, InstrumentErrorKind::scale, scale, 1.0 / one_more - 1.0));
   if (bad_clock) {
     // a clock that wanders may have run fast or slow all the time: as much of the way is not known
     for (auto& e : found)
