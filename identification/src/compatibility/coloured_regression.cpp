@@ -27,7 +27,7 @@ class ErrorFilter {
   }
 
   /// Over a time step: m decays, w and c walk, the jitter is drawn anew; `bridge` of a gap.
-  void predict(double dt, double bridge, double heading) {
+  void predict(double dt, double bridge) {
     if (dt <= 0.0) return;
     const double phi = std::exp(-dt / e_.memory);
     for (int i = 0; i < axes; i += 2) {
@@ -43,17 +43,7 @@ class ErrorFilter {
       P_.col(5).setZero();
       P_(5, 5) = e_.jitter * e_.jitter;
       X_.row(5).setZero();
-      walk_across(dt, heading);
     }
-  }
-
-  /// Var += sway² dt n nᵀ with n = (−sin psi, cos psi), the direction of sway.
-  void walk_across(double dt, double psi) {
-    const double q = e_.sway * e_.sway * dt, s = std::sin(psi), c = std::cos(psi);
-    P_(1, 1) += q * s * s;
-    P_(3, 3) += q * c * c;
-    P_(1, 3) -= q * s * c;
-    P_(3, 1) -= q * s * c;
   }
 
   /// One row of [X y], on an axis: its innovations. S = H P Hᵀ + R,  K = P Hᵀ / S,  P⁺ = P − K S Kᵀ
@@ -87,7 +77,7 @@ Whitened whitened_by(const TimeSeries& s, const ErrorModel& errors) {
   ErrorFilter<N> filter(errors, s.Xy.cols());
   for (std::size_t k = 0; k < s.time.size(); ++k) {
     auto row = result.Xy.row(static_cast<Eigen::Index>(k));
-    filter.predict(k > 0 ? s.time[k] - s.time[k - 1] : 0.0, s.bridge[k], s.heading[k]);
+    filter.predict(k > 0 ? s.time[k] - s.time[k - 1] : 0.0, s.bridge[k]);
     const double S = filter.update(s.axis[k], s.speed[k], row);
     row /= std::sqrt(S);
     result.log_determinant += std::log(S);
@@ -142,7 +132,6 @@ TimeSeries thinned(const TimeSeries& s) {
     few.time[i] = s.time[rows[i]];
     few.axis[i] = s.axis[rows[i]];
     few.speed[i] = s.speed[rows[i]];
-    few.heading[i] = s.heading[rows[i]];
     for (; k <= rows[i]; ++k) few.bridge[i] = std::hypot(few.bridge[i], s.bridge[k]);
     few.Xy.row(static_cast<Eigen::Index>(i)) = s.Xy.row(static_cast<Eigen::Index>(rows[i]));
   }
@@ -160,9 +149,8 @@ Range range_of(const TimeSeries& s, const ErrorModel& start) {
   const auto least = [](double first) { return first > 0.0 ? 1e-4 : 0.0; };  // [s]
   const auto most = [](double first) { return first > 0.0 ? 3.0 : 0.0; };    // [s]
   // a memory of a sample is white noise, one of the whole run a constant
-  return {{1e-2 * none, none, 2.0 * step, none, least(start.clock), least(start.jitter), start.sway > 0.0 ? none : 0.0},
-          {HUGE_VAL, HUGE_VAL, std::max(0.3 * T, 4.0 * step), HUGE_VAL, most(start.clock), most(start.jitter),
-           start.sway > 0.0 ? HUGE_VAL : 0.0}};
+  return {{1e-2 * none, none, 2.0 * step, none, least(start.clock), least(start.jitter)},
+          {HUGE_VAL, HUGE_VAL, std::max(0.3 * T, 4.0 * step), HUGE_VAL, most(start.clock), most(start.jitter)}};
 }
 
 struct Likeliest {
@@ -172,8 +160,8 @@ struct Likeliest {
 
 /// Descends the deviance along one number of the error model after the other, in ever smaller factors.
 Likeliest likeliest_errors(const TimeSeries& few, const Eigen::VectorXd& prior, const ErrorModel& start) {
-  constexpr std::array numbers{&ErrorModel::white, &ErrorModel::walk,   &ErrorModel::markov, &ErrorModel::memory,
-                               &ErrorModel::clock, &ErrorModel::jitter, &ErrorModel::sway};
+  constexpr std::array numbers{&ErrorModel::white,  &ErrorModel::walk,  &ErrorModel::markov,
+                               &ErrorModel::memory, &ErrorModel::clock, &ErrorModel::jitter};
   constexpr std::array factors{8.0, 3.0, 1.6, 1.25};  // errors to 12 %: their effect on beta is of second order
   constexpr double worth = 0.1;                       // of deviance
   const auto range = range_of(few, start);

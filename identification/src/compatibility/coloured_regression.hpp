@@ -22,26 +22,23 @@ struct ErrorModel {
   double walk;          ///< standard deviation after one second
   double clock = 0.0;   ///< standard deviation after one second [s]
   double jitter = 0.0;  ///< standard deviation [s]
-  double sway = 0.0;    ///< of the walk across the ship: standard deviation after one second
 };
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 /// Rows of a regression in time, y = X beta + e.
 struct TimeSeries {
-  std::vector<double> time;     ///< [s], not decreasing
-  std::vector<int> axis;        ///< 0 or 1
-  std::vector<double> speed;    ///< V of the row's axis; 0 without clock
-  std::vector<double> heading;  ///< psi [rad]; 0 on one axis
-  std::vector<double> bridge;   ///< standard deviation that the walk gains before the row, beyond its own: a gap
-  RowMatrix Xy;                 ///< X, and y in the last column
+  std::vector<double> time;    ///< [s], not decreasing
+  std::vector<int> axis;       ///< 0 or 1
+  std::vector<double> speed;   ///< V of the row's axis; 0 without clock
+  std::vector<double> bridge;  ///< standard deviation that the walk gains before the row, beyond its own: a gap
+  RowMatrix Xy;                ///< X, and y in the last column
 
   /// Room for rows; time, axis and the rest to be filled.
   TimeSeries(std::size_t rows, Eigen::Index columns)
       : time(rows),
         axis(rows),
         speed(rows),
-        heading(rows),
         bridge(rows),
         Xy(RowMatrix::Zero(static_cast<Eigen::Index>(rows), columns)) {}
 };

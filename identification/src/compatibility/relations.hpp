@@ -2,8 +2,8 @@
 
 #include "swayaw/identification/data_compatibility.hpp"
 
-/// Errors of instruments by one law of kinematics each. Every relation is linear in the errors, which have wide priors
-/// (instrument_priors.hpp); what the motion of the run does not tell keeps its prior.
+/// Errors of instruments by one law of kinematics each. Every relation is linear in the errors, which have wide priors;
+/// what the motion of the run does not tell keeps its prior.
 namespace swayaw::inline identification::detail {
 
 /// Standard deviations of the errors before any sample is seen: of instruments that work at all.
@@ -21,7 +21,7 @@ struct InstrumentPriors {
 
 /// dpsi/dt = r. Integrated, for what integrates keeps noise small:
 ///
-///     psi − ∫ r dt = psi_0 − b t − s/(1 + s) ∫ r dt + tau r − (w²/24) dr/dt
+///     psi − ∫ r dt = psi_0 − b/(1 + s) t − s/(1 + s) ∫ r dt + tau/(1 + s) r − (w²/2) dr/dt
 ///
 /// with zero b, scale s, delay tau of the yaw rate behind the heading, and a mean over a window of standard deviation
 /// w.
@@ -39,8 +39,8 @@ std::vector<InstrumentError> yaw_rate_errors(const Recording& run);
 /// one alone explains both.
 ///
 /// Without sway a run that turns tells nothing: drift adds or takes some per cent of the way and turns the track by
-/// some degrees. On one course the ship is taken to drift in proportion to the yaw rate, and late, v = l r + l' dr/dt;
-/// clocks and antenna are not told there, which move the track sideways by as much.
+/// some degrees. On one course the ship is taken to drift in proportion to the yaw rate, v = l r; clocks and antenna
+/// are not told there, which move the track sideways by as much.
 ///
 /// @param run   measured samples
 /// @param speed u_ground, u, or speed_through_water

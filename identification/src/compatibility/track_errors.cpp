@@ -18,7 +18,6 @@ enum Column : Eigen::Index {
   heading_delay,
   lever_x,
   lever_y,
-  sway_lag,
   current_x,
   current_y,
   start_x,
@@ -30,7 +29,6 @@ enum Column : Eigen::Index {
 struct DeadReckoning {
   std::vector<double> V_x, V_y, I_x, I_y;
   std::vector<double> H_x, H_y;  ///< ∫ r (−V_y, V_x) dt
-  std::vector<double> S_x, S_y;  ///< ∫ dr/dt (−sin psi, cos psi) dt
   std::vector<double> c, s;      ///< of the heading
 };
 
@@ -50,9 +48,8 @@ Source source_of(const Recording& run, Channel speed) {
 DeadReckoning dead_reckoning(const Recording& run, const Source& source) {
   const auto psi = filled(run, Channel::psi), u = filled(run, source.surge), r = yaw_rate(run);
   const auto v = source.has_sway ? filled(run, source.sway) : std::vector<double>(run.samples(), 0.0);
-  const auto r_dot = slope(run.time, r);
   const std::vector<double> room(run.samples());
-  DeadReckoning d{room, room, room, room, room, room, room, room, room, room};
+  DeadReckoning d{room, room, room, room, room, room, room, room};
   for (std::size_t i = 0; i < run.samples(); ++i) {
     d.c[i] = std::cos(psi[i]);
     d.s[i] = std::sin(psi[i]);
@@ -60,12 +57,11 @@ DeadReckoning dead_reckoning(const Recording& run, const Source& source) {
     d.V_y[i] = u[i] * d.s[i] + v[i] * d.c[i];
     d.H_x[i] = -r[i] * d.V_y[i];
     d.H_y[i] = r[i] * d.V_x[i];
-    d.S_x[i] = -r_dot[i] * d.s[i];
-    d.S_y[i] = r_dot[i] * d.c[i];
   }
   d.I_x = integral(run.time, d.V_x);
   d.I_y = integral(run.time, d.V_y);
-  for (auto* f : {&d.H_x, &d.H_y, &d.S_x, &d.S_y}) *f = integral(run.time, *f);
+  d.H_x = integral(run.time, d.H_x);
+  d.H_y = integral(run.time, d.H_y);
   return d;
 }
 
@@ -73,8 +69,7 @@ DeadReckoning dead_reckoning(const Recording& run, const Source& source) {
 DeadReckoning seen_late(const std::vector<double>& time, const DeadReckoning& d, double delay) {
   if (delay == 0.0) return d;
   const auto late = [&](const std::vector<double>& f) { return delayed(time, f, delay); };
-  return {late(d.V_x), late(d.V_y), late(d.I_x), late(d.I_y), late(d.H_x),
-          late(d.H_y), late(d.S_x), late(d.S_y), late(d.c),   late(d.s)};
+  return {late(d.V_x), late(d.V_y), late(d.I_x), late(d.I_y), late(d.H_x), late(d.H_y), late(d.c), late(d.s)};
 }
 
 double usual_speed(const DeadReckoning& d) { return std::hypot(rms(d.V_x), rms(d.V_y)); }
@@ -107,7 +102,6 @@ void fill(Row row, const Recording& run, const DeadReckoning& d, const Fix& fix,
   row[drift] = -V * (run.time[i] - middle);
   row[heading_delay] = north ? d.H_x[i] : d.H_y[i];
   row[lever_x] = north ? d.c[i] - d.c[0] : d.s[i] - d.s[0];
-  row[sway_lag] = north ? d.S_x[i] : d.S_y[i];
   row[lever_y] = north ? d.s[0] - d.s[i] : d.c[i] - d.c[0];
   row[north ? current_x : current_y] = run.time[i] - run.time[0];
   row[north ? start_x : start_y] = 1.0;
@@ -129,7 +123,6 @@ TimeSeries rows_of(const Recording& run, const Source& source, const DeadReckoni
     s.time[k] = run.time[sample];
     s.axis[k] = north ? 0 : 1;
     s.speed[k] = north ? d.V_x[sample] : d.V_y[sample];
-    s.heading[k] = std::atan2(d.s[sample], d.c[sample]);
     fill(s.Xy.row(static_cast<Eigen::Index>(k)), run, d, fixes[k], north ? x_0 : y_0);
   }
   return s;
@@ -141,7 +134,7 @@ constexpr double not_asked = 1e-6;
 TimeSeries block_means(const TimeSeries& s, double block) {
   struct Block {
     std::size_t rows = 0;
-    double time = 0.0, speed = 0.0, heading = 0.0, bridge = 0.0;
+    double time = 0.0, speed = 0.0, bridge = 0.0;
     Eigen::RowVectorXd Xy;
   };
   std::vector<std::array<Block, 2>> blocks;
@@ -152,7 +145,6 @@ TimeSeries block_means(const TimeSeries& s, double block) {
     if (b.rows++ == 0) b.Xy = Eigen::RowVectorXd::Zero(s.Xy.cols());
     b.time += s.time[k];
     b.speed += s.speed[k];
-    b.heading = s.heading[k];
     b.bridge = std::hypot(b.bridge, s.bridge[k]);
     b.Xy += s.Xy.row(static_cast<Eigen::Index>(k));
   }
@@ -168,7 +160,6 @@ TimeSeries block_means(const TimeSeries& s, double block) {
       means.time[i] = std::max(b.time / n, i > 0 ? means.time[i - 1] : b.time / n);
       means.axis[i] = axis;
       means.speed[i] = b.speed / n;
-      means.heading[i] = b.heading;
       means.bridge[i] = b.bridge;
       means.Xy.row(static_cast<Eigen::Index>(i++)) = b.Xy / n;
     }
@@ -189,24 +180,22 @@ Eigen::VectorXd priors(const Recording& run, const Source& source, const DeadRec
   // of a velocity over ground a current is an error of its zero
   const double current = source.through_water ? p.current * U : 1e-3 * U, place = 10.0 * U;
   const auto known = [&](double prior) { return source.has_sway ? prior : not_asked; };
-  const double lag = source.has_sway ? not_asked : p.lever * radius * radius / U;
   return Eigen::Vector<double, columns>{
       p.scale, p.axes,  known(p.delay), clock_drift, known(p.delay), p.lever * radius, known(p.lever * radius),
-      lag,     current, current,        place,       place};
+      current, current, place,          place};
 }
 
 /// Of a receiver with a memory of a minute; of velocities whose errors add up.
-std::vector<ErrorModel> of_good_clocks(const Recording& run, const Source& source, double U) {
+std::vector<ErrorModel> of_good_clocks(const Recording& run, double U) {
   const double white = std::max(white_noise_of(run[Channel::x]), 1e-5 * U);
   constexpr double jitter = 0.01;  // [s]
-  const double sway = source.has_sway ? 0.0 : 0.02 * U;
-  return {{.white = white, .markov = 3.0 * white, .memory = 60.0, .walk = 1e-3 * U, .jitter = jitter, .sway = sway},
-          {.white = white, .markov = 0.1 * white, .memory = 60.0, .walk = 0.02 * U, .jitter = jitter, .sway = sway}};
+  return {{.white = white, .markov = 3.0 * white, .memory = 60.0, .walk = 1e-3 * U, .jitter = jitter},
+          {.white = white, .markov = 0.1 * white, .memory = 60.0, .walk = 0.02 * U, .jitter = jitter}};
 }
 
 /// The same, and a clock that wanders by 0.1 s in a second.
-std::vector<ErrorModel> of_bad_clocks(const Recording& run, const Source& source, double U) {
-  auto guesses = of_good_clocks(run, source, U);
+std::vector<ErrorModel> of_bad_clocks(const Recording& run, double U) {
+  auto guesses = of_good_clocks(run, U);
   for (auto& guess : guesses) guess.clock = guess.jitter = 0.1;
   return guesses;
 }
@@ -242,10 +231,8 @@ TrackFit settled(const Recording& run, const Source& source) {
   const InstrumentPriors p;
   const auto reckoned = dead_reckoning(run, source);
   const double U = usual_speed(reckoned);
-  const auto good =
-      settled(run, source, reckoned, priors(run, source, reckoned, p.good_clock), of_good_clocks(run, source, U));
-  const auto bad =
-      settled(run, source, reckoned, priors(run, source, reckoned, p.drift), of_bad_clocks(run, source, U));
+  const auto good = settled(run, source, reckoned, priors(run, source, reckoned, p.good_clock), of_good_clocks(run, U));
+  const auto bad = settled(run, source, reckoned, priors(run, source, reckoned, p.drift), of_bad_clocks(run, U));
   const bool likelier = bad.fit.deviance < good.fit.deviance - far;
   if (!likelier || bad.fit.errors.clock * std::sqrt(minute) < matters) return good;
   return {bad.fit, bad.delay, true};
@@ -297,9 +284,7 @@ std::vector<InstrumentError> track_errors(const Recording& run, Channel speed) {
       error(source.has_sway ? speed : Channel::psi, InstrumentErrorKind::axes, axes, eps)};
   if (bad_clock) {
     // a clock that wanders may have run fast or slow all the time: as much of the way is not known
-    for (auto& e : found)
-      if (e.kind == InstrumentErrorKind::scale)
-        e.standard_error = std::hypot(e.standard_error, InstrumentPriors{}.drift);
+    found[0].standard_error = std::hypot(found[0].standard_error, InstrumentPriors{}.drift);
     found.push_back({Channel::x, InstrumentErrorKind::clock, fit.errors.clock * std::sqrt(minute), 0.0, true});
     return found;
   }
