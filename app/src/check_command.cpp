@@ -48,11 +48,12 @@ Json run_json(const RunCheck& check) {
           {"cannot_tell", check.cannot_tell}};
 }
 
-Json document_of(const std::vector<RunCheck>& checks) {
+Json document_of(const std::vector<RunCheck>& checks, const std::optional<RunCheck>& one_clock) {
   Json runs = Json::array();
   for (const auto& check : checks) runs.push_back(run_json(check));
   Json document{{"schema", "swayaw.check/1"}, {"version", version()}, {"runs", std::move(runs)}};
   if (checks.size() > 1) document["all_runs"] = errors_json(pooled(checks));
+  if (one_clock) document["one_clock"] = errors_json(one_clock->errors);
   return document;
 }
 
@@ -120,22 +121,27 @@ void check(const CheckArguments& a) {
   for (const auto& file : a.runs) runs.push_back(load_run(file, a.rudder_positive));
   std::vector<RunCheck> checks(runs.size());
   in_parallel(runs.size(), 0, [&](std::size_t i) { checks[i] = check_run(runs[i]); });
+  const auto log = joined(runs);
+  const auto one_clock = log ? std::optional(check_run(*log)) : std::nullopt;
   if (!a.out.empty()) {
     write_recording(repaired(runs.front(), checks.front()), a.out);
     fmt::print(stderr, "swayaw: repaired recording written to {}\n", a.out.string());
   }
   if (!a.report.empty()) {
-    write_text(a.report, check_page(for_page(document_of(checks))));
+    write_text(a.report, check_page(for_page(document_of(checks, one_clock))));
     fmt::print(stderr, "swayaw: report written to {}\n", a.report.string());
   }
   if (a.json) {
-    fmt::print("{}\n", document_of(checks).dump(2));
+    fmt::print("{}\n", document_of(checks, one_clock).dump(2));
     return;
   }
   std::ranges::for_each(checks, print);
   if (checks.size() < 2) return;
   fmt::print("All runs\n");
   print_all(pooled(checks));
+  if (!one_clock) return;
+  fmt::print("The log that the runs were cut from, on one clock\n");
+  print_all(one_clock->errors);
 }
 
 }  // namespace swayaw::app

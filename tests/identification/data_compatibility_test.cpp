@@ -180,6 +180,33 @@ TEST_CASE("rounding, fixes joined by straight lines, and an outlier are seen", "
   CHECK(of(Channel::delta).outliers == std::vector<std::size_t>{333});
 }
 
+// ---------------------------------------------------------------- runs of one log
+
+Recording part_of(const Recording& run, std::size_t first, std::size_t last) {
+  auto part = run;
+  const auto cut = [&](std::vector<double>& values) {
+    if (!values.empty()) values = {values.begin() + static_cast<long>(first), values.begin() + static_cast<long>(last)};
+  };
+  cut(part.time);
+  for (auto& values : part.channels) cut(values);
+  return part;
+}
+
+TEST_CASE("runs cut from one log are joined, others are not", "[identification][round-trip]") {
+  FaultyRuns runs(6);
+  auto log = runs.recorded(runs.truth(), {});
+  log.facts = {};
+  const std::size_t n = log.samples();
+  std::vector cuts{part_of(log, 0, n / 2), part_of(log, n / 3, n)};
+  const auto whole = joined(cuts);
+  REQUIRE(whole);
+  CHECK((recording_text(*whole) == recording_text(log)));
+  CHECK_FALSE(
+      joined(std::vector{part_of(log, 0, n / 2), part_of(log, n / 2, n)}));  // nothing shows that it is one clock
+  cuts[1].channels[index_of(Channel::psi)][0] += 1e-6;
+  CHECK_FALSE(joined(cuts));
+}
+
 // ---------------------------------------------------------------- real recordings
 
 /// Mean and standard error of one error over the runs of a folder whose names begin alike.
@@ -220,6 +247,16 @@ TEST_CASE("recordings of the basins have the errors that are known of them", "[i
   REQUIRE(turned);
   CHECK(degrees(turned->value) > 1.5);
   CHECK(degrees(turned->value) < 2.5);
+  // and her speed columns show 0.980 of the way made good over half a day
+  std::vector<Recording> runs;
+  for (const auto& file : std::filesystem::directory_iterator(*gunnerus))
+    if (file.path().extension() == ".csv") runs.push_back(read_recording(file.path()).recording);
+  const auto log = joined(runs);
+  REQUIRE(log);
+  const auto check = check_run(*log);
+  const auto* speed = found(check, Channel::u_ground, Kind::scale);
+  REQUIRE(speed);
+  CHECK(std::abs(1.0 + speed->value - 0.980) < 0.005);
 }
 
 // ---------------------------------------------------------------- refusals

@@ -283,8 +283,10 @@ std::vector<InstrumentError> track_errors(const Recording& run, Channel speed) {
       error(speed, InstrumentErrorKind::scale, scale, 1.0 / one_more - 1.0),
       error(source.has_sway ? speed : Channel::psi, InstrumentErrorKind::axes, axes, eps)};
   if (bad_clock) {
-    // a clock that wanders may have run fast or slow all the time: as much of the way is not known
-    found[0].standard_error = std::hypot(found[0].standard_error, InstrumentPriors{}.drift);
+    constexpr double persistence = 300.0;  // [s], of the rate of the one such clock that was seen, R/V Gunnerus's
+    // a clock that wanders may have run fast or slow for minutes: as much of the way is not known
+    const double share = std::min(1.0, std::sqrt(persistence / (run.time.back() - run.time.front())));
+    found[0].standard_error = std::hypot(found[0].standard_error, share * InstrumentPriors{}.drift);
     found.push_back({Channel::x, InstrumentErrorKind::clock, fit.errors.clock * std::sqrt(minute), 0.0, true});
     return found;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -79,6 +80,12 @@ RunCheck check_run(const Recording& run);
 /// Errors of instruments that several runs have in common: the mean by information, its standard error not less than
 /// the scatter of the runs allows.
 std::vector<InstrumentError> pooled(std::span<const RunCheck> runs);
+
+/// Runs that were cut from one log: on one clock, with the same samples where they overlap, as some do. What a clock
+/// that wanders hides in each of them, the way made good of all may tell.
+///
+/// @return nothing if they are not from one log
+std::optional<Recording> joined(std::span<const Recording> runs);
 
 /// The run without the errors that were told, and without outliers. Clocks are set right by straight lines between
 /// samples; a smoothed channel stays as it is.
