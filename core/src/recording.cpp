@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swayaw/core/detail/median.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline core {
@@ -60,9 +61,7 @@ double white_noise_of(std::span<const double> values) {
     if (std::isfinite(third)) sizes.push_back(std::abs(third));
   }
   if (sizes.size() < enough) return 0.0;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::ranges::nth_element(sizes, middle);
-  return *middle / (quartile * gain);
+  return detail::median_of(std::move(sizes)) / (quartile * gain);
 }
 
 }  // namespace swayaw::core

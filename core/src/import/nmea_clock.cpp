@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swayaw/core/detail/median.hpp"
+
 namespace swayaw::inline core::detail {
 namespace {
 
@@ -13,12 +15,6 @@ constexpr double quarter_of_hour = 900.0;  // zones lie that far apart [s]
 
 /// The time that differs from `time` by whole days and lies nearest to `near`.
 double on_day_near(double time, double near) { return time + day * std::round((near - time) / day); }
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 }  // namespace
 
@@ -137,7 +133,7 @@ void NmeaClock::find_date(const Source* utc, bool stamps_are_utc) {
     differences.push_back((utc->dated ? mark.time : on_day_near(mark.time, stamp)) - stamp);
   }
   if (differences.empty()) return;
-  const double difference = median(std::move(differences));
+  const double difference = median_of(std::move(differences));
   const double zone = quarter_of_hour * std::round(difference / quarter_of_hour);
   const bool counted = kinds_[static_cast<std::size_t>(TimeStamp::Kind::elapsed)] * 2 > stamps_.size();
   if (!stamps_are_utc) to_utc_ = counted ? difference : zone;
@@ -185,10 +181,10 @@ void NmeaClock::set_marks(const std::vector<Mark>& marks) {
   if (marks_.size() < 2) return;
   std::vector<double> steps;
   for (std::size_t i = 1; i < marks_.size(); ++i) steps.push_back(marks_[i].time - marks_[i - 1].time);
-  usual_step_ = median(steps);
+  usual_step_ = median_of(steps);
   for (std::size_t i = 1; i < marks_.size(); ++i)
     steps[i - 1] /= static_cast<double>(marks_[i].sentence - marks_[i - 1].sentence);
-  usual_sentence_ = median(std::move(steps));
+  usual_sentence_ = median_of(std::move(steps));
 }
 
 // ---------------------------------------------------------------- answers

@@ -6,15 +6,9 @@
 #include <optional>
 #include <span>
 
-#include "swayaw/core/angle.hpp"
+#include "swayaw/core/channel_table.hpp"
 
 namespace swayaw::inline core::detail {
-namespace {
-
-constexpr double degree = pi / 180.0;
-
-}  // namespace
-
 // ---------------------------------------------------------------- what is looked at
 
 double Track::at(double t) const {
@@ -59,12 +53,6 @@ Track heading_track(const Recording& run) {
   for (std::size_t i = 1; i < heading.size(); ++i)
     heading.value[i] = heading.value[i - 1] + std::remainder(heading.value[i] - heading.value[i - 1], 360.0);
   return heading;
-}
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 Track rudder_track(const Recording& run) {

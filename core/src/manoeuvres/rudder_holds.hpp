@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "swayaw/core/detail/median.hpp"
 #include "swayaw/core/recording.hpp"
 
 /// Rudder, heading and speed of a log, and where its rudder is held. Not installed.
@@ -42,8 +43,6 @@ Track speed_track(const Recording& run);
 
 /// Medians of seven samples: without noise, single corrections and gaps, edges as they are.
 Track smoothed(const Track& track);
-
-double median_of(std::vector<double> values);
 
 /// An interval in which the rudder is put to one side.
 struct Hold {

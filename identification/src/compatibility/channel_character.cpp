@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "run_motion.hpp"
+#include "swayaw/core/detail/median.hpp"
 
 namespace swayaw::inline identification::detail {
 namespace {
@@ -80,11 +81,7 @@ Line line_of(const Samples& s, double step) {
     between += on_slope && !line.corner[i];
     if (on_slope && line.corner[i]) corners.push_back(std::abs(bends[i]) / straight);
   }
-  if (!corners.empty()) {
-    const auto middle = corners.begin() + static_cast<std::ptrdiff_t>(corners.size() / 2);
-    std::ranges::nth_element(corners, middle);
-    line.sharpness = *middle;
-  }
+  if (!corners.empty()) line.sharpness = core::detail::median_of(std::move(corners));
   if (slopes > 0) line.share_between = static_cast<double>(between) / static_cast<double>(slopes);
   return line;
 }
@@ -95,9 +92,7 @@ std::vector<std::size_t> outliers_of(const Samples& s, double step) {
   const auto bends = bends_of(s);
   std::vector<double> sizes;
   for (const double b : bends) sizes.push_back(std::abs(b));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::ranges::nth_element(sizes, middle);
-  const double limit = std::max(far * *middle, 3.0 * step);
+  const double limit = std::max(far * core::detail::median_of(std::move(sizes)), 3.0 * step);
   std::vector<std::size_t> found;
   for (std::size_t i = 2; i + 2 < s.size(); ++i) {
     // a spike bends the line by −½, 1, −½ of its height; a corner by less at its neighbours

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/channel_table.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
 
 namespace swayaw::inline identification {
@@ -10,7 +11,7 @@ namespace {
 
 using Kind = InstrumentErrorKind;
 
-constexpr double knot = 1852.0 / 3600.0;
+using core::detail::knot;
 
 std::string_view instrument(Channel channel) {
   switch (channel) {

@@ -6,14 +6,15 @@
 
 #include "relations.hpp"
 #include "run_motion.hpp"
-#include "swayaw/core/angle.hpp"
+#include "swayaw/core/channel_table.hpp"
 
 namespace swayaw::inline identification::detail {
 namespace {
 
 using Kind = InstrumentErrorKind;
 
-constexpr double degree = pi / 180.0, knot = 1852.0 / 3600.0;
+using core::detail::degree;
+using core::detail::knot;
 
 /// Changes of a series over blocks of time: what is slow and large, without noise.
 std::vector<double> changes(const std::vector<double>& f, std::size_t blocks) {

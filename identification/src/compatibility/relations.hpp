@@ -19,6 +19,9 @@ struct InstrumentPriors {
   double lever = 0.5;        ///< over the smallest radius that the ship turned
 };
 
+/// Standard deviation of an error that a run is not asked for, in any unit.
+inline constexpr double not_asked = 1e-6;
+
 /// dpsi/dt = r. Integrated, for what integrates keeps noise small:
 ///
 ///     psi − ∫ r dt = psi_0 − b/(1 + s) t − s/(1 + s) ∫ r dt + tau/(1 + s) r − (w²/2) dr/dt

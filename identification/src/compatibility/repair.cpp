@@ -34,12 +34,11 @@ void correct(Recording& run, Channel channel, F&& truth) {
 void set_clock(Recording& run, Channel channel, double delay) {
   for (const Channel c : of_the_same_instrument(channel)) {
     if (!run.has(c)) continue;
-    const auto before = run;
     const auto moved = delayed(run.time, filled(run, c), -delay);
     auto& values = run.channels[index_of(c)];
     for (std::size_t i = 0; i < values.size(); ++i) {
       const bool inside = run.time[i] + delay >= run.time.front() && run.time[i] + delay <= run.time.back();
-      values[i] = std::isnan(before[c][i]) || !inside ? missing : moved[i];
+      values[i] = std::isnan(values[i]) || !inside ? missing : moved[i];
     }
   }
 }

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swayaw/core/detail/median.hpp"
+
 namespace swayaw::inline identification::detail {
 
 double usual_step(const std::vector<double>& time) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::ranges::nth_element(steps, middle);
-  return *middle;
+  return core::detail::median_of(std::move(steps));
 }
 
 std::vector<double> gaps_of(const Recording& run, Channel channel) {

@@ -128,8 +128,6 @@ TimeSeries rows_of(const Recording& run, const Source& source, const DeadReckoni
   return s;
 }
 
-constexpr double not_asked = 1e-6;
-
 /// Means of the rows of each axis over blocks of time: what waves do to a ship within one is left out.
 TimeSeries block_means(const TimeSeries& s, double block) {
   struct Block {

@@ -32,7 +32,6 @@ TimeSeries rows_of(const Recording& run) {
 
 Eigen::VectorXd priors(const Recording& run, const InstrumentPriors& prior) {
   constexpr double heading = 1.0;  // [rad], of the first sample
-  constexpr double not_asked = 1e-6;
   // a run that does not turn shows waves, which heading and gyro filter in their ways
   return Eigen::Vector<double, columns>{prior.rate_zero, is_straight(run) ? not_asked : prior.scale, prior.delay,
                                         0.5 * prior.smoothing * prior.smoothing, heading};

@@ -6,21 +6,17 @@
 #include <cmath>
 
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/detail/median.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline identification::detail {
 namespace {
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 double median_between(const Samples& s, double from, double to) {
   std::vector<double> inside;
   for (std::size_t i = s.index_at(from); i < s.size() && s.time[i] <= to; ++i) inside.push_back(s.value[i]);
-  return inside.empty() ? s.value[std::min(s.index_at(from), s.size() - 1)] : median(std::move(inside));
+  return inside.empty() ? s.value[std::min(s.index_at(from), s.size() - 1)]
+                        : core::detail::median_of(std::move(inside));
 }
 
 double largest_off(const Samples& s, double level) {
@@ -40,7 +36,7 @@ double held_level(const Samples& delta, const RudderLeg& leg) {
   std::vector<double> off;
   for (std::size_t i = delta.index_at(leg.from); i < delta.size() && delta.time[i] <= leg.to; ++i)
     off.push_back(delta.value[i]);
-  if (leg.sign == 0.0) return median(std::move(off));
+  if (leg.sign == 0.0) return core::detail::median_of(std::move(off));
   std::ranges::sort(off, {}, [&](double x) { return leg.sign * x; });
   const double beyond = off[off.size() * 4 / 5];
   std::erase_if(off, [&](double x) { return leg.sign * x < 0.9 * std::abs(beyond); });
