@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <random>
 
 #include "faulty_runs.hpp"
 #include "swayaw/core/recording_csv.hpp"
@@ -178,6 +179,42 @@ TEST_CASE("rounding, fixes joined by straight lines, and an outlier are seen", "
   CHECK(std::abs(of(Channel::psi).step - radians(0.5)) < 1e-9);
   CHECK_FALSE(of(Channel::psi).interpolated);
   CHECK(of(Channel::delta).outliers == std::vector<std::size_t>{333});
+}
+
+TEST_CASE("the samples that were measured are the fixes, and none that is missing or an outlier",
+          "[identification][law]") {
+  std::mt19937 engine(7);
+  std::normal_distribution<> noise(0.0, 0.2);
+  for (int k = 0; k < 20; ++k) {
+    const std::size_t every = std::uniform_int_distribution<std::size_t>(2, 20)(engine), n = 60 * every + 1;
+    Recording run;
+    for (std::size_t i = 0; i < n; ++i) run.time.push_back(0.1 * static_cast<double>(i));
+    const auto x = run.fill(Channel::x), y = run.fill(Channel::y);
+    std::vector<double> fix;
+    for (std::size_t j = 0; j <= 61; ++j) fix.push_back(5.0 * static_cast<double>(j) + noise(engine));
+    fix[20] += 20.0;  // a wrong one
+    std::vector<std::size_t> fixes, samples;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double share = static_cast<double>(i % every) / static_cast<double>(every);
+      x[i] = (1.0 - share) * fix[i / every] + share * fix[i / every + 1];
+      y[i] = run.time[i] + noise(engine);
+      if (i % every == 0 && i != 20 * every) fixes.push_back(i);
+      samples.push_back(i);
+    }
+    INFO("fixes every " << every << " samples");
+    CHECK(measured_samples_of(run, Channel::x) == fixes);
+    CHECK(measured_samples_of(run, Channel::y) == samples);
+    CHECK(measured_samples_of(run, Channel::psi).empty());
+    // a sample between two fixes and one of the noisy channel are far off, and one is missing
+    x[30 * every + every / 2] += 20.0;
+    y[40 * every] += 20.0;
+    y[17] = missing;
+    std::erase(fixes, 30 * every + every / 2);
+    std::erase(samples, 40 * every);
+    std::erase(samples, 17U);
+    CHECK(measured_samples_of(run, Channel::x) == fixes);
+    CHECK(measured_samples_of(run, Channel::y) == samples);
+  }
 }
 
 // ---------------------------------------------------------------- runs of one log

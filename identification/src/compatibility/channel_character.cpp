@@ -103,11 +103,34 @@ std::vector<std::size_t> outliers_of(const Samples& s, double step) {
   return found;
 }
 
-std::vector<double> at_corners(const Samples& s, const Line& line) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < s.size(); ++i)
-    if (line.corner[i]) values.push_back(s.value[i]);
-  return values;
+template <class Keep>
+Samples those(const Samples& s, Keep&& keep) {
+  Samples kept;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    if (!keep(i)) continue;
+    kept.time.push_back(s.time[i]);
+    kept.value.push_back(s.value[i]);
+    kept.place.push_back(s.place[i]);
+  }
+  return kept;
+}
+
+Samples fixes_of(const Samples& s, const Line& line) {
+  return those(s, [&](std::size_t i) { return line.corner[i]; });
+}
+
+bool has(const std::vector<std::size_t>& ascending, std::size_t i) { return std::ranges::binary_search(ascending, i); }
+
+Samples without(const Samples& s, const std::vector<std::size_t>& places) {
+  return those(s, [&](std::size_t i) { return !has(places, s.place[i]); });
+}
+
+/// Corners with the outliers and without: an outlier makes corners of its neighbours, a wrong fix that is left out of
+/// the ends of the lines to it.
+Samples fixes_without(const Samples& s, const std::vector<std::size_t>& outliers, const Samples& fixes, double step) {
+  const auto rest = without(s, outliers);
+  const auto corners = fixes_of(rest, line_of(rest, step));
+  return those(corners, [&](std::size_t i) { return has(fixes.place, corners.place[i]); });
 }
 
 }  // namespace
@@ -117,28 +140,35 @@ ChannelCharacter character_of(const Recording& run, Channel channel) {
   constexpr double sharp = 8.0;          // noise alone puts a quarter of the samples on lines where its corners have 3
   const auto s = samples_of(run, channel);
   ChannelCharacter c{.channel = channel, .samples = s.size()};
+  c.measured = s.place;
   if (s.size() < 5) return c;
   c.step = step_of(s.value);
   const auto line = line_of(s, c.step);
   c.interpolated = line.share_between > interpolated && line.sharpness > sharp;
-  const auto fixes = c.interpolated ? at_corners(s, line) : s.value;
-  c.noise = white_noise_of(fixes);
-  c.interval = (s.time.back() - s.time.front()) / static_cast<double>(std::max<std::size_t>(fixes.size(), 2) - 1);
-  if (!c.interpolated) c.outliers = outliers_of(s, c.step);
+  const auto fixes = c.interpolated ? fixes_of(s, line) : s;
+  c.outliers = outliers_of(fixes, c.step);
+  const auto measured = c.interpolated ? fixes_without(s, c.outliers, fixes, c.step) : without(s, c.outliers);
+  c.measured = measured.place;
+  c.noise = white_noise_of(measured.value);
+  c.interval = (s.time.back() - s.time.front()) / static_cast<double>(std::max<std::size_t>(measured.size(), 2) - 1);
   return c;
 }
 
 Recording measured_samples(Recording run, std::span<const ChannelCharacter> characters) {
   for (const auto& c : characters) {
-    const auto values = run.fill(c.channel);
-    for (const std::size_t i : c.outliers) values[i] = missing;
-    if (!c.interpolated) continue;
-    const auto s = samples_of(run, c.channel);
-    const auto line = line_of(s, c.step);
-    for (std::size_t i = 0; i < s.size(); ++i)
-      if (!line.corner[i]) values[s.place[i]] = missing;
+    std::vector<double> measured(run.samples(), missing);
+    for (const std::size_t i : c.measured) measured[i] = run[c.channel][i];
+    run.channels[index_of(c.channel)] = std::move(measured);
   }
   return run;
 }
 
 }  // namespace swayaw::identification::detail
+
+namespace swayaw::inline identification {
+
+std::vector<std::size_t> measured_samples_of(const Recording& run, Channel channel) {
+  return detail::character_of(run, channel).measured;
+}
+
+}  // namespace swayaw::identification

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -57,8 +58,16 @@ struct ChannelCharacter {
   double noise = 0.0;                 ///< standard deviation of the white part
   double interval = 0.0;              ///< mean time between samples that were measured [s]
   bool interpolated = false;          ///< samples between fixes are on straight lines
-  std::vector<std::size_t> outliers;  ///< single samples far from both neighbours
+  std::vector<std::size_t> outliers;  ///< single samples, or single fixes, far from both neighbours
+  std::vector<std::size_t> measured;  ///< neither missing nor an outlier nor on a straight line between fixes
 };
+
+/// Samples of a channel that were really measured, as their places in the run: without those that are missing, without
+/// outliers, and, where a file joins fixes by straight lines, the fixes alone. Only they tell something; errors of all
+/// others are those of their neighbours. Where such a line is level, every sample counts as measured.
+///
+/// @return ascending; empty if the run has no such channel. n log n of the samples
+std::vector<std::size_t> measured_samples_of(const Recording& run, Channel channel);
 
 /// What was found in one run.
 struct RunCheck {
