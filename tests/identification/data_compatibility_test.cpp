@@ -81,6 +81,62 @@ TEST_CASE("faults lie within their 95 % intervals in 90 to 99 of 100 runs", "[id
   }
 }
 
+// ---------------------------------------------------------------- clocks
+
+/// None, one or two jumps of a second to 20 s (on models to half of L/U), apart from each other and from the ends.
+std::vector<test::Jump> some_jumps(FaultyRuns& runs, const Recording& truth) {
+  const double most = std::min(20.0, 0.5 * runs.L() / runs.U()), T = truth.time.back() - truth.time.front();
+  std::vector<test::Jump> jumps;
+  const int n = runs.one_in(3) ? 0 : runs.one_in(2) ? 1 : 2;
+  for (int j = 0; j < n; ++j) {
+    const double middle = n == 1 ? 0.5 : j == 0 ? 0.35 : 0.65;
+    jumps.push_back({truth.time.front() + T * (middle + runs.uniform(-0.1, 0.1)), runs.either_sign(1.0, most)});
+  }
+  return jumps;
+}
+
+TEST_CASE("jumps of a clock are found where and as large as they are, and none is invented", "[identification][law]") {
+  FaultyRuns runs(8);
+  int jumps = 0, found_jumps = 0, size_inside = 0, time_inside = 0, invented = 0, left = 0, runs_with = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto truth = runs.truth();
+    Faults f{.log_scale = runs.one_in(2) ? runs.either_sign(0.01, 0.03) : 0.0,
+             .late = runs.one_in(2) ? runs.either_sign(0.02, 0.1) * runs.L() / runs.U() : 0.0,
+             .jumps = some_jumps(runs, truth)};
+    const auto run = runs.recorded(truth, f);
+    const auto check = check_run(run);
+    std::size_t told = 0;
+    for (const auto& e : check.errors) told += e.kind == Kind::jump && e.told;
+    invented += told > f.jumps.size();
+    for (const auto& jump : f.jumps) {
+      const InstrumentError* nearest = nullptr;
+      for (const auto& e : check.errors)
+        if (e.kind == Kind::jump && (!nearest || std::abs(e.at - jump.at) < std::abs(nearest->at - jump.at)))
+          nearest = &e;
+      ++jumps;
+      const bool seen = nearest && nearest->told && std::abs(nearest->at - jump.at) < 0.1 * runs.L() / runs.U();
+      found_jumps += seen;
+      if (!seen) {
+        UNSCOPED_INFO(i << " not found: " << jump.by << " s at " << jump.at << " of " << f.jumps.size());
+        continue;
+      }
+      size_inside += std::abs(nearest->value - jump.by) < 1.96 * nearest->standard_error;
+      time_inside += std::abs(nearest->at - jump.at) < 1.96 * nearest->at_standard_error;
+    }
+    if (f.jumps.empty()) continue;
+    ++runs_with;
+    const auto again = check_run(repaired(run, check));
+    left += std::ranges::any_of(again.errors, [](const auto& e) { return e.kind == Kind::jump && e.told; });
+  }
+  CAPTURE(jumps, found_jumps, size_inside, time_inside, invented, runs_with, left);
+  CHECK(jumps > 150);
+  CHECK(found_jumps >= 0.98 * jumps);
+  CHECK(size_inside >= 0.90 * found_jumps);
+  CHECK(time_inside >= 0.90 * found_jumps);
+  CHECK(invented <= 4);
+  CHECK(left <= 0.02 * runs_with);
+}
+
 // ---------------------------------------------------------------- mistakes
 
 void scale(Recording& run, std::initializer_list<Channel> channels, double factor) {
@@ -294,6 +350,31 @@ TEST_CASE("recordings of the basins have the errors that are known of them", "[i
   const auto* speed = found(check, Channel::u_ground, Kind::scale);
   REQUIRE(speed);
   CHECK(std::abs(1.0 + speed->value - 0.980) < 0.005);
+}
+
+TEST_CASE("the jumps of the clock of R/V Gunnerus's positions are found to the second", "[identification][published]") {
+  const auto gunnerus = test::benchmark_recordings("gunnerus");
+  if (!gunnerus) return;
+  struct Known {
+    const char* run;
+    double from, to;  ///< [s]
+    double way;       ///< leapt over [m], forward
+  };
+  // the source's notes: jumps of 360 and 270 m at 2,698-2,700 s and at 4,213-4,214 s
+  for (const auto& [name, from, to, way] :
+       {Known{"2550_zigzag_5_10.csv", 2698.0, 2700.0, 360.0}, Known{"4150_zigzag_20_20.csv", 4213.0, 4214.0, 270.0}}) {
+    const auto run = read_recording(*gunnerus / name).recording;
+    double leapt = 0.0;
+    const auto check = check_run(run);
+    for (const auto& e : check.errors) {
+      if (e.kind != Kind::jump || !e.told) continue;
+      INFO(words_for(e));
+      CHECK(e.at > from - 0.5);
+      CHECK(e.at < to + 0.5);
+      leapt -= e.value * Interpolant(run, Channel::u_ground)(e.at);
+    }
+    CHECK(std::abs(leapt / way - 1.0) < 0.1);
+  }
 }
 
 // ---------------------------------------------------------------- refusals

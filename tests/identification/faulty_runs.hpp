@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <random>
+#include <vector>
 
 #include "files.hpp"
 #include "swayaw/core/angle.hpp"
@@ -11,6 +13,11 @@
 /// Simulated manoeuvres as instruments with faults record them; the faults are put in here, by code of their own.
 namespace swayaw::test {
 
+/// From a time on a clock is late by so much more [s].
+struct Jump {
+  double at, by;
+};
+
 /// Errors of instruments, 0 for none.
 struct Faults {
   double gyro_zero = 0.0;   ///< [rad/s]
@@ -19,6 +26,7 @@ struct Faults {
   double late = 0.0;        ///< of x and y [s]
   double gyro_late = 0.0;   ///< [s]
   double turned = 0.0;      ///< velocity axes to starboard [rad]
+  std::vector<Jump> jumps;  ///< of the clock of x and y
 };
 
 /// Noise of good instruments on a ship of length L at speed U.
@@ -53,13 +61,14 @@ class FaultyRuns {
     return run;
   }
 
-  /// What the instruments show of it, but for the first and the last third of L/U: a delay is shorter.
+  /// What the instruments show of it, but for the first and the last third of L/U, or as long as a clock jumps: a delay
+  /// is shorter.
   Recording recorded(const Recording& truth, const Faults& f) {
     auto run = truth;
-    trim(run, 0.3 * L_ / U_);
+    trim(run, margin(f));
     const Noise noise{1e-3 * L_, radians(0.05), radians(0.05) * U_ / L_ * 0.3, 3e-3 * U_};
-    delay(run, truth, {Channel::x, Channel::y}, f.late);
-    delay(run, truth, {Channel::r}, f.gyro_late);
+    delay(run, truth, {Channel::x, Channel::y}, [&](double t) { return late(f, t); });
+    delay(run, truth, {Channel::r}, [&](double) { return f.gyro_late; });
     auto &u = of(run, Channel::u), &v = of(run, Channel::v), &r = of(run, Channel::r);
     for (std::size_t i = 0; i < run.samples(); ++i) {
       const double ahead = u[i], across = v[i];
@@ -74,6 +83,13 @@ class FaultyRuns {
     spoil(run, Channel::u, noise.speed);
     spoil(run, Channel::v, noise.speed);
     return run;
+  }
+
+  /// Not recorded at either end [s].
+  double margin(const Faults& f) const {
+    double all = 0.0;
+    for (const auto& jump : f.jumps) all += std::abs(jump.by);
+    return std::max(0.3 * L_ / U_, all);
   }
 
   double L() const { return L_; }
@@ -92,11 +108,19 @@ class FaultyRuns {
     }
   }
 
-  static void delay(Recording& run, const Recording& truth, std::initializer_list<Channel> channels, double seconds) {
-    if (seconds == 0.0) return;
+  static double late(const Faults& f, double t) {
+    double seconds = f.late;
+    for (const auto& jump : f.jumps)
+      if (t > jump.at) seconds += jump.by;
+    return seconds;
+  }
+
+  template <class Late>
+  static void delay(Recording& run, const Recording& truth, std::initializer_list<Channel> channels, Late&& seconds) {
     for (const Channel c : channels) {
       const Interpolant then(truth, c);
-      for (std::size_t i = 0; i < run.samples(); ++i) of(run, c)[i] = then(run.time[i] - seconds);
+      for (std::size_t i = 0; i < run.samples(); ++i)
+        if (const double late = seconds(run.time[i]); late != 0.0) of(run, c)[i] = then(run.time[i] - late);
     }
   }
 

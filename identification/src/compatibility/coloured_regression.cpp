@@ -119,25 +119,6 @@ double deviance(const TimeSeries& series, const Eigen::VectorXd& prior, const Er
   return normal.log_determinant + normal.yy - normal.b.dot(core::detail::solve_symmetric(normal.A, normal.b));
 }
 
-/// Every n-th row of each axis, so that few are left: the search of the errors needs no more.
-TimeSeries thinned(const TimeSeries& s) {
-  constexpr std::size_t enough = 600;
-  const std::size_t n = 1 + (s.time.size() - 1) / enough;
-  std::vector<std::size_t> rows;
-  std::array<std::size_t, 2> seen{};
-  for (std::size_t k = 0; k < s.time.size(); ++k)
-    if (seen[static_cast<std::size_t>(s.axis[k])]++ % n == 0) rows.push_back(k);
-  TimeSeries few(rows.size(), s.Xy.cols());
-  for (std::size_t i = 0, k = 0; i < rows.size(); ++i) {
-    few.time[i] = s.time[rows[i]];
-    few.axis[i] = s.axis[rows[i]];
-    few.speed[i] = s.speed[rows[i]];
-    for (; k <= rows[i]; ++k) few.bridge[i] = std::hypot(few.bridge[i], s.bridge[k]);
-    few.Xy.row(static_cast<Eigen::Index>(i)) = s.Xy.row(static_cast<Eigen::Index>(rows[i]));
-  }
-  return few;
-}
-
 /// The least and the largest that the search may try.
 struct Range {
   ErrorModel low, high;
@@ -216,6 +197,24 @@ Eigen::MatrixXd enlarged(const Eigen::MatrixXd& C, const Eigen::MatrixXd& other)
 
 }  // namespace
 
+TimeSeries thinned(const TimeSeries& s) {
+  constexpr std::size_t enough = 600;
+  const std::size_t n = 1 + (s.time.size() - 1) / enough;
+  std::vector<std::size_t> rows;
+  std::array<std::size_t, 2> seen{};
+  for (std::size_t k = 0; k < s.time.size(); ++k)
+    if (seen[static_cast<std::size_t>(s.axis[k])]++ % n == 0) rows.push_back(k);
+  TimeSeries few(rows.size(), s.Xy.cols());
+  for (std::size_t i = 0, k = 0; i < rows.size(); ++i) {
+    few.time[i] = s.time[rows[i]];
+    few.axis[i] = s.axis[rows[i]];
+    few.speed[i] = s.speed[rows[i]];
+    for (; k <= rows[i]; ++k) few.bridge[i] = std::hypot(few.bridge[i], s.bridge[k]);
+    few.Xy.row(static_cast<Eigen::Index>(i)) = s.Xy.row(static_cast<Eigen::Index>(rows[i]));
+  }
+  return few;
+}
+
 ColouredFit coloured_regression(const TimeSeries& series, const Eigen::VectorXd& prior,
                                 std::span<const ErrorModel> starts) {
   const auto likeliest = likeliest_of(series, prior, starts);
@@ -225,6 +224,29 @@ ColouredFit coloured_regression(const TimeSeries& series, const Eigen::VectorXd&
   const Eigen::VectorXd beta = normal.unit.cwiseProduct(C * normal.b);
   const Eigen::MatrixXd wider = enlarged(C, C * scores_with_memory(white, beta, normal.unit) * C);
   return {beta, normal.unit.asDiagonal() * wider * normal.unit.asDiagonal(), likeliest.errors, likeliest.deviance};
+}
+
+Eigen::VectorXd gains_of(const TimeSeries& series, const Eigen::VectorXd& prior, const ErrorModel& errors,
+                         const RowMatrix& Z) {
+  const Eigen::Index n = prior.size();
+  TimeSeries all = series;
+  all.Xy.resize(Z.rows(), n + 1 + Z.cols());
+  all.Xy << series.Xy, Z;
+  const auto white = whitened(all, errors).Xy;
+  const auto X = white.leftCols(n), z = white.rightCols(Z.cols());
+  const auto y = white.col(n);
+  Eigen::MatrixXd A = X.transpose() * X;
+  A.diagonal().array() += prior.array().square().inverse();
+  const Eigen::VectorXd unit = A.diagonal().array().rsqrt();
+  const Eigen::MatrixXd inverse = core::detail::inverse((unit.asDiagonal() * A * unit.asDiagonal()).eval());
+  const Eigen::MatrixXd Xz = unit.asDiagonal() * (X.transpose() * z);
+  const Eigen::VectorXd beta = inverse * (unit.asDiagonal() * (X.transpose() * y)).eval();
+  const Eigen::VectorXd zMy = z.transpose() * y - Xz.transpose() * beta;
+  const Eigen::VectorXd zz = z.colwise().squaredNorm().transpose();
+  const Eigen::VectorXd zMz = zz - Xz.cwiseProduct(inverse * Xz).colwise().sum().transpose();
+  // a column that the others make good tells nothing
+  constexpr double own = 1e-6;
+  return (zMz.array() > own * zz.array()).select(zMy.array().square() / zMz.array(), 0.0);
 }
 
 }  // namespace swayaw::identification::detail

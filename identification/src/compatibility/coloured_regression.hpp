@@ -61,4 +61,14 @@ struct ColouredFit {
 ColouredFit coloured_regression(const TimeSeries& series, const Eigen::VectorXd& prior,
                                 std::span<const ErrorModel> starts);
 
+/// Every n-th row of each axis, so that few are left: the search of the errors needs no more.
+TimeSeries thinned(const TimeSeries& series);
+
+/// By how much the deviance would fall with one more column, for each of several columns Z beside X: with whitened
+/// columns and M = I − X A⁻¹ Xᵀ
+///
+///     (zᵀ M y)² / (zᵀ M z)
+Eigen::VectorXd gains_of(const TimeSeries& series, const Eigen::VectorXd& prior, const ErrorModel& errors,
+                         const RowMatrix& Z);
+
 }  // namespace swayaw::identification::detail

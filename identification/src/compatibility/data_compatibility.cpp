@@ -29,6 +29,8 @@ double floor_of(const InstrumentError& e, double step, double radius) {
     case Kind::zero: return radians(0.003);        // [rad/s]: 1 deg of heading in five minutes
     case Kind::scale: return 0.003;                // a log is read to 0.05 kn of 15 kn
     case Kind::delay: return std::max(step, 0.1);  // [s]
+    case Kind::jump: return 0.1;                   // [s]: it is seen between samples, however far apart
+    case Kind::clock_rate: return 0.003;           // [s/s], as a scale
     case Kind::smoothing: return step;             // [s]
     case Kind::axes:
       return is_sway(e.channel) ? radians(1.0) : radians(0.3);  // wind and a screw make a degree of drift
@@ -73,11 +75,17 @@ InstrumentError* find(std::vector<InstrumentError>& errors, Channel channel, Kin
   return found == errors.end() ? nullptr : &*found;
 }
 
-/// Of two values of one error, by two speeds, that with the smaller standard error.
+bool is_of_clock_of_positions(const InstrumentError& e) {
+  return e.channel == Channel::x && (e.kind == Kind::delay || e.kind == Kind::clock_rate || e.kind == Kind::jump);
+}
+
+/// Of two values of one error, by two speeds, that with the smaller standard error. What was told of the clock of the
+/// positions is mended before the next speed is asked; there may be any number of jumps.
 void add(std::vector<InstrumentError>& errors, const std::vector<InstrumentError>& more) {
   for (const auto& e : more) {
-    auto* known = find(errors, e.channel, e.kind);
+    auto* known = e.kind == Kind::jump ? nullptr : find(errors, e.channel, e.kind);
     if (!known) errors.push_back(e);
+    else if (known->told && is_of_clock_of_positions(*known)) continue;
     else if (e.standard_error < known->standard_error) *known = e;
   }
 }
@@ -105,7 +113,7 @@ std::vector<double> gaps_in(const Recording& run) {
 Recording with_clock_of_positions(const Recording& run, const std::vector<InstrumentError>& errors) {
   RunCheck clock;
   for (const auto& e : errors)
-    if (e.told && e.channel == Channel::x && e.kind == Kind::delay) clock.errors.push_back(e);
+    if (e.told && is_of_clock_of_positions(e)) clock.errors.push_back(e);
   return clock.errors.empty() ? run : repaired(run, clock);
 }
 

@@ -40,7 +40,7 @@ Shown shown(const InstrumentError& e) {
   const auto unit = unit_of(e);
   if (unit == "rad") return {degrees(1.0), "deg"};
   if (unit == "rad/s") return {degrees(1.0), "deg/s"};
-  if (e.kind == Kind::scale) return {100.0, "%"};
+  if (e.kind == Kind::scale || e.kind == Kind::clock_rate) return {100.0, "%"};
   return {1.0, unit};
 }
 
@@ -50,6 +50,7 @@ std::string_view law(const InstrumentError& e) {
     case Kind::scale: return e.value > 0.0 ? "too large by" : "too small by";
     case Kind::delay: return e.value > 0.0 ? "late by" : "early by";
     case Kind::clock: return "their clock wanders, in a minute by";
+    case Kind::clock_rate: return e.value > 0.0 ? "their clock runs slow by" : "their clock runs fast by";
     case Kind::smoothing: return "smoothed over a window of standard deviation";
     case Kind::lever_arm_x: return e.value > 0.0 ? "of a point forward of midship by" : "of a point aft of midship by";
     case Kind::lever_arm_y: return e.value > 0.0 ? "of a point to starboard by" : "of a point to port by";
@@ -85,6 +86,8 @@ std::string_view name_of(InstrumentErrorKind kind) {
     case Kind::scale: return "scale";
     case Kind::delay: return "delay";
     case Kind::clock: return "clock";
+    case Kind::clock_rate: return "clock_rate";
+    case Kind::jump: return "jump";
     case Kind::smoothing: return "smoothing";
     case Kind::axes: return "axes";
     case Kind::lever_arm_x: return "lever_arm_x";
@@ -100,6 +103,7 @@ std::string_view unit_of(const InstrumentError& e) {
     case Kind::axes: return "rad";
     case Kind::delay:
     case Kind::clock:
+    case Kind::jump:
     case Kind::smoothing: return "s";
     case Kind::lever_arm_x:
     case Kind::lever_arm_y: return "m";
@@ -122,6 +126,9 @@ std::string words_for(const InstrumentError& e) {
   const double value = has_side(e.kind) ? std::abs(e.value) : e.value;
   const auto drift = e.kind == Kind::axes && e.channel != Channel::psi && dimension_of(e.channel) == Dimension::speed &&
                      (e.channel == Channel::v || e.channel == Channel::v_ground);
+  if (e.kind == Kind::jump)
+    return fmt::format("{}: their clock jumps at {:.6g} ± {:.2g} s, from then on {:.3g} ± {:.2g} s {} than before",
+                       what, e.at, e.at_standard_error, value, e.standard_error, e.value > 0.0 ? "later" : "earlier");
   if (e.kind == Kind::clock) return fmt::format("{}: {} {:.2g} s", what, law(e), value);
   return fmt::format("{}: {} {:.3g} ± {:.2g} {}{}", what, law(e), factor * value, factor * e.standard_error, unit,
                      drift ? ", on straight courses" : "");

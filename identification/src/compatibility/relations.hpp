@@ -14,6 +14,7 @@ struct InstrumentPriors {
   double good_clock = 1e-5;  ///< drift of a clock that keeps time [s/s]
   double drift = 0.05;       ///< of one that does not, or of a file that was resampled wrongly [s/s]
   double axes = 0.1;         ///< [rad], 6 deg
+  double jump = 30.0;        ///< of a clock [s]; R/V Gunnerus's lost 58 and 75 s of her positions
   double smoothing = 3.0;    ///< [s]
   double current = 0.2;      ///< over the speed of the ship
   double lever = 0.5;        ///< over the smallest radius that the ship turned
@@ -34,7 +35,7 @@ std::vector<InstrumentError> yaw_rate_errors(const Recording& run);
 
 /// ẋ, ẏ from a velocity in body axes. With I the way by the velocity, V the velocity, both in earth axes:
 ///
-///     p − I = p_0 + k I + eps (−I_y, I_x) − tau V + c t + R(psi) l + tau_psi ∫ r (−V_y, V_x) dt
+///     p − I = p_0 + k I + eps (−I_y, I_x) − tau(t) V + c t + R(psi) l + tau_psi ∫ r (−V_y, V_x) dt
 ///
 /// with scale 1/(1 + k) of the speed, velocity axes turned by eps (both to first order here, exactly in the answer),
 /// positions late by tau, current c (only of a velocity through the water), antenna at l, heading late by tau_psi. A

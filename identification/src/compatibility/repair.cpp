@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "channel_character.hpp"
 #include "mistakes.hpp"
 #include "run_motion.hpp"
-#include "swayaw/core/angle.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
+#include "swayaw/nonlinear/instruments/instruments.hpp"
+#include "track_regression.hpp"
 
 namespace swayaw::inline identification {
 using namespace detail;
@@ -23,33 +23,70 @@ std::vector<Channel> of_the_same_instrument(Channel channel) {
   }
 }
 
-/// c₀ of each sample from c.
-template <class F>
-void correct(Recording& run, Channel channel, F&& truth) {
-  for (const Channel c : of_the_same_instrument(channel))
-    for (double& value : run.channels[index_of(c)]) value = truth(value);
+// ---------------------------------------------------------------- clocks
+
+/// A measured value and when it was true.
+struct Dated {
+  double time, value;
+};
+
+/// c(t) = c₀(t − tau(t)): the values by the times at which they were true.
+std::vector<Dated> dated(const Recording& run, Channel channel, const TrackClock& clock) {
+  std::vector<Dated> values;
+  for (std::size_t i = 0; i < run.samples(); ++i)
+    if (!std::isnan(run[channel][i])) values.push_back({run.time[i] - clock.late(run.time[i]), run[channel][i]});
+  std::ranges::sort(values, {}, &Dated::time);
+  return values;
 }
 
-/// c₀(t) = c(t + delay), by straight lines; where nothing was measured nothing is made up.
-void set_clock(Recording& run, Channel channel, double delay) {
+/// Every sample gets what was true at its time, by straight lines. Where nothing was measured nothing is made up: a
+/// repaired run is evidence, so that beyond its ends, and where its clock leapt, it is silent.
+void set_clock(Recording& run, Channel channel, const TrackClock& clock) {
+  const double longest = longest_line(run.time);
   for (const Channel c : of_the_same_instrument(channel)) {
     if (!run.has(c)) continue;
-    const auto moved = delayed(run.time, filled(run, c), -delay);
+    const auto known = dated(run, c, clock);
     auto& values = run.channels[index_of(c)];
+    std::size_t k = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const bool inside = run.time[i] + delay >= run.time.front() && run.time[i] + delay <= run.time.back();
-      values[i] = std::isnan(values[i]) || !inside ? missing : moved[i];
+      while (k < known.size() && known[k].time < run.time[i]) ++k;
+      if (std::isnan(values[i])) continue;
+      if (k < known.size() && known[k].time == run.time[i]) values[i] = known[k].value;
+      else if (k == 0 || k == known.size() || known[k].time - known[k - 1].time > longest) values[i] = missing;
+      else {
+        const double share = (run.time[i] - known[k - 1].time) / (known[k].time - known[k - 1].time);
+        values[i] = known[k - 1].value + share * (known[k].value - known[k - 1].value);
+      }
     }
   }
 }
 
-void set_place(Recording& run, double l_x, double l_y) {
-  const auto psi = filled(run, Channel::psi);
-  for (std::size_t i = 0; i < run.samples(); ++i) {
-    run.channels[index_of(Channel::x)][i] -= l_x * std::cos(psi[i]) - l_y * std::sin(psi[i]);
-    run.channels[index_of(Channel::y)][i] -= l_x * std::sin(psi[i]) + l_y * std::cos(psi[i]);
+/// The clock of a channel by what was told of it.
+TrackClock clock_of(Channel channel, std::span<const InstrumentError> told, const std::vector<double>& time) {
+  TrackClock clock{.middle = 0.5 * (time.front() + time.back())};
+  for (const auto& e : told) {
+    if (e.channel != channel) continue;
+    if (e.kind == Kind::delay) clock.delay = e.value;
+    if (e.kind == Kind::clock_rate) clock.rate = e.value;
+    if (e.kind == Kind::jump) clock.jumps.push_back({e.at, e.at_standard_error, e.value});
+  }
+  return clock;
+}
+
+bool is_of_clock(const InstrumentError& e) {
+  return e.kind == Kind::delay || e.kind == Kind::clock_rate || e.kind == Kind::jump;
+}
+
+void set_clocks(Recording& run, std::span<const InstrumentError> told) {
+  std::vector<Channel> set;
+  for (const auto& e : told) {
+    if (!is_of_clock(e) || std::ranges::count(set, e.channel) > 0) continue;
+    set.push_back(e.channel);
+    set_clock(run, e.channel, clock_of(e.channel, told, run.time));
   }
 }
+
+// ---------------------------------------------------------------- the rest
 
 /// Velocity axes turned to starboard by eps: (u, v) in the axes of the hull.
 void turn_axes(Recording& run, Channel surge, double eps) {
@@ -62,17 +99,31 @@ void turn_axes(Recording& run, Channel surge, double eps) {
   }
 }
 
-void repair(Recording& run, const InstrumentError& e) {
-  const double value = e.value;
-  if (e.kind == Kind::zero) correct(run, e.channel, [&](double c) { return c - value; });
-  else if (e.kind == Kind::scale) correct(run, e.channel, [&](double c) { return c / (1.0 + value); });
-  else if (e.kind == Kind::delay) set_clock(run, e.channel, value);
-  else if (e.kind == Kind::lever_arm_x) set_place(run, value, 0.0);
-  else if (e.kind == Kind::lever_arm_y) set_place(run, 0.0, value);
-  else if (e.kind == Kind::axes && e.channel == Channel::psi)
-    correct(run, e.channel, [&](double c) { return c + value; });
-  else if (e.kind == Kind::axes && (e.channel == Channel::u || e.channel == Channel::u_ground))
-    turn_axes(run, e.channel, value);
+/// Zeros, scales and the antenna.
+Instruments<double> instruments_of(std::span<const InstrumentError> told) {
+  Instruments<double> instruments;
+  for (const auto& e : told)
+    for (const Channel c : of_the_same_instrument(e.channel)) {
+      if (e.kind == Kind::scale) instruments[c].scale = 1.0 + e.value;
+      if (e.kind == Kind::zero) instruments[c].bias = e.value;
+      // the track's heading is the compass's and eps
+      if (e.kind == Kind::axes && c == Channel::psi) instruments[c].bias = -e.value;
+      if (e.kind == Kind::lever_arm_x) instruments.antenna_x = e.value;
+      if (e.kind == Kind::lever_arm_y) instruments.antenna_y = e.value;
+    }
+  return instruments;
+}
+
+/// An antenna that was told beside velocities over ground is off the point that these are of: they stay.
+Recording put_right(const Recording& run, std::span<const InstrumentError> told) {
+  auto result = as_it_was(run, instruments_of(told));
+  if (!run.has(Channel::u_ground) || !run.has(Channel::v_ground)) return result;
+  auto without_antenna = instruments_of(told);
+  without_antenna.antenna_x = without_antenna.antenna_y = 0.0;
+  const auto there = as_it_was(run, without_antenna);
+  for (const Channel c : {Channel::u_ground, Channel::v_ground})
+    result.channels[index_of(c)] = there.channels[index_of(c)];
+  return result;
 }
 
 }  // namespace
@@ -81,12 +132,16 @@ Recording repaired(const Recording& run, const RunCheck& check) {
   auto result = run;
   for (const auto& c : check.channels)
     for (const std::size_t i : c.outliers) result.channels[index_of(c.channel)][i] = missing;
-  std::vector<InstrumentError> mistakes;
+  std::vector<InstrumentError> mistakes, told;
   for (const auto& e : check.errors)
     if (is_mistake(e.kind)) mistakes.push_back(e);
+    else if (e.told) told.push_back(e);
   result = without(std::move(result), mistakes);
-  for (const auto& e : check.errors)
-    if (e.told && !is_mistake(e.kind)) repair(result, e);
+  set_clocks(result, told);
+  result = put_right(result, told);
+  for (const auto& e : told)
+    if (e.kind == Kind::axes && (e.channel == Channel::u || e.channel == Channel::u_ground))
+      turn_axes(result, e.channel, e.value);
   return result;
 }
 

@@ -13,9 +13,13 @@ double usual_step(const std::vector<double>& time) {
   return core::detail::median_of(std::move(steps));
 }
 
+double longest_line(const std::vector<double>& time) {
+  constexpr double steps = 10.0, seconds = 5.0;
+  return std::max(seconds, steps * usual_step(time));
+}
+
 std::vector<double> gaps_of(const Recording& run, Channel channel) {
-  constexpr double steps = 10.0, seconds = 5.0;  // a ship's motion is on straight lines for no longer
-  const double limit = std::max(seconds, steps * usual_step(run.time));
+  const double limit = longest_line(run.time);
   const auto values = run[channel];
   std::vector<double> gaps(run.samples(), 0.0);
   double last = run.time.front();
@@ -48,14 +52,14 @@ std::vector<double> filled(const Recording& run, Channel channel) {
   return result;
 }
 
-std::vector<double> delayed(const std::vector<double>& time, const std::vector<double>& values, double delay) {
-  if (delay == 0.0) return values;
-  std::vector<double> result(time.size());
+std::vector<double> at_times(const std::vector<double>& time, const std::vector<double>& values,
+                             const std::vector<double>& at) {
+  std::vector<double> result(at.size());
   std::size_t k = 0;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    const double at = time[i] - delay;
-    while (k + 2 < time.size() && time[k + 1] <= at) ++k;
-    const double share = (at - time[k]) / (time[k + 1] - time[k]);  // drawn on beyond the ends
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    while (k + 2 < time.size() && time[k + 1] <= at[i]) ++k;
+    while (k > 0 && time[k] > at[i]) --k;
+    const double share = (at[i] - time[k]) / (time[k + 1] - time[k]);  // drawn on beyond the ends
     result[i] = values[k] + share * (values[k + 1] - values[k]);
   }
   return result;

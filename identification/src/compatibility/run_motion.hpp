@@ -17,6 +17,9 @@ inline double step_before(const std::vector<double>& time, std::size_t i) {
   return i > 0 ? time[i] - time[i - 1] : 0.0;
 }
 
+/// A ship's motion is on straight lines for no longer [s].
+double longest_line(const std::vector<double>& time);
+
 /// For each sample of the run the time without the channel that ends there, where it is too long to be integrated
 /// across as if nothing happened [s]; 0 elsewhere.
 std::vector<double> gaps_of(const Recording& run, Channel channel);
@@ -27,8 +30,10 @@ std::vector<std::size_t> present(std::span<const double> values);
 /// The channel at every sample, by straight lines across missing ones.
 std::vector<double> filled(const Recording& run, Channel channel);
 
-/// Values at a series of increasing times, at times shifted by `delay` into the past, by straight lines.
-std::vector<double> delayed(const std::vector<double>& time, const std::vector<double>& values, double delay);
+/// Values at a series of increasing times, at other times, by straight lines, drawn on beyond the ends. Linear in the
+/// samples where the other times increase, too, but for some jumps.
+std::vector<double> at_times(const std::vector<double>& time, const std::vector<double>& values,
+                             const std::vector<double>& at);
 
 /// ∫ f dt from the first sample, by trapezoids.
 std::vector<double> integral(const std::vector<double>& time, const std::vector<double>& f);

@@ -26,6 +26,8 @@ enum class InstrumentErrorKind {
   scale,        ///< c = (1 + value) c₀
   delay,        ///< c(t) = c₀(t − value) [s]
   clock,        ///< c's clock wanders: standard deviation of its error after a minute [s]
+  clock_rate,   ///< c's clock loses `value` seconds in each: c(t) = c₀(t − value t)
+  jump,         ///< from `at` on c is late by `value` more [s]
   smoothing,    ///< c is the mean of c₀ over value [s]
   axes,         ///< velocity axes turned to starboard against the heading, or the heading low by the same [rad]
   lever_arm_x,  ///< the positions are of a point this far forward of midship [m]
@@ -38,7 +40,9 @@ struct InstrumentError {
   InstrumentErrorKind kind;
   double value;
   double standard_error;
-  bool told = false;  ///< larger than what chance makes of none, and than what matters
+  bool told = false;               ///< larger than what chance makes of none, and than what matters
+  double at = 0.0;                 ///< of a jump, on the run's clock [s]
+  double at_standard_error = 0.0;  ///< [s]
 };
 
 /// Name in JSON, "delay".
