@@ -14,14 +14,20 @@ namespace {
 // ---------------------------------------------------------------- JSON
 
 Json error_json(const InstrumentError& e) {
-  return {{"channel", short_name(e.channel)},
-          {"error", name_of(e.kind)},
-          {"value", number(e.value)},
-          {"standard_error", number(e.standard_error)},
-          {"unit", unit_of(e)},
-          {"told", e.told},
-          {"words", words_for(e)},
-          {"remedy", remedy_for(e)}};
+  Json json{{"channel", short_name(e.channel)},
+            {"error", name_of(e.kind)},
+            {"value", number(e.value)},
+            {"standard_error", number(e.standard_error)},
+            {"unit", unit_of(e)},
+            {"told", e.told},
+            {"words", words_for(e)},
+            {"remedy", remedy_for(e)}};
+  if (e.kind == InstrumentErrorKind::jump) {
+    json["at_s"] = number(e.at);
+    json["at_standard_error_s"] = number(e.at_standard_error);
+  }
+  if (!e.readings.empty()) json["readings"] = e.readings;
+  return json;
 }
 
 Json errors_json(const std::vector<InstrumentError>& errors) {

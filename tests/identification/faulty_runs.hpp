@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "files.hpp"
@@ -33,6 +34,29 @@ struct Faults {
 struct Noise {
   double place, heading, rate, speed;
 };
+
+/// The channel after a first-order lag, exact for straight lines between samples.
+inline void lag(Recording& run, Channel channel, double T) {
+  auto& values = run.channels[index_of(channel)];
+  double before = values.front(), y = before;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double h = run.time[i] - run.time[i - 1], m = (values[i] - before) / h;
+    // T dy/dt + y = x of a ramp of slope m:   y = x − m T + (y₀ − x₀ + m T) exp(−h/T)
+    y = values[i] - m * T + (y - before + m * T) * std::exp(-h / T);
+    before = std::exchange(values[i], y);
+  }
+}
+
+/// The channel's mean over the last `window` seconds, of straight lines between samples.
+inline void mean_of_the_last(Recording& run, Channel channel, double window) {
+  const Interpolant f(run, channel);
+  constexpr int parts = 200;
+  for (std::size_t i = 0; i < run.samples(); ++i) {
+    double sum = 0.0;
+    for (int k = 0; k < parts; ++k) sum += f(run.time[i] - window * (k + 0.5) / parts);
+    run.channels[index_of(channel)][i] = sum / parts;
+  }
+}
 
 class FaultyRuns {
  public:

@@ -178,6 +178,18 @@ RunCheck check_run(const Recording& run) {
 
 // ---------------------------------------------------------------- several runs
 
+namespace {
+
+/// What an error may be by every run.
+std::vector<std::string_view> common_readings(const std::vector<const InstrumentError*>& runs) {
+  auto common = runs[0]->readings;
+  for (const auto* e : runs)
+    std::erase_if(common, [&](std::string_view reading) { return std::ranges::count(e->readings, reading) == 0; });
+  return common;
+}
+
+}  // namespace
+
 std::vector<InstrumentError> pooled(std::span<const RunCheck> runs) {
   std::vector<InstrumentError> result;
   std::vector<std::vector<const InstrumentError*>> alike;
@@ -198,6 +210,7 @@ std::vector<InstrumentError> pooled(std::span<const RunCheck> runs) {
     // χ² over its degrees of freedom: how much further apart the runs are than their standard errors say
     const double excess = group.size() > 1 ? std::max(1.0, scatter / static_cast<double>(group.size() - 1)) : 1.0;
     result.push_back({group[0]->channel, group[0]->kind, mean, std::sqrt(excess / information)});
+    result.back().readings = common_readings(group);
   }
   tell(result, Scope::runs, 0.0, 0.0);
   return result;

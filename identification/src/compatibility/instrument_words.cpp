@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -59,6 +60,16 @@ std::string_view law(const InstrumentError& e) {
       return e.value > 0.0 ? "axes turned to starboard of the heading by" : "axes turned to port of the heading by";
     default: return "";
   }
+}
+
+/// What a delay may be besides: "; it is a first-order lag", "; or velocities over ground late …".
+std::string readings_in_words(const InstrumentError& e) {
+  if (e.kind != Kind::delay || e.readings.empty()) return "";
+  if (e.channel == Channel::r && e.readings.size() == 1) return fmt::format("; it is a {}", e.readings[0]);
+  if (e.channel == Channel::r) return fmt::format("; a {}, the run does not tell which", fmt::join(e.readings, " or "));
+  if (e.readings.size() == 1) return "";
+  const std::vector others(e.readings.begin() + 1, e.readings.end());
+  return fmt::format("; or {} by as much: kinematics cannot tell", fmt::join(others, ", or "));
 }
 
 bool has_side(Kind kind) { return kind != Kind::zero && kind != Kind::smoothing; }
@@ -130,8 +141,8 @@ std::string words_for(const InstrumentError& e) {
     return fmt::format("{}: their clock jumps at {:.6g} ± {:.2g} s, from then on {:.3g} ± {:.2g} s {} than before",
                        what, e.at, e.at_standard_error, value, e.standard_error, e.value > 0.0 ? "later" : "earlier");
   if (e.kind == Kind::clock) return fmt::format("{}: {} {:.2g} s", what, law(e), value);
-  return fmt::format("{}: {} {:.3g} ± {:.2g} {}{}", what, law(e), factor * value, factor * e.standard_error, unit,
-                     drift ? ", on straight courses" : "");
+  return fmt::format("{}: {} {:.3g} ± {:.2g} {}{}{}", what, law(e), factor * value, factor * e.standard_error, unit,
+                     drift ? ", on straight courses" : "", e.told ? readings_in_words(e) : "");
 }
 
 std::string remedy_for(const InstrumentError& e) {

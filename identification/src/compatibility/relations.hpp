@@ -25,10 +25,10 @@ inline constexpr double not_asked = 1e-6;
 
 /// dpsi/dt = r. Integrated, for what integrates keeps noise small:
 ///
-///     psi − ∫ r dt = psi_0 − b/(1 + s) t − s/(1 + s) ∫ r dt + tau/(1 + s) r − (w²/2) dr/dt
+///     psi − ∫ r dt = psi_0 − b/(1 + s) t − s/(1 + s) ∫ r dt + tau/(1 + s) r + ½ (tau² − w²)/(1 + s) dr/dt
 ///
-/// with zero b, scale s, delay tau of the yaw rate behind the heading, and a mean over a window of standard deviation
-/// w.
+/// with zero b, scale s, mean delay tau of the yaw rate behind the heading, and a window of standard deviation w: of
+/// the two the kind of the filter is told.
 ///
 /// @param run  measured samples
 std::vector<InstrumentError> yaw_rate_errors(const Recording& run);

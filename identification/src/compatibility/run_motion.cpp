@@ -71,6 +71,18 @@ std::vector<double> integral(const std::vector<double>& time, const std::vector<
   return sum;
 }
 
+std::vector<double> smooth_integral(const std::vector<double>& time, const std::vector<double>& f,
+                                    const std::vector<double>& f_dot) {
+  auto sum = integral(time, f);
+  double correction = 0.0;
+  for (std::size_t i = 1; i < f.size(); ++i) {
+    const double h = time[i] - time[i - 1];
+    correction += h * h / 12.0 * (f_dot[i] - f_dot[i - 1]);
+    sum[i] -= correction;
+  }
+  return sum;
+}
+
 std::vector<double> slope(const std::vector<double>& time, const std::vector<double>& f) {
   std::vector<double> result(f.size(), 0.0);
   for (std::size_t i = 0; i < f.size(); ++i) {

@@ -38,6 +38,10 @@ std::vector<double> at_times(const std::vector<double>& time, const std::vector<
 /// ∫ f dt from the first sample, by trapezoids.
 std::vector<double> integral(const std::vector<double>& time, const std::vector<double>& f);
 
+/// The same of a smooth f, by Euler and Maclaurin: less   h² (f'(t_i) − f'(t_{i−1}))/12   in each step h.
+std::vector<double> smooth_integral(const std::vector<double>& time, const std::vector<double>& f,
+                                    const std::vector<double>& f_dot);
+
 /// df/dt by central differences.
 std::vector<double> slope(const std::vector<double>& time, const std::vector<double>& f);
 

@@ -11,24 +11,52 @@ namespace {
 
 constexpr double minute = 60.0;  // [s]
 
+/// A cause of delays and what it leaves unexplained.
+struct Cause {
+  InstrumentError error;
+  double left;  ///< chi-squared
+};
+
+/// In words, by the sign. Velocities in earth axes that are late make positions early; velocities in axes of the hull
+/// make positions and heading early. A filter of the velocities is a delay of them.
+void put_readings(std::vector<std::string_view>& readings, const InstrumentError& e, Channel speed) {
+  const bool late = e.value > 0.0;
+  const auto put = [&](std::string_view if_late, std::string_view if_early) {
+    readings.push_back(late ? if_late : if_early);
+  };
+  if (e.channel == Channel::psi) put("heading late", "heading early");
+  if (e.channel == Channel::x) put("positions late", "positions early");
+  if (e.channel == Channel::x && speed == Channel::u_ground)
+    put("velocities over ground early", "velocities over ground late or filtered");
+  if (e.channel != speed) return;
+  put("velocities late or filtered", "velocities early");
+  put("positions and heading early", "positions and heading late");
+}
+
 /// The clocks of positions, heading and velocities from how late positions and heading are against velocities: one
-/// alone where that explains both,   late = tau e,  e = (1, 0), (0, 1) or (−1, −1), else positions and heading.
+/// alone where that explains both,   late = tau e,  e = (1, 0), (0, 1) or (−1, −1), else positions and heading. All
+/// that explain it as well are its readings.
 std::vector<InstrumentError> delays_of(Channel speed, const Eigen::Vector2d& late, const Eigen::Matrix2d& C) {
   constexpr double explained = 9.0;  // chi-squared of what is left: 3 standard deviations
+  constexpr double alike = 4.0;      // within which the clock of the positions is the likeliest to be wrong
+  using Kind = InstrumentErrorKind;
   const Eigen::Matrix2d information = core::detail::inverse(C);
   const auto by = [&](Channel channel, const Eigen::Vector2d& e) {
     const double weight = e.dot(information * e), tau = e.dot(information * late) / weight;
     const Eigen::Vector2d left = late - tau * e;
-    return std::pair(InstrumentError{channel, InstrumentErrorKind::delay, tau, 1.0 / std::sqrt(weight)},
-                     left.dot(information * left));
+    return Cause{{channel, Kind::delay, tau, 1.0 / std::sqrt(weight)}, left.dot(information * left)};
   };
-  const std::array causes{by(Channel::x, {1.0, 0.0}), by(Channel::psi, {0.0, 1.0}), by(speed, {-1.0, -1.0})};
-  const double least = std::ranges::min(causes, {}, [](const auto& cause) { return cause.second; }).second;
-  constexpr double alike = 4.0;  // within which the clock of the positions is the likeliest to be wrong
-  if (least < explained)
-    return {std::ranges::find_if(causes, [&](const auto& cause) { return cause.second < least + alike; })->first};
-  return {{Channel::x, InstrumentErrorKind::delay, late[0], std::sqrt(C(0, 0))},
-          {Channel::psi, InstrumentErrorKind::delay, late[1], std::sqrt(C(1, 1))}};
+  std::vector<Cause> causes{by(Channel::x, {1.0, 0.0}), by(Channel::psi, {0.0, 1.0}), by(speed, {-1.0, -1.0})};
+  const double least = std::ranges::min(causes, {}, &Cause::left).left;
+  if (least > explained) {
+    InstrumentError positions{Channel::x, Kind::delay, late[0], std::sqrt(C(0, 0))};
+    put_readings(positions.readings, positions, speed);
+    return {positions, {Channel::psi, Kind::delay, late[1], std::sqrt(C(1, 1))}};
+  }
+  std::erase_if(causes, [&](const Cause& cause) { return cause.left > least + alike; });
+  auto first = causes.front().error;
+  for (const auto& cause : causes) put_readings(first.readings, cause.error, speed);
+  return {first};
 }
 
 /// How a clock runs, and where it jumps.

@@ -15,7 +15,8 @@ constexpr Eigen::Index zero = 0, scale = 1, delay = 2, smoothing = 3, start = 4,
 TimeSeries rows_of(const Recording& run) {
   constexpr double lost = 0.3;  // share of the usual yaw rate that a straight line across a gap is wrong by
   const auto r = filled(run, Channel::r);
-  const auto turned = integral(run.time, r), r_dot = slope(run.time, r), gaps = gaps_of(run, Channel::r);
+  const auto r_dot = slope(run.time, r), gaps = gaps_of(run, Channel::r);
+  const auto turned = smooth_integral(run.time, r, r_dot);
   const auto psi = run[Channel::psi];
   const auto at = present(psi);
   TimeSeries s(at.size(), columns + 1);
@@ -44,6 +45,36 @@ std::array<ErrorModel, 2> first_guesses(const Recording& run) {
   return {{{white, 0.1 * white, 20.0, gyro}, {0.3 * white, 3.0 * white, 3.0, 0.1 * gyro}}};
 }
 
+/// A filter with the mean delay tau and a window of standard deviation w.
+struct Filter {
+  double tau, w2;   ///< [s], [s²]
+  double w2_error;  ///< standard error of w² [s²]
+};
+
+/// r = r₀ − tau dr₀/dt + ½ (tau² + w²) d²r₀/dt², so that before dr/dt stands   g = ½ (tau² − w²)
+Filter filter_of(double tau, double g, const Eigen::Matrix2d& C) {
+  // dw² = 2 tau dtau − 2 dg
+  const Eigen::Vector2d slope(2.0 * tau, -2.0);
+  return {tau, tau * tau - 2.0 * g, std::sqrt(slope.dot(C * slope))};
+}
+
+/// What it may be: w² is 0 of a delay, tau²/3 of a mean over the last 2 tau, tau² of a first-order lag; in steps of h,
+/// no longer than the recording's, larger by tau h of each tau²; a value that is held for a step adds h²/12.
+std::vector<std::string_view> readings_of(const Filter& f, double step) {
+  struct Kind {
+    std::string_view name;
+    double share;  ///< w²/tau²
+  };
+  constexpr std::array kinds{Kind{"delay", 0.0}, Kind{"one-sided mean", 1.0 / 3.0}, Kind{"first-order lag", 1.0}};
+  constexpr double likely = 3.0;  // standard errors
+  std::vector<std::string_view> may_be;
+  for (const auto& [name, share] : kinds) {
+    const double least = share * f.tau * f.tau, most = least + share * std::abs(f.tau) * step + step * step / 12.0;
+    if (f.w2 > least - likely * f.w2_error && f.w2 < most + likely * f.w2_error) may_be.push_back(name);
+  }
+  return may_be;
+}
+
 }  // namespace
 
 std::vector<InstrumentError> yaw_rate_errors(const Recording& run) {
@@ -56,9 +87,13 @@ std::vector<InstrumentError> yaw_rate_errors(const Recording& run) {
   std::vector<InstrumentError> errors{error(InstrumentErrorKind::zero, zero, -fit.beta[zero] * one_more, one_more),
                                       error(InstrumentErrorKind::scale, scale, -k / (1.0 + k), 1.0),
                                       error(InstrumentErrorKind::delay, delay, fit.beta[delay] * one_more, one_more)};
-  // half the second moment of the mean stands before dr/dt
-  const double w = std::sqrt(2.0 * std::max(-fit.beta[smoothing], 0.0));
-  if (w > 0.0) errors.push_back(error(InstrumentErrorKind::smoothing, smoothing, w, 1.0 / w));
+  const Eigen::Matrix2d C = one_more * one_more * fit.covariance({delay, smoothing}, {delay, smoothing});
+  const auto filter = filter_of(fit.beta[delay] * one_more, fit.beta[smoothing] * one_more, C);
+  errors.back().readings = readings_of(filter, usual_step(run.time));
+  if (filter.w2 <= 0.0) return errors;
+  // dw = dw²/(2 w)
+  const double w = std::sqrt(filter.w2);
+  errors.push_back({Channel::r, InstrumentErrorKind::smoothing, w, 0.5 * filter.w2_error / w});
   return errors;
 }
 

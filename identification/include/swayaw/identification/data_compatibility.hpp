@@ -43,6 +43,9 @@ struct InstrumentError {
   bool told = false;               ///< larger than what chance makes of none, and than what matters
   double at = 0.0;                 ///< of a jump, on the run's clock [s]
   double at_standard_error = 0.0;  ///< [s]
+  /// What a lateness may be, where several things look alike: "delay", "one-sided mean", "first-order lag" of a yaw
+  /// rate; "positions early", "velocities over ground late" …
+  std::vector<std::string_view> readings = {};
 };
 
 /// Name in JSON, "delay".
