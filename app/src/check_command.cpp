@@ -1,10 +1,10 @@
 #include <algorithm>
 
+#include "checked_runs.hpp"
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
 #include "swayaw/app/report.hpp"
-#include "swayaw/core/parallel.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
 
@@ -47,7 +47,11 @@ Json run_json(const RunCheck& check) {
   Json channels = Json::array(), gaps = Json::array();
   for (const auto& c : check.channels) channels.push_back(channel_json(c));
   for (std::size_t i = 0; i + 1 < check.gaps.size(); i += 2) gaps.push_back({check.gaps[i], check.gaps[i + 1]});
+  Json derived = Json::array();
+  for (const auto& d : check.derived) derived.push_back({{"channel", short_name(d.channel)}, {"made_of", d.made_of}});
   return {{"run", check.run},
+          {"group", check.group},
+          {"derived", std::move(derived)},
           {"instruments", errors_json(check.errors)},
           {"channels", std::move(channels)},
           {"gaps_s", std::move(gaps)},
@@ -59,6 +63,9 @@ Json document_of(const std::vector<RunCheck>& checks, const std::optional<RunChe
   for (const auto& check : checks) runs.push_back(run_json(check));
   Json document{{"schema", "swayaw.check/1"}, {"version", version()}, {"runs", std::move(runs)}};
   if (checks.size() > 1) document["all_runs"] = errors_json(pooled(checks));
+  if (const auto groups = grouped(checks); groups.size() > 1)
+    for (const auto& g : groups)
+      document["groups"].push_back({{"group", g.group}, {"runs", g.runs}, {"instruments", errors_json(g.errors)}});
   if (one_clock) document["one_clock"] = errors_json(one_clock->errors);
   return document;
 }
@@ -113,6 +120,8 @@ void print_all(const std::vector<InstrumentError>& errors) {
 void print(const RunCheck& check) {
   fmt::print("{}\n", check.run);
   print_all(check.errors);
+  for (const auto& d : check.derived)
+    fmt::print("  Not measured: {} is made of {}; it is left out of the check\n", short_name(d.channel), d.made_of);
   for (const auto& line : check.cannot_tell) fmt::print("  Cannot tell: {}\n", line);
   for (std::size_t i = 0; i + 1 < check.gaps.size(); i += 2)
     fmt::print("  No heading from {:.6g} to {:.6g} s\n", check.gaps[i], check.gaps[i + 1]);
@@ -120,13 +129,21 @@ void print(const RunCheck& check) {
   std::ranges::for_each(check.channels, print_channel);
 }
 
+/// Of runs that were not all made with the same instruments, loading and surroundings.
+void print_groups(const std::vector<RunCheck>& checks) {
+  const auto groups = grouped(checks);
+  if (groups.size() < 2) return;
+  for (const auto& group : groups) {
+    fmt::print("{}: {}\n", group.group.empty() ? "Without group" : "Group " + group.group, fmt::join(group.runs, ", "));
+    print_all(group.errors);
+  }
+}
+
 }  // namespace
 
 void check(const CheckArguments& a) {
-  std::vector<Recording> runs;
-  for (const auto& file : a.runs) runs.push_back(load_run(file, a.rudder_positive));
-  std::vector<RunCheck> checks(runs.size());
-  in_parallel(runs.size(), 0, [&](std::size_t i) { checks[i] = check_run(runs[i]); });
+  const auto runs = loaded_runs(a.runs, a.rudder_positive);
+  const auto checks = checks_of(runs, ShortRuns::refused);
   const auto log = joined(runs);
   const auto one_clock = log ? std::optional(check_run(*log)) : std::nullopt;
   if (!a.out.empty()) {
@@ -143,6 +160,7 @@ void check(const CheckArguments& a) {
   }
   std::ranges::for_each(checks, print);
   if (checks.size() < 2) return;
+  print_groups(checks);
   fmt::print("All runs\n");
   print_all(pooled(checks));
   if (!one_clock) return;

@@ -29,15 +29,25 @@ void tell(const RunCheck& check) {
 
 }  // namespace
 
-std::vector<Recording> checked_runs(const std::vector<std::filesystem::path>& files, const Reading& reading) {
-  constexpr std::size_t enough = 20;  // samples that a check needs
+std::vector<Recording> loaded_runs(const std::vector<std::filesystem::path>& files, std::string_view rudder_positive) {
   std::vector<Recording> runs;
-  for (const auto& file : files) runs.push_back(load_run(file, reading.rudder_positive));
-  if (reading.no_check) return runs;
+  for (const auto& file : files) runs.push_back(load_run(file, rudder_positive));
+  return runs;
+}
+
+std::vector<RunCheck> checks_of(const std::vector<Recording>& runs, ShortRuns short_runs) {
   std::vector<RunCheck> checks(runs.size());
   in_parallel(runs.size(), 0, [&](std::size_t i) {
-    if (runs[i].samples() >= enough) checks[i] = check_run(runs[i]);
+    const bool enough = runs[i].samples() >= samples_for_check;
+    if (enough || short_runs == ShortRuns::refused) checks[i] = check_run(runs[i]);
   });
+  return checks;
+}
+
+std::vector<Recording> checked_runs(const std::vector<std::filesystem::path>& files, const Reading& reading) {
+  auto runs = loaded_runs(files, reading.rudder_positive);
+  if (reading.no_check) return runs;
+  const auto checks = checks_of(runs, ShortRuns::passed_over);
   std::ranges::for_each(checks, refuse_mistakes);
   std::ranges::for_each(checks, tell);
   return runs;

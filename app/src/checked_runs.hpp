@@ -6,6 +6,10 @@
 
 #include "swayaw/core/recording.hpp"
 
+namespace swayaw::inline identification {
+struct RunCheck;
+}
+
 namespace swayaw::app {
 
 /// How recordings are read before they are worked with.
@@ -13,6 +17,16 @@ struct Reading {
   std::string_view rudder_positive;  ///< "port" or "starboard", whatever the files say; empty: as they say
   bool no_check = false;             ///< instruments are not checked
 };
+
+std::vector<Recording> loaded_runs(const std::vector<std::filesystem::path>& files, std::string_view rudder_positive);
+
+/// What becomes of runs with too few samples for a check.
+enum class ShortRuns { refused, passed_over };
+
+/// One for each run.
+///
+/// @throws Refusal  of a run that is too short, unless it is passed over
+std::vector<RunCheck> checks_of(const std::vector<Recording>& runs, ShortRuns short_runs);
 
 /// Recordings whose instruments were checked by kinematics; what was found of each is told in one line on stderr.
 ///

@@ -330,6 +330,78 @@ TEST_CASE("the samples that were measured are the fixes, and none that is missin
   }
 }
 
+// ---------------------------------------------------------------- channels that were not measured
+
+/// ug, vg of positions by central differences, in the axes of the heading.
+void make_ground_velocity_of_positions(Recording& run) {
+  const auto u = run.fill(Channel::u_ground), v = run.fill(Channel::v_ground);
+  const auto x = run[Channel::x], y = run[Channel::y], psi = run[Channel::psi];
+  for (std::size_t i = 1; i + 1 < run.samples(); ++i) {
+    const double h = run.time[i + 1] - run.time[i - 1], V_x = (x[i + 1] - x[i - 1]) / h,
+                 V_y = (y[i + 1] - y[i - 1]) / h;
+    u[i] = V_x * std::cos(psi[i]) + V_y * std::sin(psi[i]);
+    v[i] = V_y * std::cos(psi[i]) - V_x * std::sin(psi[i]);
+  }
+}
+
+TEST_CASE("sway that was made of something else is named, measured sway is not", "[identification][law]") {
+  FaultyRuns runs(9);
+  for (int i = 0; i < 40; ++i) {
+    const auto run = runs.recorded(runs.truth(), {});
+    CHECK(check_run(run).derived.empty());
+    auto zero = run, of_yaw_rate = run, of_positions = run;
+    for (double& v : zero.fill(Channel::v)) v = 0.0;
+    const double lever = runs.either_sign(0.1, 0.6) * runs.L();
+    for (std::size_t k = 0; k < run.samples(); ++k)
+      FaultyRuns::of(of_yaw_rate, Channel::v)[k] = lever * run[Channel::r][k];
+    make_ground_velocity_of_positions(of_positions);
+    const auto made_of = [](const Recording& r) {
+      const auto derived = check_run(r).derived;
+      return derived.empty() ? "" : std::string(short_name(derived[0].channel)) + " of " + derived[0].made_of;
+    };
+    CHECK(made_of(zero) == "v of a constant, 0 m/s");
+    CHECK(made_of(of_yaw_rate) == "v of the yaw rate");
+    CHECK(made_of(of_positions) == "vg of the slope of the positions");
+    // and nothing is told by what was made up
+    const auto check = check_run(zero);
+    CHECK_FALSE(found(check, Channel::x, Kind::delay));
+    CHECK_FALSE(found(check, Channel::x, Kind::lever_arm_x));
+  }
+}
+
+// ---------------------------------------------------------------- groups of runs
+
+TEST_CASE("runs are pooled by group, else by the day, else all together", "[identification][law]") {
+  FaultyRuns runs(10);
+  std::vector<RunCheck> checks;
+  const auto add = [&](const char* name, std::vector<RunRemark> keys, double zero) {
+    auto run = runs.recorded(runs.truth(), {.gyro_zero = zero});
+    run.name = name;
+    run.facts.remarks = std::move(keys);
+    checks.push_back(check_run(run));
+  };
+  const double zero = radians(0.1);
+  add("a", {{"start_utc", "\"2022-10-27T09:30:00Z\""}}, zero);
+  add("b", {{"start_utc", "2022-10-27T22:00:00Z"}}, zero);
+  add("c", {{"start_utc", "\"2022-10-28T01:00:00Z\""}}, -zero);
+  add("d", {{"group", "\"ballast\""}, {"start_utc", "\"2022-10-28T02:00:00Z\""}}, 0.0);
+  add("e", {}, 0.0);
+  const auto groups = grouped(checks);
+  REQUIRE(groups.size() == 4);
+  CHECK(groups[0].group == "2022-10-27");
+  CHECK(groups[0].runs == std::vector<std::string>{"a", "b"});
+  CHECK(groups[1].group == "2022-10-28");
+  CHECK(groups[2].group == "ballast");
+  CHECK(groups[3].group.empty());
+  for (const std::size_t g : {0U, 1U}) {
+    const auto e = std::ranges::find_if(groups[g].errors,
+                                        [](const auto& x) { return x.channel == Channel::r && x.kind == Kind::zero; });
+    REQUIRE(e != groups[g].errors.end());
+    CHECK(e->told);
+    CHECK(std::abs(e->value - (g == 0 ? zero : -zero)) < 0.2 * zero);
+  }
+}
+
 // ---------------------------------------------------------------- runs of one log
 
 Recording part_of(const Recording& run, std::size_t first, std::size_t last) {

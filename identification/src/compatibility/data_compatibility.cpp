@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "channel_character.hpp"
+#include "derived_channels.hpp"
 #include "mistakes.hpp"
 #include "relations.hpp"
 #include "run_motion.hpp"
@@ -26,12 +27,12 @@ bool is_sway(Channel channel) { return channel == Channel::v || channel == Chann
 /// @param radius  of the ship's hard turns [m]
 double floor_of(const InstrumentError& e, double step, double radius) {
   switch (e.kind) {
-    case Kind::zero: return radians(0.003);        // [rad/s]: 1 deg of heading in five minutes
-    case Kind::scale: return 0.003;                // a log is read to 0.05 kn of 15 kn
-    case Kind::delay: return std::max(step, 0.1);  // [s]
-    case Kind::jump: return 0.1;                   // [s]: it is seen between samples, however far apart
-    case Kind::clock_rate: return 0.003;           // [s/s], as a scale
-    case Kind::smoothing: return step;             // [s]
+    case Kind::zero: return radians(0.003);                // [rad/s]: 1 deg of heading in five minutes
+    case Kind::scale: return 0.003;                        // a log is read to 0.05 kn of 15 kn
+    case Kind::delay: return std::max(step, least_delay);  // [s]
+    case Kind::jump: return least_delay;                   // [s]: it is seen between samples, however far apart
+    case Kind::clock_rate: return 0.003;                   // [s/s], as a scale
+    case Kind::smoothing: return step;                     // [s]
     case Kind::axes:
       return is_sway(e.channel) ? radians(1.0) : radians(0.3);  // wind and a screw make a degree of drift
     case Kind::lever_arm_x:
@@ -139,6 +140,20 @@ InstrumentError reversed_rudder(const Recording& run) {
   return {.channel = rudder, .kind = Kind::sign, .value = -1.0, .standard_error = 0.0, .told = true};
 }
 
+/// Sway that was not measured is no sway; velocities over ground that were made of the positions tell nothing of them.
+void leave_out_derived(Recording& run, RunCheck& check) {
+  for (const auto& [surge, sway] :
+       {std::pair(Channel::u_ground, Channel::v_ground), std::pair(Channel::u, Channel::v)}) {
+    const auto made_of = sway_made_of(run, surge, sway);
+    if (!made_of) continue;
+    check.derived.push_back({sway, *made_of});
+    run.channels[index_of(sway)].clear();
+    if (!made_of->ends_with("positions")) continue;
+    check.derived.push_back({surge, *made_of});
+    run.channels[index_of(surge)].clear();
+  }
+}
+
 void note_what_is_missing(const Recording& run, std::vector<std::string>& notes) {
   const bool track = run.has(Channel::x) && run.has(Channel::y);
   if (!run.has(Channel::r)) notes.push_back("no yaw rate: zero, scale and clock of a gyro");
@@ -157,22 +172,22 @@ const InstrumentError* RunCheck::mistake() const {
 }
 
 RunCheck check_run(const Recording& run) {
-  constexpr std::size_t least = 20;
-  if (run.samples() < least)
+  if (run.samples() < samples_for_check)
     throw Refusal(fmt::format("{}: {} samples are too few to check instruments by; {} are needed", run.name,
-                              run.samples(), least));
-  RunCheck check{.run = run.name};
+                              run.samples(), samples_for_check));
+  RunCheck check{.run = run.name, .group = group_of(run)};
   for (std::size_t c = 0; c < channel_count; ++c)
     if (run.has(static_cast<Channel>(c))) check.channels.push_back(character_of(run, static_cast<Channel>(c)));
   const auto measured = measured_samples(run, check.channels);
   check.gaps = gaps_in(measured);
   check.errors = mistakes_of(measured);
   auto mended = without(measured, check.errors);
+  leave_out_derived(mended, check);
   const auto reversed = rudder_is_reversed(mended);
   if (!reversed) check.cannot_tell.push_back("to which side the rudder is positive: it moves too little");
   else if (*reversed) check.errors.push_back(reversed_rudder(mended));
   add(check.errors, errors_of(mended));
-  note_what_is_missing(run, check.cannot_tell);
+  note_what_is_missing(mended, check.cannot_tell);
   return check;
 }
 

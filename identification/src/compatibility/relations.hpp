@@ -20,6 +20,9 @@ struct InstrumentPriors {
   double lever = 0.5;        ///< over the smallest radius that the ship turned
 };
 
+/// A delay or a jump of a clock below which no answer about a ship changes [s].
+inline constexpr double least_delay = 0.1;
+
 /// Standard deviation of an error that a run is not asked for, in any unit.
 inline constexpr double not_asked = 1e-6;
 

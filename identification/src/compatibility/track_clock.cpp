@@ -33,7 +33,8 @@ TrackFit likeliest(const Track& track, const TrackFrom& from, const Usable& usab
   auto wandering = fitted(track, ClockKind::wandering, from, usable);
   if (!jumps && wandering.fit.deviance < simple.fit.deviance - far) {
     auto steady = fitted(track, ClockKind::steady, from, usable);
-    if (steady.fit.deviance < simple.fit.deviance - far) simple = std::move(steady);
+    const bool runs_off = std::abs(steady.clock.rate) * minute > matters;
+    if (runs_off && steady.fit.deviance < simple.fit.deviance - far) simple = std::move(steady);
   }
   const bool likelier = wandering.fit.deviance < simple.fit.deviance - 2.0 * far;
   const bool wanders = likelier && wandering.fit.errors.clock * std::sqrt(minute) > matters;
@@ -266,6 +267,8 @@ TrackFit on_likeliest_clock(const Recording& run, const VelocitySource& source) 
     if (!place || place->gain < place->doubt + worth_a_fit) break;
     auto next = with_jump_at(track, trial, place->where);
     if (!next) break;
+    if (std::ranges::any_of(next->clock.jumps, [](const ClockJump& j) { return std::abs(j.size) < least_delay; }))
+      break;
     trial = std::move(*next);
     cost += place->doubt + evident;
     const auto both = reckoned_on(trial.clock, run.time);

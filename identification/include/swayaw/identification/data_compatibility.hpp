@@ -76,11 +76,20 @@ struct ChannelCharacter {
 /// @return ascending; empty if the run has no such channel. n log n of the samples
 std::vector<std::size_t> measured_samples_of(const Recording& run, Channel channel);
 
+/// A channel that was not measured, and what it was made of: "a constant, 0 m/s", "the yaw rate", "the slope of the
+/// positions". It tells nothing, and the check leaves it out.
+struct DerivedChannel {
+  Channel channel;
+  std::string made_of;
+};
+
 /// What was found in one run.
 struct RunCheck {
   std::string run;
+  std::string group;  ///< as group_of has it
   std::vector<ChannelCharacter> channels;
-  std::vector<InstrumentError> errors;   ///< those that could be told, and those that could not: `told`
+  std::vector<InstrumentError> errors;  ///< those that could be told, and those that could not: `told`
+  std::vector<DerivedChannel> derived;
   std::vector<double> gaps;              ///< begin, end, begin, end … without samples [s]
   std::vector<std::string> cannot_tell;  ///< what this run has no channels or no motion for, one line each
 
@@ -88,14 +97,33 @@ struct RunCheck {
   const InstrumentError* mistake() const;
 };
 
-/// Checks one run. Linear in the number of samples.
+/// That a check needs.
+inline constexpr std::size_t samples_for_check = 20;
+
+/// Checks one run. Linear in the number of samples, but for sorting.
 ///
-/// @throws Refusal  if it has fewer than twenty samples
+/// @throws Refusal  if it has fewer than `samples_for_check`
 RunCheck check_run(const Recording& run);
 
 /// Errors of instruments that several runs have in common: the mean by information, its standard error not less than
 /// the scatter of the runs allows.
 std::vector<InstrumentError> pooled(std::span<const RunCheck> runs);
+
+/// Runs with instruments, loading and surroundings in common: those with the same `group`; without that key, those of
+/// the same day by `start_utc`; without either, all.
+///
+/// @return the text of the group, the day as 2022-10-27, or nothing
+std::string group_of(const Recording& run);
+
+/// What the runs of a group have in common.
+struct GroupCheck {
+  std::string group;
+  std::vector<std::string> runs;
+  std::vector<InstrumentError> errors;  ///< pooled
+};
+
+/// Groups in the order of their first runs.
+std::vector<GroupCheck> grouped(std::span<const RunCheck> runs);
 
 /// Runs that were cut from one log: on one clock, with the same samples where they overlap, as some do. What a clock
 /// that wanders hides in each of them, the way made good of all may tell.
