@@ -138,6 +138,31 @@ TEST_CASE("jumps of a clock are found where and as large as they are, and none i
   CHECK(left <= 0.02 * runs_with);
 }
 
+TEST_CASE("jumps of a clock are found without sway, too, known to the drift of the ship", "[identification][law]") {
+  FaultyRuns runs(11);
+  int jumps = 0, told = 0, inside = 0;
+  for (int i = 0; i < 40; ++i) {
+    const auto truth = runs.truth();
+    const Faults f{.jumps = some_jumps(runs, truth)};
+    auto run = runs.recorded(truth, f);
+    FaultyRuns::of(run, Channel::v).clear();
+    const auto check = check_run(run);
+    std::size_t k = 0;
+    for (const auto& e : check.errors) {
+      if (e.kind != Kind::jump || !e.told) continue;
+      ++told;
+      REQUIRE(k < f.jumps.size());  // none is invented
+      while (k + 1 < f.jumps.size() && std::abs(e.at - f.jumps[k + 1].at) < std::abs(e.at - f.jumps[k].at)) ++k;
+      inside += std::abs(e.value - f.jumps[k++].by) < 1.96 * e.standard_error;
+    }
+    jumps += static_cast<int>(f.jumps.size());
+  }
+  CAPTURE(jumps, told, inside);
+  CHECK(jumps > 30);
+  CHECK(told >= 0.95 * jumps);
+  CHECK(inside >= 0.9 * told);
+}
+
 bool may_be(const InstrumentError& e, std::string_view reading) { return std::ranges::count(e.readings, reading) > 0; }
 
 TEST_CASE("a filter of the yaw rate is late by its mean delay, and its kind is among those that are said",

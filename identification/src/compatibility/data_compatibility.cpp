@@ -160,7 +160,7 @@ void note_what_is_missing(const Recording& run, std::vector<std::string>& notes)
   if (!track) notes.push_back("no positions: scale of the log, compass and clocks against the track");
   const auto speeds = speeds_of(run);
   if (track && speeds.size() == 1 && speeds[0] != Channel::u_ground && !run.has(Channel::v))
-    notes.push_back("no sway: clocks, antenna and compass, and the scale of the log while the ship turns");
+    notes.push_back("no sway: clocks but for their jumps, antenna and compass, and the scale of the log while the ship turns");
   if (track && speeds.empty()) notes.push_back("no speed beside the track: scale, compass and clocks of positions");
 }
 

@@ -232,6 +232,13 @@ TrackClock with_jump(TrackClock clock, const ClockJump& jump) {
   return clock;
 }
 
+/// There and back within a few samples is an outlier, and twice to the same side one jump.
+bool is_apart(const ClockJump& jump, const TrackClock& clock, double step) {
+  constexpr double fewest = 5.0;  // samples that tell a level
+  return std::ranges::none_of(clock.jumps,
+                              [&](const ClockJump& other) { return std::abs(other.at - jump.at) < fewest * step; });
+}
+
 /// One more jump, placed twice: by the fit without it, and by that with it.
 std::optional<TrackFit> with_jump_at(const Track& track, const TrackFit& found, const Stretch& where) {
   const auto& time = track.run.time;
@@ -239,7 +246,8 @@ std::optional<TrackFit> with_jump_at(const Track& track, const TrackFit& found, 
   const Jump first(track, found, where, usable);
   if (!first.has_sides()) return {};
   const auto jump = first.placed(first.size(), found.fit.errors.white);
-  if (!jump) return {};
+  const double step = usual_step(time);
+  if (!jump || !is_apart(*jump, found.clock, step)) return {};
   const auto clock = with_jump(found.clock, *jump);
   auto fit = likeliest(track, {clock, found.fit.errors}, reckoned_on(clock, time));
   const auto j =
@@ -247,7 +255,7 @@ std::optional<TrackFit> with_jump_at(const Track& track, const TrackFit& found, 
   const auto other = without_jump(fit, j);
   const Jump second(track, other, where, usable);
   const auto again = second.placed(fit.clock.jumps[j].size, fit.fit.errors.white);
-  if (!again) return fit;
+  if (!again || !is_apart(*again, other.clock, step)) return fit;
   const auto settled_clock = with_jump(other.clock, *again);
   return likeliest(track, {settled_clock, fit.fit.errors}, reckoned_on(settled_clock, time));
 }
