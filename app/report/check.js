@@ -7,7 +7,7 @@ const INSTRUMENTS = {
 
 const ERRORS = {
   zero: 'zero', scale: 'scale', delay: 'late', smoothing: 'smoothed over', axes: 'axes turned', clock: 'clock wanders',
-  lever_arm_x: 'point forward of midship', lever_arm_y: 'point to starboard',
+  clock_rate: 'clock runs slow', jump: 'clock jumps, late by', lever_arm_x: 'point forward of midship', lever_arm_y: 'point to starboard',
 };
 
 const UNITS = {
@@ -40,6 +40,8 @@ function runBlock(run) {
   return el('section', { class: 'run' },
     el('h2', {}, run.run),
     toldList(run.instruments),
+    ...run.derived.map((d) => el('p', { class: 'note' }, 
+      `Not measured: ${INSTRUMENTS[d.channel] || d.channel} is made of ${d.made_of}; it is left out of the check.`)),
     ...run.cannot_tell.map((line) => el('p', { class: 'note' }, `Cannot tell: ${line}.`)),
     ...run.gaps_s.map(([from, to]) => el('p', { class: 'note' }, `No heading from ${between(from, to)}.`)),
     table('summary',

@@ -295,6 +295,71 @@ TEST_CASE("a repaired run shows the errors no more that were repaired", "[identi
   CHECK(left <= 3);  // of 150
 }
 
+/// A check that told one error.
+RunCheck told(Channel channel, Kind kind, double value, double at = 0.0) {
+  return {.errors = {{channel, kind, value, 0.01 * std::abs(value), true, at}}};
+}
+
+TEST_CASE("a repaired clock shows what was true at each time, and nothing where nothing was measured",
+          "[identification][round-trip]") {
+  FaultyRuns runs(12);
+  for (int i = 0; i < 20; ++i) {
+    const auto truth = runs.truth();
+    const double middle = 0.5 * (truth.time.front() + truth.time.back());
+    // fixes joined by straight lines twice: by the test and by the repair
+    const double sharp = 2.0 * runs.U() * runs.U() / runs.L(), step = truth.time[1] - truth.time[0];
+    for (const auto& check : {told(Channel::x, Kind::delay, runs.either_sign(0.1, 1.0) * runs.L() / runs.U()),
+                              told(Channel::x, Kind::jump, runs.either_sign(0.1, 1.0) * runs.L() / runs.U(), middle)}) {
+      const auto& e = check.errors[0];
+      auto late = truth;
+      for (const Channel c : {Channel::x, Channel::y}) {
+        const Interpolant then(truth, c);
+        for (std::size_t k = 0; k < late.samples(); ++k) {
+          const double at = late.time[k] - (e.kind == Kind::delay || late.time[k] > e.at ? e.value : 0.0);
+          const bool known = at >= truth.time.front() && at <= truth.time.back();
+          FaultyRuns::of(late, c)[k] = known ? then(at) : missing;
+        }
+      }
+      const auto again = repaired(late, check);
+      std::size_t there = 0;
+      for (std::size_t k = 0; k < truth.samples(); ++k) {
+        if (std::isnan(again[Channel::x][k])) continue;
+        ++there;
+        // what the clock leapt over is one straight line, if it is short
+        const bool leapt = e.kind == Kind::jump && truth.time[k] > e.at - step && truth.time[k] < e.at - e.value + step;
+        const double bend = sharp * std::pow(leapt ? std::abs(e.value) + step : step, 2);
+        CHECK(std::abs(again[Channel::x][k] - truth[Channel::x][k]) < bend);
+        CHECK(std::abs(again[Channel::y][k] - truth[Channel::y][k]) < bend);
+      }
+      CHECK(there < truth.samples());
+      CHECK(there > truth.samples() / 2);
+    }
+  }
+}
+
+TEST_CASE("an antenna is taken off the positions; velocities over ground that it was told by stay",
+          "[identification][round-trip]") {
+  FaultyRuns runs(13);
+  const auto truth = runs.truth();
+  const double l = 0.3 * runs.L();
+  auto recorded = truth;
+  for (std::size_t i = 0; i < truth.samples(); ++i) {
+    FaultyRuns::of(recorded, Channel::x)[i] += l * std::cos(truth[Channel::psi][i]);
+    FaultyRuns::of(recorded, Channel::y)[i] += l * std::sin(truth[Channel::psi][i]);
+  }
+  auto with_ground = recorded;
+  for (const auto& [ground, water] :
+       {std::pair(Channel::u_ground, Channel::u), std::pair(Channel::v_ground, Channel::v)})
+    with_ground.channels[index_of(ground)] = truth.channels[index_of(water)];
+  const auto again = repaired(with_ground, told(Channel::x, Kind::lever_arm_x, l));
+  for (std::size_t i = 0; i < truth.samples(); ++i) {
+    CHECK(std::abs(again[Channel::x][i] - truth[Channel::x][i]) < 1e-9 * runs.L() * 100.0);
+    CHECK(std::abs(again[Channel::y][i] - truth[Channel::y][i]) < 1e-9 * runs.L() * 100.0);
+    CHECK(again[Channel::u_ground][i] == truth[Channel::u][i]);
+    CHECK(again[Channel::v_ground][i] == truth[Channel::v][i]);
+  }
+}
+
 // ---------------------------------------------------------------- samples
 
 TEST_CASE("rounding, fixes joined by straight lines, and an outlier are seen", "[identification][law]") {

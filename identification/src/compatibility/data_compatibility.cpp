@@ -160,7 +160,8 @@ void note_what_is_missing(const Recording& run, std::vector<std::string>& notes)
   if (!track) notes.push_back("no positions: scale of the log, compass and clocks against the track");
   const auto speeds = speeds_of(run);
   if (track && speeds.size() == 1 && speeds[0] != Channel::u_ground && !run.has(Channel::v))
-    notes.push_back("no sway: clocks but for their jumps, antenna and compass, and the scale of the log while the ship turns");
+    notes.push_back(
+        "no sway: clocks but for their jumps, antenna and compass, and the scale of the log while the ship turns");
   if (track && speeds.empty()) notes.push_back("no speed beside the track: scale, compass and clocks of positions");
 }
 
@@ -195,6 +196,12 @@ RunCheck check_run(const Recording& run) {
 
 namespace {
 
+/// How late a clock that jumps is tells nothing of other runs.
+bool is_of_this_run_alone(const RunCheck& run, const InstrumentError& e) {
+  const auto jumps = [](const InstrumentError& other) { return other.kind == Kind::jump && other.told; };
+  return is_of_clock_of_positions(e) && std::ranges::any_of(run.errors, jumps);
+}
+
 /// What an error may be by every run.
 std::vector<std::string_view> common_readings(const std::vector<const InstrumentError*>& runs) {
   auto common = runs[0]->readings;
@@ -210,7 +217,8 @@ std::vector<InstrumentError> pooled(std::span<const RunCheck> runs) {
   std::vector<std::vector<const InstrumentError*>> alike;
   for (const auto& run : runs)
     for (const auto& e : run.errors) {
-      if (is_mistake(e.kind) || e.standard_error <= 0.0) continue;
+      if (is_mistake(e.kind) || e.standard_error <= 0.0 || is_of_this_run_alone(run, e)) continue;
+      if (e.kind == Kind::jump) continue;
       const auto same = std::ranges::find_if(
           alike, [&](const auto& group) { return group[0]->channel == e.channel && group[0]->kind == e.kind; });
       if (same == alike.end()) alike.push_back({&e});

@@ -53,7 +53,7 @@ struct Stretch {
 std::vector<Stretch> places_in(const TimeSeries& few) {
   constexpr std::size_t ends = 2;  // rows that tell where the track was before, and after
   std::vector<double> times = few.time;
-  times.erase(std::ranges::unique(times).begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
   std::vector<Stretch> places;
   for (std::size_t i = ends; i + ends < times.size(); ++i) places.push_back({times[i - 1], times[i]});
   return places;
@@ -139,7 +139,7 @@ Level level_of(const Near& near, const std::vector<double>& left, const Stretch&
     squares[axis] += left[k] * left[k];
   }
   level.known = n[0] > 0.0 && n[1] > 0.0;
-  for (const std::size_t axis : {0, 1}) {
+  for (const std::size_t axis : {0U, 1U}) {
     level.mean[axis] /= std::max(n[axis], 1.0);
     squares[axis] -= n[axis] * level.mean[axis] * level.mean[axis];
   }

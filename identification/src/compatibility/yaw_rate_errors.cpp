@@ -9,7 +9,7 @@
 namespace swayaw::inline identification::detail {
 namespace {
 
-constexpr Eigen::Index zero = 0, scale = 1, delay = 2, smoothing = 3, start = 4, columns = 5;
+enum Column : Eigen::Index { zero, scale, delay, smoothing, start, columns };
 
 /// psi − ∫ r dt and its columns where the heading was measured.
 TimeSeries rows_of(const Recording& run) {

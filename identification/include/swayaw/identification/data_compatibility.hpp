@@ -106,7 +106,7 @@ inline constexpr std::size_t samples_for_check = 20;
 RunCheck check_run(const Recording& run);
 
 /// Errors of instruments that several runs have in common: the mean by information, its standard error not less than
-/// the scatter of the runs allows.
+/// the scatter of the runs allows. A jump of a clock is of its run alone.
 std::vector<InstrumentError> pooled(std::span<const RunCheck> runs);
 
 /// Runs with instruments, loading and surroundings in common: those with the same `group`; without that key, those of
