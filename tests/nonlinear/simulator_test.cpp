@@ -340,6 +340,26 @@ TEST_CASE("the same calls make the same motion", "[nonlinear][limit]") {
   CHECK(a.motion.r == b.motion.r);
 }
 
+TEST_CASE("steps that try a motion without forces are repeated shorter, and any step leads to the same zigzag",
+          "[nonlinear][regression]") {
+  // 23 November 2026: a step beyond the ship's way ahead was taken, and its end, no number, given to the root finder
+  test::RandomModels random(12);
+  auto model = random.ship<PiShip<double>>();
+  for (int k = 0; k < 93; ++k) model = random.ship<PiShip<double>>();
+  model.steering_gear = {.rate = 0.4 * model.particulars.U_0 / model.particulars.L, .max_angle = 0.7};
+  const auto ship = test::ship_of(model);
+  for (const Side side : {Side::port, Side::starboard}) {
+    for (const double angle : {radians(10.0), radians(20.0)}) {
+      const auto usual = zigzag(ship, {angle, angle, side}),
+                 fine = zigzag(ship, {angle, angle, side}, {.tolerance = 1e-12});
+      REQUIRE(usual.reversals.size() == fine.reversals.size());
+      for (std::size_t k = 0; k < fine.reversals.size(); ++k)
+        if (fine.reversals[k].overshoot)
+          CHECK_THAT(*usual.reversals[k].overshoot, WithinAbs(*fine.reversals[k].overshoot, 1e-6));
+    }
+  }
+}
+
 TEST_CASE("senseless orders are refused, and a step of no time does nothing", "[nonlinear][refusal]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   auto ship = sailing_ship<MmgShip<double>>();

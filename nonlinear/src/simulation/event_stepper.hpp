@@ -68,11 +68,16 @@ class ScaledError {
       weight_[i] = (i < 6 ? of_motion[i] : of_hidden(hidden_quantities[i - 6].scale)) / tolerance;
   }
 
+  /// Infinite where it is not a number: a step that went beyond where the forces are known is repeated, shorter.
   template <class Algebra>
   double error(Algebra&, const State&, const State&, const State& step_error, double) const {
-    double worst = 0.0;
-    for (std::size_t i = 0; i < step_error.size(); ++i) worst = std::max(worst, std::abs(step_error[i]) * weight_[i]);
-    return worst;
+    double worst = 0.0, sum = 0.0;
+    for (std::size_t i = 0; i < step_error.size(); ++i) {
+      const double error = std::abs(step_error[i]) * weight_[i];
+      worst = std::max(worst, error);
+      sum += error;
+    }
+    return std::isfinite(sum) ? worst : std::numeric_limits<double>::infinity();
   }
 
  private:
@@ -318,6 +323,10 @@ class EventStepper final : public ShipStepper {
     const bool finite = std::isfinite(std::accumulate(s.begin(), s.end(), 0.0));
     if (finite && integrator_.current_time_step() > 1e-8 * time_unit_) return;
     require_way(time);
+    refuse_unbounded(time);
+  }
+
+  [[noreturn]] static void refuse_unbounded(double time) {
     throw Refusal(fmt::format("the simulated motion grows without bound at {:.6g} s", time));
   }
 
@@ -370,10 +379,12 @@ class EventStepper final : public ShipStepper {
   }
 
   /// Root of g along the stretch, which must change sign on it.
+  /// @throws Refusal  where g is no number: the motion has outgrown it
   template <class G>
   double root(const Stretch& stretch, G&& g) const {
     const double g0 = g(stretch.start, stretch.from), g1 = g(stretch.end, stretch.to);
     if (g1 == 0.0) return stretch.to;
+    if (!std::isfinite(g0) || !std::isfinite(g1)) refuse_unbounded(stretch.from);
     std::uintmax_t iterations = 60;
     const auto tolerance = [this](double a, double b) { return b - a < 1e-13 * time_unit_ + 4e-16 * std::abs(b); };
     const auto bracket = boost::math::tools::toms748_solve([&](double t) { return g(dense(t), t); }, stretch.from,
