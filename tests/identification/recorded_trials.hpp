@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <random>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -24,7 +26,23 @@ struct TrialInstruments {
   double rudder = 0.1;             ///< noise [deg]
   double north = 0.0, east = 0.0;  ///< current [U]
   double turned = 0.0;             ///< heading of the approach [rad]
+  double smoothing = 0.0;          ///< of heading and speeds, by a bell of this standard deviation [L/U]
 };
+
+/// Means over neighbours, weighted by a bell of that standard deviation [samples].
+inline void smooth(std::span<double> values, double width) {
+  const std::vector<double> raw(values.begin(), values.end());
+  const auto half = static_cast<std::ptrdiff_t>(4.0 * width), last = static_cast<std::ptrdiff_t>(raw.size()) - 1;
+  for (std::ptrdiff_t i = 0; i <= last; ++i) {
+    double sum = 0.0, weights = 0.0;
+    for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(i - half, 0); k <= std::min(i + half, last); ++k) {
+      const double z = static_cast<double>(k - i) / width, weight = std::exp(-0.5 * z * z);
+      sum += weight * raw[static_cast<std::size_t>(k)];
+      weights += weight;
+    }
+    values[static_cast<std::size_t>(i)] = sum / weights;
+  }
+}
 
 inline TrialInstruments random_instruments(RandomModels& random) {
   return {.step = random.uniform(0.02, 0.08),
@@ -59,14 +77,14 @@ inline Recording as_trial(const Recording& run, double L, double U, const TrialI
     const double ahead = straight ? U * t : run[Channel::x][k], across = straight ? 0.0 : run[Channel::y][k];
     x[i] = ahead * c - across * s + wish.north * U * t + wish.place * L * normal(engine);
     y[i] = ahead * s + across * c + wish.east * U * t + wish.place * L * normal(engine);
-    psi[i] =
-        std::round((wish.turned + (straight ? 0.0 : run[Channel::psi][k]) + radians(wish.heading) * normal(engine)) /
-                   digit) *
-        digit;
+    psi[i] = wish.turned + (straight ? 0.0 : run[Channel::psi][k]) + radians(wish.heading) * normal(engine);
     u[i] = (straight ? U : run[Channel::u][k]) + wish.speed * U * normal(engine);
     v[i] = (straight ? 0.0 : run[Channel::v][k]) + wish.speed * U * normal(engine);
     delta[i] = (straight ? 0.0 : run[Channel::delta][k]) + radians(wish.rudder) * normal(engine);
   }
+  if (wish.smoothing > 0.0)
+    for (const auto channel : {psi, u, v}) smooth(channel, wish.smoothing * L / U / dt);
+  for (double& heading : psi) heading = std::round(heading / digit) * digit;
   return trial;
 }
 

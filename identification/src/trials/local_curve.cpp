@@ -10,9 +10,9 @@ namespace swayaw::inline identification::detail {
 namespace {
 
 // Intervals of so many standard errors must have a point in common. Over 240 simulated zigzags and turns of all models
-// (trial_intervals_test) 0.8 keeps the true index within two of the stated standard errors in 90 to 99 % of the
-// cases; 1.5 in 72 % of the worst index.
-constexpr double agreement = 0.8;
+// (trial_intervals_test) 0.7 keeps the true index within two of the stated standard errors in 90 to 99 % of the
+// cases, smoothed by the instrument or not; 0.8 in 88 % of the worst index where it is smoothed, 1.5 in 72 %.
+constexpr double agreement = 0.7;
 
 // The slope of the widest cubic that agrees is off by more than its noise, since the yaw acceleration jumps where the
 // rudder stops: over the same cases by this factor.
@@ -56,41 +56,56 @@ Eigen::Vector4d powers(double z) { return {1.0, z, z * z, z * z * z}; }
 double rounding_left(const Samples& s, double way) {
   const double q = s.digit;
   if (!(q > 0.0)) return 0.0;
-  const double spread = std::max(s.noise * s.noise - q * q / 12.0, 0.0) + way * way / 3.0;
+  const double spread = std::max(s.noise.deviation * s.noise.deviation - q * q / 12.0, 0.0) + way * way / 3.0;
   return q / (std::sqrt(2.0) * pi) * std::exp(-2.0 * pi * pi * spread / (q * q));
 }
 
-/// (1 + rho)/(1 − rho): so many samples with neighbours correlated by rho say what one would alone.
-double lengthened(double squares, double neighbours) {
-  const double rho = squares > 0.0 ? std::clamp(neighbours / squares, 0.0, 0.98) : 0.0;
-  return (1.0 + rho) / (1.0 - rho);
+/// Variance of what is left of the samples beside a curve: that of the noise, or what there is more, as in waves; for
+/// longer where samples are off alike that are a memory of the noise apart, by (1 + rho)/(1 − rho).
+double variance_left(const std::vector<double>& off, const SampleNoise& noise, double unknowns) {
+  const auto apart = static_cast<std::size_t>(std::lround(noise.memory));
+  double squares = 0.0, products = 0.0;
+  for (std::size_t i = 0; i < off.size(); ++i) {
+    squares += off[i] * off[i];
+    if (i >= apart) products += off[i] * off[i - apart];
+  }
+  const double rho = squares > 0.0 ? std::clamp(products / squares, 0.0, 0.98) : 0.0;
+  const double scatter = squares / (static_cast<double>(off.size()) - unknowns) * (1.0 + rho) / (1.0 - rho);
+  return std::max(noise.deviation * noise.deviation, scatter);
 }
 
 LocalCubic fitted(const Samples& s, double at, const Window& w) {
   const double unit = std::max(at - s.time[w.first], s.time[w.last - 1] - at);
-  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d right = Eigen::Vector4d::Zero();
-  for (std::size_t i = w.first; i < w.last; ++i) {
-    const auto p = powers((s.time[i] - at) / unit);
-    normal += p * p.transpose();
-    right += s.value[i] * p;
+  Eigen::MatrixX4d P(static_cast<Eigen::Index>(w.size()), 4);
+  for (std::size_t i = 0; i < w.size(); ++i)
+    P.row(static_cast<Eigen::Index>(i)) = powers((s.time[w.first + i] - at) / unit);
+  const Eigen::Map<const Eigen::VectorXd> x(s.value.data() + w.first, P.rows());
+  // c = (PᵀP)⁻¹ Pᵀ x, cov c = (PᵀP)⁻¹ (Σ rho p pᵀ) (PᵀP)⁻¹ sigma²
+  const Eigen::Matrix4d inverse = core::detail::inverse(P.transpose() * P);
+  LocalCubic cubic{.centre = at, .unit = unit, .c = inverse * (P.transpose() * x), .covariance = inverse};
+  if (s.noise.reach() > 0) cubic.covariance = inverse * s.noise.covariance_of_sum(P) * inverse;
+  double variance = s.noise.deviation * s.noise.deviation;
+  if (w.size() > 8) {
+    const Eigen::VectorXd off = x - P * cubic.c;
+    variance = variance_left({off.begin(), off.end()}, s.noise, 4.0);
   }
-  const Eigen::Matrix4d inverse = core::detail::inverse(normal);
-  LocalCubic cubic{.centre = at, .unit = unit, .c = inverse * right, .covariance = inverse};
-  double squares = 0.0, neighbours = 0.0, before = 0.0;
-  for (std::size_t i = w.first; i < w.last; ++i) {
-    const double off = s.value[i] - cubic.c.dot(powers((s.time[i] - at) / unit));
-    squares += off * off;
-    neighbours += off * before;
-    before = off;
-  }
-  // what scatters more than the noise counts, as in waves or behind a filter, and for longer where neighbours are off
-  // alike
-  const double n = static_cast<double>(w.size());
-  const double scatter = w.size() > 8 ? squares / (n - 4.0) * lengthened(squares, neighbours) : 0.0;
-  cubic.covariance *= std::max(s.noise * s.noise, scatter);
+  cubic.covariance *= variance;
   cubic.rounding = rounding_left(s, cubic.slope(at).value * unit);
   return cubic;
+}
+
+Window between(const Samples& s, double from, double to) {
+  const auto last = std::ranges::upper_bound(s.time, to);
+  const auto end = static_cast<std::size_t>(last - s.time.begin());
+  return {std::min(s.index_at(from), end), end};
+}
+
+/// w²/2 of the bell that smoothed the samples.
+double blur_of(const Samples& s, const LocalCubic& about) {
+  if (!(s.noise.bell > 0.0)) return 0.0;
+  const auto w = between(s, about.centre - about.unit, about.centre + about.unit);
+  const double step = (s.time[w.last - 1] - s.time[w.first]) / static_cast<double>(w.size() - 1);
+  return 0.5 * s.noise.bell * s.noise.bell * step * step;
 }
 
 /// Intervals that must have a point in common.
@@ -104,15 +119,11 @@ struct Agreement {
   }
 };
 
-Window between(const Samples& s, double from, double to) {
-  const auto last = std::ranges::upper_bound(s.time, to);
-  const auto end = static_cast<std::size_t>(last - s.time.begin());
-  return {std::min(s.index_at(from), end), end};
-}
-
 std::size_t larger(std::size_t count) { return std::max(count + 1, count * 7 / 5); }
 
 }  // namespace
+
+double together(double a, double b, double c) { return std::sqrt(a * a + b * b + c * c); }
 
 std::size_t Samples::index_at(double t) const {
   return static_cast<std::size_t>(std::ranges::lower_bound(time, t) - time.begin());
@@ -120,7 +131,8 @@ std::size_t Samples::index_at(double t) const {
 
 Samples samples_of(std::vector<double> time, std::vector<double> value) {
   if (value.empty()) return {};
-  const double digit = smallest_step(value), noise = std::max(white_noise_of(value), digit / std::sqrt(12.0));
+  const double digit = smallest_step(value);
+  const auto noise = noise_of(value, digit);
   return {std::move(time), std::move(value), noise, digit};
 }
 
@@ -132,13 +144,14 @@ Samples samples_of(const Recording& run, Channel channel) {
 
 Told LocalCubic::value(double t) const {
   const auto p = powers((t - centre) / unit);
-  return {c.dot(p), std::sqrt(p.dot(covariance * p) + rounding * rounding)};
+  return {c.dot(p), together(std::sqrt(p.dot(covariance * p)), rounding, blur * curvature(t))};
 }
 
 Told LocalCubic::slope(double t) const {
   const double z = (t - centre) / unit;
   const Eigen::Vector4d p = Eigen::Vector4d(0.0, 1.0, 2.0 * z, 3.0 * z * z) / unit;
-  return {c.dot(p), std::hypot(std::sqrt(p.dot(covariance * p)), rounding / unit)};
+  const double bend = 6.0 * c[3] / (unit * unit * unit);  // d³x/dt³
+  return {c.dot(p), together(std::sqrt(p.dot(covariance * p)), rounding / unit, blur * bend)};
 }
 
 double LocalCubic::curvature(double t) const { return (2.0 * c[2] + 6.0 * c[3] * (t - centre) / unit) / (unit * unit); }
@@ -155,6 +168,7 @@ std::optional<LocalCubic> local_cubic(const Samples& s, double at, double from, 
     if (!value.takes(wider.value(at)) || !slope.takes(wider.slope(at))) break;
     best = wider;
   }
+  best.blur = blur_of(s, best);
   return best;
 }
 
@@ -171,8 +185,7 @@ MaybeTold level_before(const Samples& s, double from, double to) {
   double sum = 0.0;
   for (std::size_t n = 1; n <= all.size(); ++n) {
     sum += s.value[all.last - n];
-    const double count = static_cast<double>(n);
-    const Told mean{sum / count, std::hypot(s.noise / std::sqrt(count), rounding_left(s, 0.0))};
+    const Told mean{sum / static_cast<double>(n), std::hypot(s.noise.of_mean(n), rounding_left(s, 0.0))};
     if (n < 3) continue;
     if (!so_far.takes(mean)) break;
     best = mean;
@@ -221,7 +234,7 @@ std::optional<Peak> peak(const Samples& s, double sign, double from, double to) 
   }
   if (result) return result;
   const double dt = s.time[top + 1] - s.time[top - 1];
-  return Peak{{s.time[top], dt}, {s.value[top], s.noise}};
+  return Peak{{s.time[top], dt}, {s.value[top], s.noise.deviation}};
 }
 
 std::optional<Line> line_over(const Samples& s, double from, double to) {
@@ -235,14 +248,9 @@ std::optional<Line> line_over(const Samples& s, double from, double to) {
     tx += (s.time[i] - t) * (s.value[i] - x);
   }
   const double slope = tx / tt;
-  double squares = 0.0, neighbours = 0.0, before = 0.0;
-  for (std::size_t i = w.first; i < w.last; ++i) {
-    const double off = s.value[i] - x - slope * (s.time[i] - t);
-    squares += off * off;
-    neighbours += off * before;
-    before = off;
-  }
-  const double variance = std::max(squares / (n - 2.0) * lengthened(squares, neighbours), s.noise * s.noise);
+  std::vector<double> off;
+  for (std::size_t i = w.first; i < w.last; ++i) off.push_back(s.value[i] - x - slope * (s.time[i] - t));
+  const double variance = s.noise.memory * variance_left(off, s.noise, 2.0);
   return Line{{x, std::sqrt(variance / n)}, {slope, std::sqrt(variance / tt)}};
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "sample_noise.hpp"
 #include "swayaw/identification/trial.hpp"
 
 /// Numbers between samples, with their standard errors.
@@ -12,10 +13,10 @@ namespace swayaw::inline identification::detail {
 
 inline constexpr double forever = std::numeric_limits<double>::infinity();
 
-/// Samples of a quantity, without the missing ones, and the standard deviation of the noise on each.
+/// Samples of a quantity, without the missing ones, and the noise on them.
 struct Samples {
   std::vector<double> time, value;
-  double noise;
+  SampleNoise noise;
   double digit = 0.0;  ///< smallest step between two different values
 
   std::size_t size() const { return time.size(); }
@@ -24,9 +25,12 @@ struct Samples {
   std::size_t index_at(double t) const;
 };
 
-/// Noise is the larger of white noise, by third differences, and of rounding, q/√12 with q the smallest step.
+/// Noise by third differences, not less than rounding to q makes it, q/√12; q is the smallest step.
 Samples samples_of(std::vector<double> time, std::vector<double> value);
 Samples samples_of(const Recording& run, Channel channel);
+
+/// √(a² + b² + c²) of standard errors.
+double together(double a, double b, double c = 0.0);
 
 /// A cubic in (t − centre)/unit, by least squares.
 struct LocalCubic {
@@ -34,6 +38,7 @@ struct LocalCubic {
   Eigen::Vector4d c;
   Eigen::Matrix4d covariance;
   double rounding = 0.0;  ///< error of the last digit that stays however many samples are taken
+  double blur = 0.0;  ///< half the variance of the bell that smoothed the samples [s²]: moves them by blur d²x/dt²
 
   Told value(double t) const;
   Told slope(double t) const;
@@ -41,7 +46,7 @@ struct LocalCubic {
 };
 
 /// The cubic about a time, over the samples nearest to it in [from, to]: as many as agree. The window grows from five
-/// samples while the intervals of 0.8 standard errors about its values, and about its slopes, still have a
+/// samples while the intervals of 0.7 standard errors about its values, and about its slopes, still have a
 /// point in common (intersection of confidence intervals), so that its noise is small and its bias not larger than
 /// that.
 ///

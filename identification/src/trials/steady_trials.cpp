@@ -29,7 +29,7 @@ SpiralStep step_of(const TrialRun& run, double sum, std::size_t first, std::size
 std::vector<SpiralStep> held_steps(const TrialRun& run) {
   const auto& d = run.delta;
   const double shortest = shortest_share * (d.time.back() - d.time.front()),
-               slack = std::max(held_within, 4.0 * d.noise);
+               slack = std::max(held_within, 4.0 * d.noise.deviation);
   std::vector<SpiralStep> steps;
   for (std::size_t first = 0; first < d.size();) {
     double sum = d.value[first];

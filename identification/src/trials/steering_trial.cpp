@@ -171,10 +171,18 @@ std::optional<NomotoTold> by_nomoto(const TrialRun& run, double from, double to)
 
 bool told(const Told& x) { return std::abs(x.value) > 2.0 * x.standard_error; }
 
+/// How long the noise of a channel remembers [s].
+double memory_of(const Samples& s) {
+  if (s.size() < 2) return 0.0;
+  return s.noise.memory * (s.time.back() - s.time.front()) / static_cast<double>(s.size() - 1);
+}
+
 /// The second-order equation of yaw from heading, yaw rate where recorded, and rudder, at constant speed.
 std::optional<SecondOrderTold> second_order(const TrialRun& run, double from, double to, double time_unit) {
   // one ship length is one time unit
-  const LinearFitOptions options{.L = 1.0, .U = 1.0 / time_unit, .use_drift = false, .from = from, .to = to};
+  LinearFitOptions options{.L = 1.0, .U = 1.0 / time_unit, .use_drift = false, .from = from, .to = to};
+  const double memory = std::max(memory_of(run.psi), memory_of(samples_of(*run.recording, Channel::r)));
+  options.spacing = std::max(options.spacing, memory / time_unit);
   const auto named = [&](const Estimate& e, double unit) { return Told{e.value * unit, e.standard_error * unit}; };
   try {
     const auto fit = fit_linear(*run.recording, options);

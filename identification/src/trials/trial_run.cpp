@@ -85,6 +85,13 @@ Samples complete(const Recording& run, const std::vector<double>& values) {
   return samples_of(std::move(time), std::move(value));
 }
 
+/// Angles of a rudder: put over in steps, which are no noise, and not smoothed.
+Samples rudder_samples(const Recording& run, Channel channel) {
+  auto s = samples_of(run, channel);
+  if (s.size() > 0) s.noise = {std::max(white_noise_of(s.value), s.digit / std::sqrt(12.0))};
+  return s;
+}
+
 double hypotenuse(double a, double b) { return std::hypot(a, b); }
 
 /// Forward speed of the track, (dx cos psi + dy sin psi)/dt between samples.
@@ -150,7 +157,7 @@ RudderMove move_between(const Samples& delta, const RudderLeg& before, const Rud
   const double rate = late > early ? 0.6 * std::abs(way) / (late - early) : 0.0;
   if (late - early > 0.7 * step) {
     // 20 % of the way before its passage; noise at both passages, 4/3 and 1/3 of it
-    move.start = {early - (late - early) / 3.0, std::hypot(1.37 * delta.noise / rate, 0.1 * step)};
+    move.start = {early - (late - early) / 3.0, std::hypot(1.37 * delta.noise.deviation / rate, 0.1 * step)};
     move.rate = rate;
   } else {
     move.start = {delta.time[k - 1] + 0.5 * step, step / std::sqrt(12.0)};
@@ -161,7 +168,7 @@ RudderMove move_between(const Samples& delta, const RudderLeg& before, const Rud
 
 /// Until when the rudder stays where it is at first, to 0.3 deg or its noise.
 double still_until(const Samples& delta) {
-  const double slack = std::max(radians(0.3), 4.0 * delta.noise);
+  const double slack = std::max(radians(0.3), 4.0 * delta.noise.deviation);
   std::size_t i = 0;
   while (i + 1 < delta.size() && std::abs(delta.value[i + 1] - delta.value[0]) <= slack) ++i;
   return delta.time[i];
@@ -193,8 +200,6 @@ MaybeTold first_move(const Samples& delta, const std::vector<RudderLeg>& legs) {
 
 }  // namespace
 
-double together(double a, double b, double c) { return std::sqrt(a * a + b * b + c * c); }
-
 Samples drift_samples(const Recording& run) {
   if (!run.has(Channel::u) || !run.has(Channel::v)) return {};
   return complete(run, combined(run, Channel::u, Channel::v, [](double u, double v) { return std::atan2(-v, u); }));
@@ -206,7 +211,7 @@ TrialRun prepared(const Recording& run) {
   if (!run.has(rudder)) throw Refusal(fmt::format("{}: no rudder angle recorded: nothing can be judged", run.name));
   TrialRun t{.recording = &run,
              .psi = samples_of(run, Channel::psi),
-             .delta = samples_of(run, rudder),
+             .delta = rudder_samples(run, rudder),
              .x = samples_of(run, Channel::x),
              .y = samples_of(run, Channel::y),
              .speed = {},

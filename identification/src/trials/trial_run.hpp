@@ -60,7 +60,4 @@ SteeringTrial steering_trial(const TrialRun& run, const TrialResult& result, con
 /// Drift angle atan2(−v, u) where u and v are recorded.
 Samples drift_samples(const Recording& run);
 
-/// √(a² + b²) of standard errors.
-double together(double a, double b, double c = 0.0);
-
 }  // namespace swayaw::identification::detail

@@ -189,10 +189,10 @@ std::optional<SteadyTrack> steady_track(const Turn& turn, const Drift& drift, do
   if (count < 8) return std::nullopt;
   const Eigen::Vector4d z = core::detail::solve_symmetric(normal, right);
   // u + i v = i r w: u = −r Im w, v = r Re w
-  const double radius = std::hypot(z[2], z[3]), n = static_cast<double>(count);
+  const double radius = std::hypot(z[2], z[3]);
   // noise of two coordinates on two numbers, and a drift that is off over half a turn
-  const double error =
-      together(std::max(x.noise, y.noise) * std::sqrt(2.0 / n), drift.standard_error * (to - from) / pi);
+  const double noise = std::max(x.noise.of_mean(count), y.noise.of_mean(count));
+  const double error = together(std::sqrt(2.0) * noise, drift.standard_error * (to - from) / pi);
   return SteadyTrack{{radius, error}, {std::atan2(-turn.sign * z[2], -turn.sign * z[3]), error / radius}};
 }
 

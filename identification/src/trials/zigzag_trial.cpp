@@ -37,6 +37,9 @@ MaybeTold minus(const MaybeTold& a, const MaybeTold& b) {
   return Told{a->value - b->value, together(a->standard_error, b->standard_error)};
 }
 
+/// Whether a peak that is not beyond H may have reached it.
+bool touches(const Told& peak, double H) { return std::abs(peak.value - H) <= 2.0 * peak.standard_error; }
+
 TrialReversal reversal(const TrialRun& run, const Approach& approach, double H, double sign, double from,
                        const Reverse& reverse) {
   TrialReversal result{.side = side_of(sign),
@@ -64,6 +67,10 @@ TrialReversal reversal(const TrialRun& run, const Approach& approach, double H, 
     const auto slope = local_cubic(run.psi, passed->value)->slope(passed->value);
     passed->standard_error = together(passed->standard_error, approach.heading.standard_error / slope.value);
     result.execute = passed;
+  } else if (top && touches(off(top->value), H)) {
+    // then the rudder tells when
+    const auto& start = reverse.move->start;
+    result.execute = Told{start.value, together(start.standard_error, top->time.value - start.value)};
   }
   if (!top || top->time.value < reverse.move->start.value) return result;
   const Told height = off(top->value);
