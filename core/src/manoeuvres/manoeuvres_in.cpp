@@ -16,11 +16,12 @@ namespace {
 // ---------------------------------------------------------------- angles in words
 
 /// The angle that was ordered, from that which was measured [deg]: a usual one if it is near. An order that waits for
-/// an angle comes late rather than early.
+/// an angle comes late rather than early, by `late` or a tenth.
 int nominal(double measured, double late = 0.0) {
   for (const int usual : {1, 2, 3, 5, 10, 15, 20, 25, 30, 35, 40, 45}) {
     const double near = std::max(0.5, std::min(0.15 * usual, 1.5));
-    if (measured >= usual - near && measured <= usual + std::max(near, usual < 5 ? 0.0 : late)) return usual;
+    const double latest = usual < 5 || late == 0.0 ? 0.0 : std::max(late, 0.1 * usual);
+    if (measured >= usual - near && measured <= usual + std::max(near, latest)) return usual;
   }
   return static_cast<int>(std::lround(measured));
 }
@@ -50,6 +51,7 @@ class Search {
     for (const double threshold : thresholds) find_zigzags(holds_beyond(rudder_, threshold));
     find_spirals();
     for (const double threshold : thresholds) find_turns(holds_beyond(rudder_, threshold));
+    if (found_.empty()) find_slow_zigzag();
     add_margins();
     find_steady_runs();
     std::ranges::sort(found_, {}, &ManoeuvrePiece::begin);
@@ -100,10 +102,19 @@ class Search {
     }
   }
 
+  /// A zigzag of a ship that turns faster than her rudder moves, which is hardly held: what nearly all of a recording
+  /// shows cannot be course-keeping.
+  void find_slow_zigzag() {
+    held_long_ = false;
+    for (const double threshold : thresholds) find_zigzags(holds_beyond(rudder_, threshold));
+    const double most = 0.5 * (run_.time.back() - run_.time.front());
+    std::erase_if(found_, [&](const auto& piece) { return piece.end - piece.begin < most; });
+  }
+
   /// How many holds from the first on are of one size, to either side in turn.
   std::size_t chain_from(const std::vector<Hold>& holds, std::size_t first) const {
     std::size_t end = first + 1;
-    if (!is_free(holds[first]) || holds[first].flat < flat_enough) return 1;
+    if (!is_free(holds[first])) return 1;
     while (end < holds.size() && is_free(holds[end]) && follows(holds, first, end)) ++end;
     return end - first;
   }
@@ -112,15 +123,21 @@ class Search {
     const auto &hold = holds[k], &before = holds[k - 1];
     const double size = 0.5 * std::abs(hold.level - before.level);
     const bool opposite = hold.level * before.level < 0.0;
-    const bool equal = std::abs(hold.level + before.level) <= std::min(4.0, 0.5 * size);  // a zero that is off by 2 deg
-    const bool again = k < first + 2 || std::abs(hold.level - holds[k - 2].level) <= std::max(1.5, 0.15 * size);
-    return opposite && equal && again && hold.flat >= flat_enough && goes_across(before, hold);
+    // a zero that is off by 2 deg; the first reversal may come before a slow rudder has arrived
+    const bool arrived = is_held(before) && std::abs(hold.level + before.level) <= std::min(4.0, 0.5 * size);
+    const bool late = k == first + 1 && std::abs(before.level) < std::abs(hold.level) &&
+                      (!held_long_ || before.duration() < 0.5 * hold.duration());
+    const bool equal = arrived || late;
+    const bool again = k < first + 3 || std::abs(hold.level - holds[k - 2].level) <= std::max(1.5, 0.15 * size);
+    return opposite && equal && again && is_held(hold) && goes_across(before, hold);
   }
+
+  bool is_held(const Hold& hold) const { return hold.flat >= flat_enough || !held_long_; }
 
   /// From one side to the other without a stay amidships: at a steady rate a third of the way is within 0.3 of the
   /// angle.
   bool goes_across(const Hold& before, const Hold& hold) const {
-    if (hold.from - before.to > 1.5 * before.duration()) return false;
+    if (hold.from - before.to > 1.5 * std::max(before.duration(), hold.duration())) return false;
     const auto from = rudder_.from(before.to), to = rudder_.from(hold.from);
     const double amidships = std::max(0.3 * std::abs(hold.level), 1.5);
     std::size_t there = 0;
@@ -141,9 +158,9 @@ class Search {
       off.push_back(now);
     }
     while (off.size() >= 2 && !is_even(off)) off.pop_back();
-    const double size = 0.5 * std::abs(holds[1].level - holds[0].level);
-    if (off.size() < 2 || !is_usual(size, switch_angle(off)) || crossing_share(holds.first(off.size() + 1)) > sinusoid)
-      return 0;
+    const double size = 0.5 * std::abs(holds[2].level - holds[1].level);
+    if (off.size() < 2 || !is_usual(size, switch_angle(off))) return 0;
+    if (crossing_share(holds.first(off.size() + 1)) > sinusoid && held_long_) return 0;
     tell_zigzag(holds.first(off.size() + 1), execute, off);
     return off.size() + 1;
   }
@@ -165,8 +182,10 @@ class Search {
            std::ranges::all_of(off, [H](double one) { return std::abs(std::abs(one) - H) <= std::max(2.5, 0.5 * H); });
   }
 
-  /// Share of the time in which the rudder moves from one side to the other.
+  /// Share of the time in which the rudder moves from one side to the other; without the first hold where there are
+  /// more than three, which is shorter than the others.
   static double crossing_share(std::span<const Hold> holds) {
+    if (holds.size() > 3) holds = holds.subspan(1);
     double crossing = 0.0, held = 0.0;
     for (std::size_t k = 0; k + 1 < holds.size(); ++k) {
       crossing += holds[k + 1].from - holds[k].to;
@@ -177,8 +196,8 @@ class Search {
 
   void tell_zigzag(std::span<const Hold> holds, double execute, const std::vector<double>& off) {
     double size = 0.0;
-    for (std::size_t k = 0; k + 1 < holds.size(); ++k)
-      size += 0.5 * std::abs(holds[k + 1].level - holds[k].level) / static_cast<double>(holds.size() - 1);
+    for (std::size_t k = 1; k + 1 < holds.size(); ++k)
+      size += 0.5 * std::abs(holds[k + 1].level - holds[k].level) / static_cast<double>(holds.size() - 2);
     const double H = switch_angle(off);
     add(execute, holds.back().to, fmt::format("zigzag {}/{}", nominal(size), nominal(H, late_order)), execute,
         fmt::format("first to {}, {} reversals; rudder held at {:.1f} deg, reversed at {:.1f} deg of heading",
@@ -436,6 +455,7 @@ class Search {
   const Recording& run_;
   Track rudder_, smooth_, heading_, speed_;
   std::vector<ManoeuvrePiece> found_;
+  bool held_long_ = true;  ///< a rudder angle counts as held only if it is for longer than the rudder moves
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/manoeuvres_in.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "trial_run.hpp"
 
@@ -64,105 +65,78 @@ double range_of(const Samples& s) {
   return high - low;
 }
 
-/// The angle that was meant: a multiple of 5 deg within 15 % of it, else the nearest whole degree.
-double to_degree(double angle) {
-  const double five = 5.0 * std::round(degrees(angle) / 5.0);
-  return radians(std::abs(degrees(angle) - five) < 0.15 * five ? five : std::round(degrees(angle)));
-}
-
-/// Median size of the angles held on either side.
-double held_rudder(const TrialRun& run) {
-  std::vector<double> levels;
-  for (const auto& leg : run.legs)
-    if (leg.sign != 0.0) levels.push_back(std::abs(leg.level - run.rudder_before));
-  if (levels.empty()) return run.largest;
-  std::ranges::sort(levels);
-  return levels[levels.size() / 2];
-}
-
-/// Mean size of the heading off the approach when the rudder begins to go back.
-double switch_heading(const TrialRun& run) {
-  const auto approach = approach_of(run, {});
-  double sum = 0.0, count = 0.0;
-  const auto moves = moves_of(run);
-  for (std::size_t k = 1; k < moves.size(); ++k) {
-    const auto psi = value_at(run.psi, moves[k].start.value);
-    if (!psi || run.legs[k].sign * run.legs[k + 1].sign >= 0.0) continue;
-    sum += std::abs(psi->value - approach.heading.value);
-    count += 1.0;
-  }
-  return count > 0.0 ? sum / count : 0.0;
-}
-
-TrialManoeuvre zigzag_named(const TrialRun& run, const std::vector<double>& numbers) {
-  const bool said = numbers.size() >= 2 && numbers[0] > 0.0 && numbers[1] > 0.0;
-  const double D = said ? radians(numbers[0]) : to_degree(held_rudder(run)),
-               H = said ? radians(numbers[1]) : to_degree(switch_heading(run));
-  if (!(H > 0.0 && H < radians(90.0)))
-    throw Refusal(
-        fmt::format("{}: a zigzag whose heading cannot be told; write # manoeuvre = \"zigzag 10/10\" above the "
-                    "header row",
-                    run.recording->name));
-  return {TrialKind::zigzag, D, H, said, fmt::format("zigzag {:.6g}/{:.6g}", degrees(D), degrees(H))};
-}
-
-TrialManoeuvre turn_named(const TrialRun& run, const std::vector<double>& numbers) {
-  const bool said = !numbers.empty() && numbers[0] > 0.0 && numbers[0] < 90.0;
-  const double D = said ? radians(numbers[0]) : to_degree(held_rudder(run));
-  return {TrialKind::turn, D, 0.0, said, fmt::format("turn {:.6g}", degrees(D))};
-}
-
 [[noreturn]] void refuse_still(const TrialRun& run, std::string_view what) {
   throw Refusal(fmt::format("{}: the rudder moves by no more than {:.1f} deg: no {} to judge; is it the right column?",
                             run.recording->name, degrees(range_of(run.delta)), what));
 }
 
-std::optional<TrialManoeuvre> said(const TrialRun& run) {
-  const std::string text = lower(run.recording->facts.manoeuvre);
+/// What the words of a manoeuvre say: "zigzag 10/10", "turn 35", "pull-out 20", "spiral", "steady run" and the like.
+struct Words {
+  TrialKind kind;
+  std::vector<double> angles;  ///< [deg]
+
+  bool complete() const {
+    const auto usual = [](double angle) { return angle > 0.0 && angle < 90.0; };
+    const std::size_t needed = kind == TrialKind::zigzag ? 2 : kind == TrialKind::turn ? 1 : 0;
+    return angles.size() >= needed && std::all_of(angles.begin(), angles.begin() + static_cast<long>(needed), usual);
+  }
+};
+
+std::optional<Words> words_of(const std::string& manoeuvre) {
+  const std::string text = lower(manoeuvre);
   const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
-  const bool still = run.largest < still_rudder;
-  if (has("zig"))
-    return still ? (refuse_still(run, "zigzag"), std::nullopt) : std::optional(zigzag_named(run, numbers_in(text)));
-  if (has("spiral")) return TrialManoeuvre{TrialKind::spiral, to_degree(run.largest), 0.0, true, "spiral"};
-  if (has("turn") || has("circle") || has("pull"))
-    return still ? (refuse_still(run, "turn"), std::nullopt) : std::optional(turn_named(run, numbers_in(text)));
-  if (has("straight") || has("steady") || has("speed run"))
-    return TrialManoeuvre{TrialKind::steady, 0.0, 0.0, true, "steady run"};
+  if (has("zig")) return Words{TrialKind::zigzag, numbers_in(text)};
+  if (has("spiral")) return Words{TrialKind::spiral, {}};
+  if (has("turn") || has("circle") || has("pull")) return Words{TrialKind::turn, numbers_in(text)};
+  if (has("straight") || has("steady") || has("speed run")) return Words{TrialKind::steady, {}};
   return std::nullopt;
 }
 
-bool reverses(const TrialRun& run) {
-  int changes = 0;
-  for (std::size_t k = 1; k < run.legs.size(); ++k) changes += run.legs[k].sign * run.legs[k - 1].sign < 0.0;
-  return changes >= 2 || (changes == 1 && range_of(run.psi) < radians(90.0));
+/// The manoeuvre that the recording holds, the longest if there are more.
+std::optional<Words> found_in(const Recording& run) {
+  const auto pieces = manoeuvres_in(run);
+  const auto sailed = [](const ManoeuvrePiece& piece) { return piece.execute ? piece.end - *piece.execute : 0.0; };
+  const auto longest = std::ranges::max_element(pieces, {}, sailed);
+  return longest == pieces.end() ? std::nullopt : words_of(longest->manoeuvre);
 }
 
-/// How many rudder angles are held, more than 2 deg apart: a zigzag or a turn has three at most.
-std::size_t angles_held(const TrialRun& run) {
-  std::vector<double> angles;
-  for (const auto& step : held_steps(run)) angles.push_back(step.delta);
-  std::ranges::sort(angles);
-  std::size_t count = angles.empty() ? 0 : 1;
-  for (std::size_t i = 1; i < angles.size(); ++i) count += angles[i] - angles[i - 1] > still_rudder ? 1 : 0;
-  return count;
+/// To the whole degree.
+double to_degree(double angle) { return radians(std::round(degrees(angle))); }
+
+TrialManoeuvre manoeuvre_named(const TrialRun& run, const Words& words, bool said) {
+  const auto angle = [&](std::size_t k) { return words.angles[k]; };
+  switch (words.kind) {
+    case TrialKind::zigzag:
+      return {words.kind, radians(angle(0)), radians(angle(1)), said,
+              fmt::format("zigzag {:.6g}/{:.6g}", angle(0), angle(1))};
+    case TrialKind::turn: return {words.kind, radians(angle(0)), 0.0, said, fmt::format("turn {:.6g}", angle(0))};
+    case TrialKind::spiral: return {words.kind, to_degree(run.largest), 0.0, said, "spiral"};
+    case TrialKind::steady: break;
+  }
+  return {TrialKind::steady, 0.0, 0.0, said, "steady run"};
+}
+
+[[noreturn]] void refuse_untold(const TrialRun& run) {
+  throw Refusal(
+      fmt::format("{}: which manoeuvre this is cannot be told: the heading changes by {:.0f} deg, the rudder "
+                  "is put over {} times; write # manoeuvre = \"zigzag 10/10\" or \"turn 35\" above the header row",
+                  run.recording->name, degrees(range_of(run.psi)), run.legs.size() - 1));
 }
 
 }  // namespace
 
 TrialManoeuvre manoeuvre_of(const TrialRun& run) {
-  if (const auto told = said(run)) return *told;
-  if (run.largest < still_rudder || range_of(run.psi) < radians(3.0)) {
-    if (range_of(run.psi) < straight_heading) return {TrialKind::steady, 0.0, 0.0, false, "steady run"};
-    refuse_still(run, "manoeuvre");
-  }
-  if (angles_held(run) >= 5) return {TrialKind::spiral, to_degree(run.largest), 0.0, false, "spiral"};
-  if (reverses(run)) return zigzag_named(run, {});
-  const auto turning = std::ranges::find_if(run.legs, [](const RudderLeg& leg) { return leg.sign != 0.0; });
-  if (turning != run.legs.end() && range_of(run.psi) >= radians(90.0)) return turn_named(run, {});
-  throw Refusal(
-      fmt::format("{}: which manoeuvre this is cannot be told: the heading changes by {:.0f} deg, the rudder "
-                  "is put over {} times; write # manoeuvre = \"zigzag 10/10\" or \"turn 35\" above the header row",
-                  run.recording->name, degrees(range_of(run.psi)), run.legs.size() - 1));
+  const auto told = words_of(run.recording->facts.manoeuvre);
+  const bool steered = !told || told->kind == TrialKind::zigzag || told->kind == TrialKind::turn;
+  if (!told && run.largest < still_rudder && range_of(run.psi) < straight_heading)
+    return manoeuvre_named(run, {TrialKind::steady, {}}, false);
+  if (steered && run.largest < still_rudder) refuse_still(run, told ? name_of(told->kind) : "manoeuvre");
+  if (told && told->complete()) return manoeuvre_named(run, *told, true);
+  const auto found = found_in(*run.recording);
+  if (found && (!told || found->kind == told->kind)) return manoeuvre_named(run, *found, false);
+  if (told && told->kind == TrialKind::turn)
+    return manoeuvre_named(run, {TrialKind::turn, {degrees(to_degree(run.largest))}}, false);
+  refuse_untold(run);
 }
 
 }  // namespace detail

@@ -24,8 +24,7 @@ SpiralStep step_of(const TrialRun& run, double sum, std::size_t first, std::size
   return step;
 }
 
-}  // namespace
-
+/// Times with the rudder held, in steps of a spiral.
 std::vector<SpiralStep> held_steps(const TrialRun& run) {
   const auto& d = run.delta;
   const double shortest = shortest_share * (d.time.back() - d.time.front()),
@@ -43,6 +42,8 @@ std::vector<SpiralStep> held_steps(const TrialRun& run) {
   std::erase_if(steps, [](const SpiralStep& s) { return std::isnan(s.yaw_rate.value); });
   return steps;
 }
+
+}  // namespace
 
 SpiralTrial spiral_trial(const TrialRun& run) {
   SpiralTrial result{.steps = held_steps(run), .loop_width = {}, .loop_height = {}};

@@ -52,9 +52,6 @@ TurnTrial turn_trial(const TrialRun& run, const Approach& approach, std::vector<
 SpiralTrial spiral_trial(const TrialRun& run);
 SteadyTrial steady_trial(const TrialRun& run);
 
-/// Times with the rudder held, in steps of a spiral.
-std::vector<SpiralStep> held_steps(const TrialRun& run);
-
 SteeringTrial steering_trial(const TrialRun& run, const TrialResult& result, const TrialOptions& options);
 
 /// Drift angle atan2(−v, u) where u and v are recorded.
