@@ -261,6 +261,75 @@ TEST_CASE("overshoots of the KVLCC2 models are those that the benchmark's files 
   CHECK(compared > 20);
 }
 
+TEST_CASE("rudder starts and heading peaks of the KVLCC2 models are those of the benchmark's files",
+          "[identification][published]") {
+  const auto folder = test::benchmark_recordings("kvlcc2");
+  if (!folder) return;
+  int compared = 0;
+  const auto about = test::json_in(*folder / "recordings.json");
+  for (const auto& listed : about["recordings"]) {
+    const auto file = *folder / (listed["id"].get<std::string>() + ".csv");
+    if (!std::filesystem::exists(file) || listed["manoeuvre"] != "zigzag") continue;
+    const auto trial = judge_trial(read_recording(file).recording, {.L = 7.0});
+    REQUIRE(trial.zigzag);
+    const auto& reversals = trial.zigzag->reversals;
+    for (std::size_t k = 0; k < std::min(reversals.size(), listed["switches"].size()); ++k) {
+      const auto& told = reversals[k];
+      const auto& rudder = listed["switches"][k];
+      INFO(file << " reversal " << k + 1);
+      // the list has the first sample at which the rudder has moved, the trial the start of its straight way
+      CHECK_THAT(told.rudder_start->value, WithinAbs(rudder["t_start_s"].get<double>(), 0.3));
+      if (k >= listed["overshoots"].size() || !listed["overshoots"][k]["complete"].get<bool>()) continue;
+      const auto& peak = listed["overshoots"][k];
+      CHECK_THAT(told.peak_time->value, WithinAbs(peak["t_peak_s"].get<double>(), 0.6));
+      // heading then and overshoot from there make the peak; the list counts from heading 0
+      const double zero = yaw_sign(told.side) * degrees(trial.approach.heading.value);
+      CHECK_THAT(
+          degrees(told.heading_then->value + told.beyond_start->value) + zero,
+          WithinAbs(std::abs(rudder["psi_at_start_deg"].get<double>()) + peak["overshoot_vs_switch_deg"].get<double>(),
+                    0.12));
+      ++compared;
+    }
+  }
+  CHECK(compared > 20);
+}
+
+TEST_CASE("simulated manoeuvres of the KVLCC2 are judged as two independent programs compute them",
+          "[identification][published]") {
+  for (const auto& reference : test::json_in(test::golden / "mmg_manoeuvres.json").at("cases")) {
+    const auto ship = read_ship(test::ships / (reference.at("ship").get<std::string>() + ".toml"));
+    const double L = length(ship), U = reference.at("approach_speed_m_s");
+    const ManoeuvreOptions options{
+        .speed = U, .duration = reference.at("states").back().at("time_s"), .step = 0.02 * L / U};
+    const std::string name = reference.at("manoeuvre");
+    INFO(reference.at("ship") << " " << name);
+    const Side side = reference.at("first") == "port" ? Side::port : Side::starboard;
+    if (name == "turn 35") {
+      const auto trial = judge_trial(turning_circle(ship, {radians(35.0), side}, options).run, {.L = L});
+      const auto is = [&](const MaybeTold& told, const char* key, double unit) {
+        CHECK_THAT(told->value / unit, WithinRel(reference.at(key).get<double>(), 1e-3));
+      };
+      is(trial.turn->recorded.advance, "advance_L", L);
+      is(trial.turn->recorded.transfer, "transfer_L", L);
+      is(trial.turn->recorded.tactical_diameter, "tactical_diameter_L", L);
+      is(trial.turn->recorded.final_diameter, "final_turning_diameter_L", L);
+      is(trial.turn->time_90, "time_90_s", 1.0);
+      is(trial.turn->time_180, "time_180_s", 1.0);
+      continue;
+    }
+    const double angle = radians(name == "zigzag 20/20" ? 20.0 : 10.0);
+    const auto trial = judge_trial(zigzag(ship, {angle, angle, side}, options).run, {.L = L});
+    const auto& overshoots = reference.at("overshoots");
+    REQUIRE(trial.zigzag->reversals.size() >= overshoots.size());
+    for (std::size_t k = 0; k < overshoots.size(); ++k) {
+      const auto& told = trial.zigzag->reversals[k];
+      CHECK_THAT(degrees(told.overshoot->value), WithinAbs(overshoots[k].at("overshoot_deg").get<double>(), 0.01));
+      CHECK_THAT(told.execute->value, WithinAbs(overshoots[k].at("execute_s").get<double>(), 0.002 * L / U));
+      CHECK_THAT(told.peak_time->value, WithinAbs(overshoots[k].at("peak_s").get<double>(), 0.02 * L / U));
+    }
+  }
+}
+
 TEST_CASE("the KCS model turns and yaws as SIMMAN's runs do, without drift", "[identification][published]") {
   const auto folder = test::benchmark_recordings("kcs");
   if (!folder) return;
