@@ -83,6 +83,23 @@ Json linear_json(const std::vector<LinearView>& views) {
   return list;
 }
 
+Json instruments_json(const std::vector<InstrumentEstimate>& instruments) {
+  Json list = Json::array();
+  for (const auto& i : instruments)
+    list.push_back({{"channel", i.channel},
+                    {"error", i.error},
+                    {"scope", "all"},
+                    {"value", number(i.value)},
+                    {"standard_error", number(i.standard_error)},
+                    {"unit", i.unit}});
+  return list;
+}
+
+Json discrepancy_json(const std::optional<Discrepancy>& d) {
+  if (!d) return nullptr;
+  return {{"given", number(d->given)}, {"refitted", number(d->refitted)}, {"after", number(d->after)}};
+}
+
 Json document_of(const Diagnosis& d) {
   Json location = Json::array(), effects = Json::array(), candidates = Json::array();
   for (const auto& p : d.location) location.push_back(place_json(p));
@@ -107,6 +124,8 @@ Json document_of(const Diagnosis& d) {
           {"symmetry", d.symmetry},
           {"traces", d.traces},
           {"baseline_shift", shifts_json(d.shifts)},
+          {"instruments", instruments_json(d.instruments)},
+          {"discrepancy", discrepancy_json(d.discrepancy)},
           {"linear", linear_json(d.linear)},
           {"linear_words", words_of(d.linear)},
           {"fit", {{"train", runs_json(d.train)}, {"holdout", runs_json(d.holdout)}}},
@@ -142,6 +161,9 @@ void print_diagnosis(const Ship& ship, const Diagnosis& d, const Json& document)
     if (!e.indistinguishable_from.empty())
       fmt::print("  as well explained by {}\n", fmt::join(e.indistinguishable_from, ", "));
   }
+  if (!d.instruments.empty()) fmt::print("\ninstruments, allowed for\n");
+  for (const auto& i : d.instruments)
+    fmt::print("  {:<10}{:<14}{:>12.5g} +- {:.2g} {}\n", i.channel, i.error, i.value, i.standard_error, i.unit);
   if (!d.location.empty()) fmt::print("\nwhere force is missing\n");
   for (const auto& p : d.location)
     fmt::print("  {:<24}{:<14}{:.5g} to {:.5g} s, {:.0f} % of it; {}\n", p.run, p.quantity, p.from, p.to,

@@ -47,7 +47,175 @@ std::optional<EffectForm> ordinary_lift_loss(const Ship& ship) {
   const auto parameters = parameters_of(ship, RudderGap<>{});
   const auto s = std::ranges::find(parameters, "s", &Parameter::key);
   if (s == parameters.end() || s->null != 0.0) return std::nullopt;
-  return as_effect(usual_lift_loss());
+  auto form = as_effect(usual_lift_loss());
+  form.coordinates.front().step = 0.2, form.coordinates.front().high = HUGE_VAL;
+  return form;
+}
+
+std::optional<Channel> channel_of(const EffectForm& form) {
+  const std::vector<double> c(form.coordinates.size(), 0.0);
+  const auto effect = form.at(c);
+  const auto* delay = std::get_if<ChannelDelay<>>(&effect);
+  return delay ? std::optional(delay->channel) : std::nullopt;
+}
+
+std::optional<std::vector<double>> coordinates_of(const Ship& ship, const EffectForm& form, const Effect& effect) {
+  const auto wanted = parameters_of(ship, effect);
+  std::vector<double> c(form.coordinates.size(), 0.0);
+  const auto at_null = parameters_of(ship, form.at(c));
+  if (c.size() == 1) {
+    const auto p = std::ranges::find(wanted, form.coordinates.front().name, &Parameter::key);
+    if (p == wanted.end()) return std::nullopt;
+    const auto i = static_cast<std::size_t>(p - wanted.begin());
+    c[0] = 1.0;
+    const double unit = parameters_of(ship, form.at(c))[i].value - at_null[i].value;
+    return std::vector{(p->value - at_null[i].value) / unit};
+  }
+  if (c.size() != 2 || form.coordinates[0].name != "north") return std::nullopt;
+  c = {1.0, 0.0};
+  const auto unit = parameters_of(ship, form.at(c));
+  double size = 0.0, direction = 0.0;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (wanted[i].direction) direction = wanted[i].value;
+    else if (wanted[i].decides && size == 0.0) size = wanted[i].value / unit[i].value;
+  return std::vector{size * std::cos(direction), size * std::sin(direction)};
+}
+
+int axis_of_term(std::string_view name) {
+  if (name == "Y_u" || name == "N_u") return 3;
+  return name[0] == 'X' ? 0 : name[0] == 'Y' ? 1 : 2;
+}
+
+namespace {
+
+/// Root mean squares over the runs.
+struct MotionSizes {
+  double u = 0.0, v = 0.0, r = 0.0, delta = 0.0;  ///< u/U_0 − 1, v/U_0, rL/U_0, delta
+};
+
+MotionSizes sizes_of(const Ship& ship, std::span<const Recording> runs) {
+  const double U = service_speed(ship), L = length(ship);
+  const auto rms = [&](Channel channel, double unit, double about) {
+    double sum = 0.0, count = 0.0;
+    for (const auto& run : runs)
+      for (const double x : run[channel])
+        if (!std::isnan(x)) sum += std::pow(x / unit - about, 2), ++count;
+    return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+  };
+  MotionSizes s;
+  for (const auto channel : {Channel::u, Channel::speed_through_water, Channel::speed_over_ground})
+    if (s.u == 0.0) s.u = rms(channel, U, 1.0);
+  s.r = rms(Channel::r, U / L, 0.0);
+  s.delta = rms(Channel::delta, 1.0, 0.0);
+  s.u = std::max(s.u, 0.1), s.r = std::max(s.r, 0.1), s.delta = std::max(s.delta, 0.05);
+  s.v = 0.4 * s.r;
+  return s;
+}
+
+/// A force of another form, each term at order 1 as large as a tenth of her own force.
+EffectForm force_form(const Ship& ship, std::span<const Recording> runs) {
+  const auto m = sizes_of(ship, runs);
+  const double Y = 1e-3 * (m.r / 0.3), X = 0.3 * Y, N = 0.2 * Y;  // a tenth of m u r, m' = 0.01
+  struct Term {
+    std::string_view key;
+    double usual;
+  };
+  const double u = 1.0, v = m.v, r = m.r, d = m.delta;
+  const std::array terms{Term{"X_u", X / m.u},         Term{"X_uu", X / m.u},
+                         Term{"X_vv", X / (v * v)},    Term{"X_vr", X / (v * r)},
+                         Term{"X_rr", X / (r * r)},    Term{"X_dd", X / (d * d)},
+                         Term{"Y_v", Y / (u * v)},     Term{"Y_r", Y / (u * r)},
+                         Term{"Y_vv", Y / (v * v)},    Term{"Y_rr", Y / (r * r)},
+                         Term{"Y_vr", Y / (v * r)},    Term{"Y_rv", Y / (v * r)},
+                         Term{"Y_d", Y / (u * d)},     Term{"Y_d15", Y / (u * 0.2)},
+                         Term{"Y_d28", Y / (u * 0.1)}, Term{"Y_u", Y / u},
+                         Term{"N_v", N / (u * v)},     Term{"N_r", N / (u * r)},
+                         Term{"N_vv", N / (v * v)},    Term{"N_rr", N / (r * r)},
+                         Term{"N_vr", N / (v * r)},    Term{"N_rv", N / (v * r)},
+                         Term{"N_d", N / (u * d)},     Term{"N_d15", N / (u * 0.2)},
+                         Term{"N_d28", N / (u * 0.1)}, Term{"N_u", N / u}};
+  EffectForm form{.id = std::string(form_id), .coordinates = {}, .at = {}, .starts = {}};
+  const auto parameters = parameters_of(ship, ModelForm<>{});
+  std::vector<std::pair<std::size_t, double>> moves;
+  for (const auto& term : terms) {
+    form.coordinates.push_back({.name = std::string(term.key), .step = 0.1});
+    moves.emplace_back(std::ranges::find(parameters, term.key, &Parameter::key)->index, term.usual);
+  }
+  form.at = [moves = std::move(moves)](std::span<const double> c) {
+    ModelForm<> force;
+    for (std::size_t i = 0; i < moves.size(); ++i) parameter_value(force, moves[i].first) = c[i] * moves[i].second;
+    return Effect(force);
+  };
+  return form;
+}
+
+/// One effect with a parameter of usual size, each coordinate counted in it.
+template <class Kind>
+void add_ordinary(std::vector<EffectForm>& forms, const Ship& ship, Kind null, std::string_view key, double usual) {
+  const auto parameters = parameters_of(ship, null);
+  const auto p = std::ranges::find(parameters, key, &Parameter::key);
+  if (p == parameters.end()) return;
+  const bool signless = p->range.low >= 0.0 && p->null == 0.0;
+  forms.push_back(
+      {.id = std::string(Kind::id),
+       .coordinates = {{.name = std::string(key), .step = 0.1, .low = signless ? 0.0 : -20.0, .high = 20.0}},
+       .at =
+           [null, index = p->index, about = p->null, usual](std::span<const double> c) {
+             Kind effect = null;
+             parameter_value(effect, index) = about + usual * c[0];
+             return Effect(effect);
+           },
+       .starts = {}});
+}
+
+/// North and east parts of what has a direction, of usual size.
+template <class Kind>
+void add_ordinary_parts(std::vector<EffectForm>& forms, const Ship& ship, std::string_view size,
+                        std::string_view direction, double usual) {
+  const Kind null{};
+  const auto parameters = parameters_of(ship, null);
+  const auto p = std::ranges::find(parameters, size, &Parameter::key),
+             q = std::ranges::find(parameters, direction, &Parameter::key);
+  if (p == parameters.end()) return;
+  forms.push_back({.id = std::string(Kind::id),
+                   .coordinates = {{.name = "north", .step = 0.1}, {.name = "east", .step = 0.1}},
+                   .at =
+                       [null, a = p->index, b = q->index, usual](std::span<const double> c) {
+                         Kind effect = null;
+                         parameter_value(effect, a) = usual * std::hypot(c[0], c[1]);
+                         parameter_value(effect, b) = std::atan2(c[1], c[0]);
+                         return Effect(effect);
+                       },
+                   .starts = {}});
+}
+
+}  // namespace
+
+std::vector<EffectForm> ordinary_forms(const Ship& ship, std::span<const Recording> runs,
+                                       std::span<const Channel> channels) {
+  const double U = service_speed(ship), L = length(ship);
+  const auto seen = [&](std::initializer_list<Channel> some) {
+    return std::ranges::any_of(some, [&](Channel c) { return std::ranges::count(channels, c) > 0; });
+  };
+  std::vector<EffectForm> forms{force_form(ship, runs)};
+  if (seen({Channel::r})) {
+    add_ordinary(forms, ship, GyroBias<>{}, "bias_rad_s", 3e-4);
+    add_ordinary(forms, ship, GyroScale<>{}, "scale", 0.01);
+    add_ordinary(forms, ship, ChannelDelay<>{Channel::r, {}}, "delay_s", 0.02 * L / U);
+  }
+  if (seen({Channel::u, Channel::speed_through_water})) add_ordinary(forms, ship, LogScale<>{}, "scale", 0.01);
+  if (seen({Channel::x})) {
+    add_ordinary(forms, ship, HeadingBias<>{}, "bias_rad", radians(0.2));
+    add_ordinary(forms, ship, ChannelDelay<>{Channel::x, {}}, "delay_s", 0.03 * L / U);
+  }
+  if (seen({Channel::psi})) add_ordinary(forms, ship, ChannelDelay<>{Channel::psi, {}}, "delay_s", 0.02 * L / U);
+  add_ordinary(forms, ship, RudderOffset<>{}, "offset_rad", radians(0.2));
+  // the wash of the rudder, and what her roll does to it, come a little late or early
+  add_ordinary(forms, ship, ChannelDelay<>{Channel::delta, {}}, "delay_s", 0.04 * L / U);
+  add_ordinary(forms, ship, SteeringGearLag<>{}, "lag_s", 0.05 * L / U);
+  add_ordinary_parts<SteadyCurrent<>>(forms, ship, "current_speed_m_s", "current_to_rad", 0.01 * U);
+  add_ordinary_parts<SteadyWind<>>(forms, ship, "wind_speed_m_s", "wind_from_rad", 0.1 * U);
+  return forms;
 }
 
 Eigen::MatrixXd parameter_slopes(const Ship& ship, const EffectForm& form, const Eigen::VectorXd& c) {
@@ -81,7 +249,7 @@ std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> 
   for_each_kind([&]<class Kind>() {
     const Kind null{};
     const auto parameters = parameters_of(ship, null);
-    if (parameters.empty()) return;
+    if (parameters.empty() || Kind::id == form_id) return;
     const SearchContext context{.parameters = parameters,
                                 .time_unit = length(ship) / service_speed(ship),
                                 .duration = duration,

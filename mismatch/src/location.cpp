@@ -39,10 +39,12 @@ struct Traced {
   std::vector<double> delta, beta, r_prime, U, psi;
 };
 
-std::optional<Traced> traced(const Ship& ship, const Recording& run, const Noise& noise) try {
+std::optional<Traced> traced(const Ship& ship, const PreparedRun& prepared, const Noise& noise) try {
+  const auto& run = *prepared.run;
   const double L = length(ship);
   const auto ordinary = process_noise(ship, {});
-  const auto force = missing_force(ship, run, noise);
+  const auto force = missing_force(ship, prepared, noise);
+  const Interpolant psi(run, Channel::psi);
   Traced t{&run, run.time, {}, {}, {}, {}, {}, {}};
   for (std::size_t i = 0; i < force.size(); ++i) {
     const auto& m = force[i].motion;
@@ -53,7 +55,7 @@ std::optional<Traced> traced(const Ship& ship, const Recording& run, const Noise
     t.beta.push_back(std::atan2(-m.v, m.u));
     t.r_prime.push_back(m.r * L / U);
     t.U.push_back(U);
-    t.psi.push_back(run.has(Channel::psi) ? run[Channel::psi][i] : 0.0);
+    t.psi.push_back(psi(run.time[i]));
   }
   return t;
 } catch (const std::exception&) {
@@ -227,7 +229,7 @@ std::string symmetry_of(std::span<const Traced> runs) {
 Located located(const Trial& trial, const Ship& ship, const Noise& noise) {
   std::vector<Traced> all;
   for (const auto& run : trial.runs)
-    if (auto t = traced(ship, *run.run, noise); t && !t->time.empty()) all.push_back(std::move(*t));
+    if (auto t = traced(ship, run, noise); t && !t->time.empty()) all.push_back(std::move(*t));
   Located result;
   for (const auto& t : all) result.places.push_back(place_of(t));
   result.symmetry = symmetry_of(all);

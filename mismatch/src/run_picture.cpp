@@ -99,13 +99,19 @@ auto unless_refused(F&& f) -> std::optional<decltype(f())> {
 
 std::vector<MissingForce> missing_force(const Ship& ship, const Recording& run, const Noise& noise) {
   const auto channels = recorded_channels({&run, 1}, motion_channels());
-  const auto prepared = prepared_runs(ship, {&run, 1}, channels).front();
+  return missing_force(ship, prepared_runs(ship, {&run, 1}, channels).front(), noise);
+}
+
+std::vector<MissingForce> missing_force(const Ship& ship, const PreparedRun& prepared, const Noise& noise) {
   EstimationOptions options{.process_noise = ProcessNoise{process_noise(ship, noise)}, .memory = noise.memory};
   for (const auto channel : prepared.channels)
     options.noise[index_of(channel)] = prepared.deviation[index_of(channel)] * noise.factor[index_of(channel)];
+  for (const auto channel : {Channel::x, Channel::y})  // what positions wander, as if it were white
+    if (auto& size = options.noise[index_of(channel)]) *size = std::hypot(*size, noise.walk * length(ship));
   const auto M = visit_acting(ship, [](const auto& acting) { return mass_matrix(acting.model); });
   std::vector<MissingForce> result;
-  for (const auto& state : estimate_states(ship, run, options).states) result.push_back(missing_force_of(state, M));
+  for (const auto& state : estimate_states(ship, *prepared.run, options).states)
+    result.push_back(missing_force_of(state, M));
   return result;
 }
 

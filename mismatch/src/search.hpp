@@ -20,10 +20,11 @@ struct FittedCandidate {
   MapFit fit;
   double gain;  ///< in log evidence, the terms that it does better without left out; less where it has no name
   Effect effect;
-  bool trace;                        ///< too small to matter, or not told from nothing
-  std::optional<double> held_out{};  ///< gain in log likelihood of held-out runs, where they were asked
-  bool refuted = false;              ///< by runs that were not used
-  bool leads = false;                ///< a trace that is accepted before all others
+  bool trace;                           ///< too small to matter, or not told from nothing
+  std::optional<double> held_out{};     ///< gain in log likelihood of held-out runs, where they were asked
+  bool refuted = false;                 ///< by runs that were not used
+  bool leads = false;                   ///< a trace that is accepted before all others
+  FormSizes sizes{1.0, 1.0, 1.0, 1.0};  ///< of the form beside it
   std::vector<double>
       widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
 };
@@ -35,24 +36,35 @@ struct Accepted : FittedCandidate {
 };
 
 struct Search {
-  MapFit null, now;
+  Trial usual;                          ///< with the prior that was said, and a form of usual size
+  Trial trial;                          ///< with the prior that it ended with
+  bool on_board = false;                ///< whether form and instruments are taken for inexact
+  FormSizes sizes{1.0, 1.0, 1.0, 1.0};  ///< of the form, where it is
+  MapFit null{}, now{};
   double prior_inflation =
       1.0;  ///< factor on what the coefficients of the baseline are known to, where the runs speak against it
-  double named_scale = 0.0;             ///< of the process noise beside all effects that have names
-  LinearizedFit baseline;               ///< alone
-  Located located;                      ///< where the baseline alone lacks force
-  std::vector<EffectForm> forms;        ///< that were tried
-  std::vector<Accepted> accepted;       ///< in the order of acceptance, traces with them
-  std::vector<FittedCandidate> first;   ///< all that were tried alone, best first by runs used and held out
-  std::deque<EffectForm> reduced;       ///< forms made by the search
-  std::vector<std::string> troubles{};  ///< what ended the search early, in words; what was found before stands
+  double named_scale = 0.0;              ///< of the process noise beside all effects that have names
+  LinearizedFit baseline{};              ///< alone
+  Located located{};                     ///< where the baseline alone lacks force
+  std::vector<EffectForm> forms{};       ///< that were tried
+  std::vector<Accepted> accepted{};      ///< in the order of acceptance, traces with them
+  std::vector<FittedCandidate> first{};  ///< all that were tried alone, best first by runs used and held out
+  std::deque<EffectForm> reduced{};      ///< forms made by the search
+  std::vector<std::string> troubles{};   ///< what ended the search early, in words; what was found before stands
 
   Hypothesis hypothesis(std::size_t count) const;
   Hypothesis hypothesis() const { return hypothesis(accepted.size()); }
 };
 
-/// @param unused  the same trial with the held-out runs; without runs, each of the trial's runs is left out in turn
-Search search(const Trial& trial, const Trial& unused, std::span<const EffectForm> forms,
+/// A trial with the runs used, and with those held out; where there are none, each run used is left out in turn.
+struct Trials {
+  Trial used, unused;
+};
+
+/// @param exact     the ship file with its confidence, instruments without errors
+/// @param on_board  makes the same with a form and instruments that are a little wrong; its answer stands where errors
+///                  of positions have a memory
+Search search(const Trials& exact, const std::function<Trials()>& on_board, std::span<const EffectForm> forms,
               const DiagnosisOptions& options, const std::function<bool(std::string_view)>& goes_on);
 
 /// Probabilities of all that were tried, by effect, best first; they add up to less than 1, the rest is for nothing.

@@ -3,34 +3,135 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline mismatch::detail {
+namespace {
 
-Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
-  Trial trial{
-      .ship = ship, .parameters = {}, .lift_loss = ordinary_lift_loss(ship), .mean = {}, .precision = {}, .runs = {}};
-  for (const auto& n : parameters_of(ship))
-    if (n.role == Role::coefficient && n.deviation > 0.0) trial.parameters.push_back(n);
+/// Coefficients in their deviations from the ship file; what is ordinary about its mean.
+void put_prior(Trial& trial) {
   const auto size = trial.baseline_size();
   trial.mean = Eigen::VectorXd::Zero(size);
   trial.precision = Eigen::MatrixXd::Identity(size, size);
-  if (trial.lift_loss)
-    trial.precision(size - 1, size - 1) = 1.0 / std::pow(trial.lift_loss->coordinates.front().deviation, 2);
+  auto at = std::ssize(trial.parameters);
+  for (const auto& form : trial.ordinary)
+    for (const auto& c : form.coordinates) {
+      trial.mean[at] = c.centre;
+      trial.precision(at, at) = 1.0 / (c.deviation * c.deviation);
+      ++at;
+    }
+}
+
+}  // namespace
+
+Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
+  Trial trial{.ship = ship, .parameters = {}, .ordinary = {}, .mean = {}, .precision = {}, .runs = {}};
+  for (const auto& n : parameters_of(ship))
+    if (n.role == Role::coefficient && n.deviation > 0.0) trial.parameters.push_back(n);
+  if (auto lift_loss = ordinary_lift_loss(ship)) trial.ordinary.push_back(*std::move(lift_loss));
+  put_prior(trial);
   trial.runs = prepared_runs(ship, runs, channels);
   return trial;
 }
 
-Trial with_inflated_prior(Trial trial, double factor) {
-  trial.precision /= factor * factor;
+Trial as_on_board(Trial trial, std::span<const Recording> runs, std::span<const Channel> channels) {
+  for (auto& form : ordinary_forms(trial.ship, runs, channels)) trial.ordinary.push_back(std::move(form));
+  put_prior(trial);
+  trial.runs = lean_runs(trial.ship, runs, channels);
   return trial;
+}
+
+Trial with_inflated_prior(Trial trial, double factor) {
+  Eigen::VectorXd factors = Eigen::VectorXd::Ones(trial.baseline_size());
+  auto of_the_ship = std::ssize(trial.parameters);
+  if (!trial.ordinary.empty() && takes_rudder_lift(trial.ordinary.front().id)) ++of_the_ship;
+  factors.head(of_the_ship).setConstant(factor);
+  trial.precision = with_wider_prior(trial.precision, factors);
+  return trial;
+}
+
+Eigen::MatrixXd with_wider_prior(const Eigen::MatrixXd& precision, const Eigen::VectorXd& factors) {
+  const Eigen::VectorXd narrower = factors.cwiseInverse();
+  return narrower.asDiagonal() * precision * narrower.asDiagonal();
+}
+
+double gain_by_prior(const EstimationProblem& problem, const MapFit& fit, const Eigen::MatrixXd& precision) {
+  // −2 ln of the posterior is K + (p − p̂)ᵀA(p − p̂) with A = H + Λ; with Λ' in place of Λ it is least at (H + Λ')⁻¹ A d̂
+  // from the mean, where d̂ is p̂
+  Eigen::MatrixXd other = problem.precision;
+  other.topLeftCorner(precision.rows(), precision.cols()) = precision;
+  const Eigen::MatrixXd A = core::detail::inverse(fit.covariance), A_other = A - problem.precision + other;
+  const Eigen::VectorXd d = fit.point - problem.mean(), Ad = A * d;
+  const double cost = d.dot(Ad) - Ad.dot(core::detail::solve_symmetric(A_other, Ad));
+  using core::detail::log_determinant;
+  return 0.5 * (log_determinant(other) - log_determinant(problem.precision) - log_determinant(A_other) +
+                log_determinant(A) - cost);
+}
+
+namespace {
+
+bool is_of_the_ship(const EffectForm& ordinary) { return ordinary.id == form_id || takes_rudder_lift(ordinary.id); }
+
+}  // namespace
+
+Eigen::Index ship_size(const Trial& trial) {
+  auto size = std::ssize(trial.parameters);
+  for (const auto& form : trial.ordinary)
+    if (is_of_the_ship(form)) size += std::ssize(form.coordinates);
+  return size;
+}
+
+std::vector<int> form_axes(const Trial& trial) {
+  std::vector<int> axes(trial.parameters.size(), -1);
+  for (const auto& form : trial.ordinary)
+    for (const auto& c : form.coordinates) axes.push_back(form.id == form_id ? axis_of_term(c.name) : -1);
+  return axes;
+}
+
+namespace {
+
+Eigen::VectorXd form_factors(const Trial& trial, const FormSizes& sizes) {
+  Eigen::VectorXd factors = Eigen::VectorXd::Ones(trial.baseline_size());
+  const auto axes = form_axes(trial);
+  for (std::size_t i = 0; i < axes.size(); ++i)
+    if (axes[i] >= 0) factors[static_cast<Eigen::Index>(i)] = sizes[static_cast<std::size_t>(axes[i])];
+  return factors;
+}
+
+}  // namespace
+
+Trial with_form_sizes(Trial usual, const FormSizes& sizes) {
+  usual.precision = with_wider_prior(usual.precision, form_factors(usual, sizes));
+  return usual;
+}
+
+LikelyForm likely_form(const Trial& usual, const Trial& now, const FormSizes& sizes, const Hypothesis& hypothesis,
+                       const MapFit& fit) {
+  constexpr double least = 1.0 / 64.0, most = 8.0;  // of the usual size
+  const auto problem = problem_of(now, hypothesis);
+  LikelyForm best{sizes, 0.0};
+  const auto try_size = [&](std::size_t axis, double factor) {
+    auto other = best.sizes;
+    other[axis] *= factor;
+    if (other[axis] < least || other[axis] > most) return false;
+    const double gain = gain_by_prior(problem, fit, with_wider_prior(usual.precision, form_factors(usual, other)));
+    if (!(gain > best.gain)) return false;
+    best = {other, gain};
+    return true;
+  };
+  for (bool moved = true; moved;) {
+    moved = false;
+    for (std::size_t axis = 0; axis < best.sizes.size(); ++axis)
+      for (const double factor : {0.5, 2.0})
+        while (try_size(axis, factor)) moved = true;
+  }
+  return best;
 }
 
 // ---------------------------------------------------------------- unknowns
 
 namespace {
-
-bool takes_lift(const EffectForm* form) { return takes_rudder_lift(form->id); }
 
 /// A coefficient of the baseline, in its deviations from the value of the ship file, kept to its range.
 Unknown unknown_of(const Parameter& p, double mean) {
@@ -53,12 +154,40 @@ Unknown unknown_of(const Coordinate& c) {
 
 }  // namespace
 
+bool stands_for(const EffectForm& form, const EffectForm& ordinary) {
+  if (takes_rudder_lift(form.id) && takes_rudder_lift(ordinary.id)) return true;
+  return form.id == ordinary.id && form.id != form_id && channel_of(form) == channel_of(ordinary);
+}
+
+std::vector<Eigen::Index> replaced_by(const Trial& trial, const EffectForm& form) {
+  std::vector<Eigen::Index> replaced;
+  auto at = std::ssize(trial.parameters);
+  for (const auto& o : trial.ordinary)
+    for (std::size_t i = 0; i < o.coordinates.size(); ++i, ++at)
+      if (stands_for(form, o)) replaced.push_back(at);
+  return replaced;
+}
+
+std::optional<Effect> in_whose_place(const Trial& trial, const EffectForm& form, const Point& point) {
+  auto at = std::ssize(trial.parameters);
+  for (const auto& o : trial.ordinary) {
+    const auto size = o.coordinates.size();
+    if (stands_for(form, o) && form.id == o.id) return o.at({point.data() + at, size});
+    at += static_cast<Eigen::Index>(size);
+  }
+  return std::nullopt;
+}
+
 EstimationProblem problem_of(const Trial& trial, const Hypothesis& hypothesis) {
   const auto base = trial.baseline_size();
   std::vector<Unknown> unknowns;
   for (std::size_t i = 0; i < trial.parameters.size(); ++i)
     unknowns.push_back(unknown_of(trial.parameters[i], trial.mean[static_cast<Eigen::Index>(i)]));
-  if (trial.lift_loss) unknowns.push_back({.name = "lift loss", .mean = trial.mean[base - 1], .low = 0.0});
+  for (const auto& form : trial.ordinary)
+    for (const auto& c : form.coordinates) {
+      unknowns.push_back(unknown_of(c));
+      unknowns.back().mean = trial.mean[std::ssize(unknowns) - 1];
+    }
   std::vector<double> deviations;
   for (const auto* form : hypothesis)
     for (const auto& c : form->coordinates) unknowns.push_back(unknown_of(c)), deviations.push_back(c.deviation);
@@ -85,22 +214,81 @@ EstimationProblem problem_of(const Trial& trial, const Ship& ship) {
           .scale = trial.ship};
 }
 
-Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
+namespace {
+
+/// Calls use(form, first coordinate) for everything ordinary that no effect stands for.
+template <class Use>
+void for_each_ordinary(const Trial& trial, const Hypothesis& hypothesis, Use&& use) {
+  Eigen::Index next = std::ssize(trial.parameters);
+  for (const auto& form : trial.ordinary) {
+    if (std::ranges::none_of(hypothesis, [&](const EffectForm* h) { return stands_for(*h, form); })) use(form, next);
+    next += std::ssize(form.coordinates);
+  }
+}
+
+Effect ordinary_at(const EffectForm& form, const Point& point, Eigen::Index first) {
+  std::vector<double> c;
+  for (std::size_t i = 0; i < form.coordinates.size(); ++i)
+    c.push_back(
+        std::clamp(point[first + static_cast<Eigen::Index>(i)], form.coordinates[i].low, form.coordinates[i].high));
+  return form.at(c);
+}
+
+template <class Wanted>
+Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& point, Wanted&& wanted) {
   std::vector<double> values;
   for (std::size_t i = 0; i < trial.parameters.size(); ++i)
     values.push_back(value_at(trial.parameters[i], point[static_cast<Eigen::Index>(i)]));
   Ship ship = with_values(trial.ship, trial.parameters, values);
+  for_each_ordinary(trial, hypothesis, [&](const EffectForm& form, Eigen::Index first) {
+    if (wanted(form)) ship.effects.push_back(ordinary_at(form, point, first));
+  });
   Eigen::Index next = trial.baseline_size();
-  if (trial.lift_loss && std::ranges::none_of(hypothesis, takes_lift)) {
-    const double loss = std::max(0.0, point[next - 1]);
-    ship.effects.push_back(trial.lift_loss->at({&loss, 1}));
-  }
   for (const auto* form : hypothesis) {
     const auto size = form->coordinates.size();
     ship.effects.push_back(form->at({point.data() + next, size}));
     next += static_cast<Eigen::Index>(size);
   }
   return ship;
+}
+
+}  // namespace
+
+Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
+  return ship_with(trial, hypothesis, point, [](const EffectForm&) { return true; });
+}
+
+Ship model_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
+  return ship_with(trial, hypothesis, point, is_of_the_ship);
+}
+
+double ordinary_deviations(const Trial& trial, const EffectForm& form, const Effect& effect) {
+  for (const auto& o : trial.ordinary) {
+    if (o.id == form_id || !stands_for(form, o) || form.id != o.id) continue;
+    const auto is = parameters_of(trial.ship, effect);
+    std::vector<double> c(o.coordinates.size(), 0.0);
+    c.front() = 1.0;
+    const auto usual = parameters_of(trial.ship, o.at(c));
+    for (std::size_t i = 0; i < is.size(); ++i)
+      if (is[i].decides && usual[i].value != usual[i].null && std::isfinite(usual[i].value))
+        return std::abs((is[i].value - is[i].null) / (usual[i].value - usual[i].null));
+  }
+  return HUGE_VAL;
+}
+
+std::vector<OrdinaryEstimate> ordinary_instruments(const Trial& trial, const Hypothesis& hypothesis,
+                                                   const MapFit& fit) {
+  std::vector<OrdinaryEstimate> found;
+  for_each_ordinary(trial, hypothesis, [&](const EffectForm& form, Eigen::Index first) {
+    const auto effect = ordinary_at(form, fit.point, first), unit = form.at(std::vector{1.0});
+    if (form.coordinates.size() != 1 || place_of(effect) != EffectPlace::sensor) return;
+    const auto is = parameters_of(trial.ship, effect), one = parameters_of(trial.ship, unit);
+    const auto i =
+        static_cast<std::size_t>(std::ranges::find(is, form.coordinates.front().name, &Parameter::key) - is.begin());
+    found.push_back({effect, is[i].value - is[i].null,
+                     std::abs(one[i].value - one[i].null) * std::sqrt(fit.covariance(first, first)), is[i].key});
+  });
+  return found;
 }
 
 Point with_start(const Point& before, std::span<const double> last_start) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,23 +17,73 @@ namespace swayaw::inline mismatch::detail {
 /// normal with a precision matrix.
 struct Trial {
   Ship ship;
-  std::vector<Parameter> parameters;    ///< of the baseline that may be a little wrong
-  std::optional<EffectForm> lift_loss;  ///< of the rudder, part of the baseline
-  Eigen::VectorXd mean;                 ///< of the baseline's coordinates
+  std::vector<Parameter> parameters;  ///< of the baseline that may be a little wrong
+  std::vector<EffectForm> ordinary;   ///< what every ship and every instrument has a little of; part of the baseline
+  Eigen::VectorXd mean;               ///< of the baseline's coordinates
   Eigen::MatrixXd precision;
   std::vector<PreparedRun> runs;
 
-  Eigen::Index baseline_size() const { return static_cast<Eigen::Index>(parameters.size()) + (lift_loss ? 1 : 0); }
+  Eigen::Index baseline_size() const {
+    auto size = std::ssize(parameters);
+    for (const auto& form : ordinary) size += std::ssize(form.coordinates);
+    return size;
+  }
 };
+
+/// Effects that act together.
+using Hypothesis = std::vector<const EffectForm*>;
 
 /// The trial with parameters of the baseline that are known so many times less well.
 Trial with_inflated_prior(Trial trial, double factor);
 
+/// The precision matrix of a prior whose deviations are wider by these factors, one for each coordinate.
+Eigen::MatrixXd with_wider_prior(const Eigen::MatrixXd& precision, const Eigen::VectorXd& factors);
+
+/// What the log evidence of a converged fit gains by another prior of the first coordinates, its data as they are,
+/// linear about the point.
+double gain_by_prior(const EstimationProblem& problem, const MapFit& fit, const Eigen::MatrixXd& precision);
+
 /// @param runs  must outlive the trial
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels);
 
-/// Effects that act together.
-using Hypothesis = std::vector<const EffectForm*>;
+/// The trial of a ship on board of whom nothing is exact: the form of her forces, her instruments, and the light air
+/// and stream of every day are part of the baseline, each with a prior of ordinary size.
+Trial as_on_board(Trial trial, std::span<const Recording> runs, std::span<const Channel> channels);
+
+/// How large the form of her forces may be wrong, over its usual size: along, across, of the moment, and where it
+/// differs from side to side.
+using FormSizes = std::array<double, 4>;
+
+/// The trial with a form of these sizes in place of the usual ones.
+Trial with_form_sizes(Trial usual, const FormSizes& sizes);
+
+/// Sizes of the form that make a converged fit likeliest, and what its log evidence gains by them.
+struct LikelyForm {
+  FormSizes sizes;
+  double gain;
+};
+
+/// @param usual  the trial with a form of usual size
+/// @param now    the trial of the fit
+LikelyForm likely_form(const Trial& usual, const Trial& now, const FormSizes& sizes, const Hypothesis& hypothesis,
+                       const MapFit& fit);
+
+/// Whether an effect stands in the place of something ordinary: it is of the same kind, of the same channel if it has
+/// one, or takes the lift of the rudder as that does.
+bool stands_for(const EffectForm& form, const EffectForm& ordinary);
+
+/// Coordinates of the baseline in whose place an effect would stand: then they change nothing.
+std::vector<Eigen::Index> replaced_by(const Trial& trial, const EffectForm& form);
+
+/// What is ordinary, as it was found, in the place of which an effect would stand; nothing if there is none.
+std::optional<Effect> in_whose_place(const Trial& trial, const EffectForm& form, const Point& point);
+
+/// How many coordinates of the baseline come first that are of the ship and not of a day or an instrument.
+Eigen::Index ship_size(const Trial& trial);
+
+/// Coordinates of the baseline that are of the form of her forces: along, across, of the moment, and of either that
+/// differs from side to side; −1 for others.
+std::vector<int> form_axes(const Trial& trial);
 
 /// Unknowns: coordinates of the baseline, then of each effect. The trial must outlive the problem.
 EstimationProblem problem_of(const Trial& trial, const Hypothesis& hypothesis);
@@ -41,6 +92,23 @@ EstimationProblem problem_of(const Trial& trial, const Hypothesis& hypothesis);
 EstimationProblem problem_of(const Trial& trial, const Ship& ship);
 
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
+
+/// The same without what is ordinary of a day or an instrument: what a ship file is to hold.
+Ship model_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
+
+/// How many ordinary deviations an effect is from null that stands in the place of something ordinary; infinity for
+/// others.
+double ordinary_deviations(const Trial& trial, const EffectForm& form, const Effect& effect);
+
+/// Something ordinary as a fit found it.
+struct OrdinaryEstimate {
+  Effect effect;
+  double value, standard_error;  ///< of its only parameter, from null
+  std::string_view key;
+};
+
+/// Errors of instruments that are part of the baseline and that no effect stands for.
+std::vector<OrdinaryEstimate> ordinary_instruments(const Trial& trial, const Hypothesis& hypothesis, const MapFit& fit);
 
 /// A point with the coordinates of one more effect.
 Point with_start(const Point& before, std::span<const double> last_start);

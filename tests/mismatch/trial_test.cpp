@@ -120,6 +120,65 @@ TEST_CASE("a rudder that has a gap of her own keeps it in the baseline", "[misma
   CHECK(is_finding(none, RudderGap<double>{0.1, -2.0}));
 }
 
+TEST_CASE("what another prior brings is what a fit beside it brings", "[mismatch][second-route]") {
+  const Ship ship = test_ship();
+  const Fitted f(ship, runs_of(with_effect(ship, AddedResistance<double>{.relative_increase = 0.2}), 9));
+  Eigen::VectorXd factors = Eigen::VectorXd::Ones(f.trial.baseline_size());
+  factors.head(4).setConstant(0.7), factors.tail(3).setConstant(1.4);
+  auto other = f.trial;
+  other.precision = with_wider_prior(f.trial.precision, factors);
+  const auto again = fit(other, {}, f.null.point, f.null.noise);
+  REQUIRE(again.noise == f.null.noise);
+  const double predicted = gain_by_prior(problem_of(f.trial, Hypothesis{}), f.null, other.precision);
+  CHECK(std::abs(predicted) > 0.1);
+  CHECK(std::abs(again.log_evidence - f.null.log_evidence - predicted) < 0.2 + 0.05 * std::abs(predicted));
+}
+
+TEST_CASE("sizes of noise with a memory are the likeliest", "[mismatch][limit]") {
+  const Ship ship = test_ship();
+  const Fitted f(ship, runs_of(ship, 13));
+  const auto given = ship_at(f.trial, {}, f.trial.mean);
+  const auto problem = problem_of(f.trial, given);
+  const auto found = best_noise(problem, {}, Noise::on_board(), true);
+  // with the prior of sizes: 1, a factor of 2 either way, for the process noise; 1e-3, a factor of e², for the walk
+  const auto penalised = [&](const Noise& noise) {
+    double sum = std::pow(std::log(noise.walk / 1e-3) / 2.0, 2);
+    for (const double axis : noise.axes) sum += std::pow(std::log(noise.scale * axis) / std::log(2.0), 2);
+    return log_likelihood(problem, {}, noise) - 0.5 * sum;
+  };
+  const double best = penalised(found.noise);
+  for (double Noise::*size : {&Noise::walk, &Noise::scale})
+    for (const double factor : {0.4, 2.5}) {
+      auto other = found.noise;
+      other.*size *= factor;
+      CHECK(penalised(other) < best + 0.1);
+    }
+  CHECK(found.noise.walk < 1e-3);  // instruments of a tank: errors of positions have no memory
+}
+
+TEST_CASE("an effect that stands in the place of what is ordinary begins where that was", "[mismatch][limit]") {
+  const Ship ship = test_ship();
+  const auto runs = runs_of(ship, 15);
+  const auto channels = recorded_channels(runs, motion_channels());
+  const auto trial = as_on_board(trial_of(ship, runs, channels), runs, channels);
+  Point point = Point::Constant(trial.baseline_size(), 0.7);
+  int standing = 0;
+  for (const auto& form : effect_forms(ship, channels, 90.0)) {
+    const auto ordinary = in_whose_place(trial, form, point);
+    if (!ordinary) continue;
+    const auto there = coordinates_of(ship, form, *ordinary);
+    if (!there) continue;
+    INFO(form.id);
+    const auto a = parameters_of(ship, *ordinary), b = parameters_of(ship, form.at(*there));
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (std::isfinite(a[i].value))
+        CHECK(std::abs(a[i].value - b[i].value) < 1e-9 * std::max(1.0, std::abs(a[i].value)));
+    CHECK(replaced_by(trial, form).size() == there->size());
+    ++standing;
+  }
+  CHECK(standing >= 6);
+}
+
 TEST_CASE("numbers of an effect change with its coordinates as their slopes say", "[mismatch][second-route]") {
   const Ship ship = test_ship();
   const std::vector<Channel> channels{Channel::psi};

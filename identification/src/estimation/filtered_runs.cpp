@@ -15,17 +15,18 @@ FilterNoise variances(const Ship& scale, const PreparedRun& run, const Noise& no
   for (const Channel channel : run.channels)
     variance[place_of(channel)] = std::pow(run.deviation[index_of(channel)] * noise.factor[index_of(channel)], 2);
   const auto a = process_noise(scale, noise);
+  variance[place_of_walk] = position_walk(scale, noise);
   variance.tail<3>() << a.u * a.u, a.v * a.v, a.r * a.r;
   return variance;
 }
 
-/// Calls f(run, filter) for each run with the ship that sailed it, on all cores. @param memory  over L/U
+/// Calls f(run, filter) for each run with the ship that sailed it, on all cores.
 template <class F>
-void for_each_run(const EstimationProblem& problem, const Point& point, double memory, F&& f) {
-  const double tau = memory * length(problem.scale) / service_speed(problem.scale);
+void for_each_run(const EstimationProblem& problem, const Point& point, const Noise& noise, F&& f) {
+  const double tau = noise.memory * length(problem.scale) / service_speed(problem.scale);
   in_parallel(problem.runs.size(), 0, [&](std::size_t i) {
     const auto& run = problem.runs[i];
-    f(i, *run_filter<9>(problem.ship_in(point, i), *run.run, run.channels, run.start, tau));
+    f(i, *run_filter<9>(problem.ship_in(point, i), *run.run, run.channels, run.start, tau, {run.longest_step}));
   });
 }
 
@@ -37,10 +38,21 @@ double FilteredRuns::log_likelihood() const {
   return sum;
 }
 
+FilterNoise log_likelihood_slope(const EstimationProblem& problem, const Point& point, const Noise& noise,
+                                 const FilteredRuns& passes) {
+  std::vector<FilterNoise> slopes(problem.runs.size());
+  for_each_run(problem, point, noise, [&](std::size_t i, RunFilter<9>& filter) {
+    slopes[i] = filter.backward(variances(problem.scale, problem.runs[i], noise), passes.runs[i]);
+  });
+  FilterNoise sum = FilterNoise::Zero();
+  for (const auto& slope : slopes) sum += slope;
+  return sum;
+}
+
 std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, const Point& point, const Noise& noise) {
   auto result = std::make_shared<FilteredRuns>();
   result->runs.resize(problem.runs.size());
-  for_each_run(problem, point, noise.memory, [&](std::size_t i, RunFilter<9>& filter) {
+  for_each_run(problem, point, noise, [&](std::size_t i, RunFilter<9>& filter) {
     filter.forward(variances(problem.scale, problem.runs[i], noise), result->runs[i]);
   });
   return result;
@@ -50,7 +62,7 @@ Eigen::VectorXd residuals(const EstimationProblem& problem, const Point& point, 
   std::vector<Eigen::Index> first{0};
   for (const auto& run : problem.runs) first.push_back(first.back() + run.rows());
   Eigen::VectorXd e(first.back());
-  for_each_run(problem, point, 1.0, [&](std::size_t i, RunFilter<9>& filter) {
+  for_each_run(problem, point, Noise{}, [&](std::size_t i, RunFilter<9>& filter) {
     filter.residuals(passes.runs[i], e.segment(first[i], problem.runs[i].rows()));
   });
   return e;

@@ -17,6 +17,11 @@ struct FilteredRuns {
 /// @throws Refusal  where a ship cannot sail her run
 std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, const Point& point, const Noise& noise);
 
+/// Slopes of the log likelihood of passes by the logarithms of the variances: of the white noise of each channel, of
+/// what positions wander, of the process noise.
+detail::FilterNoise log_likelihood_slope(const EstimationProblem& problem, const Point& point, const Noise& noise,
+                                         const FilteredRuns& passes);
+
 /// Residuals of all runs at a point with the gains of passes.
 /// @throws Refusal  where a ship cannot sail her run
 Eigen::VectorXd residuals(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes);

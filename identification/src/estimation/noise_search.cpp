@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "../filter/noise_ascent.hpp"
 #include "filtered_runs.hpp"
 #include "swayaw/core/refusal.hpp"
 
@@ -15,6 +16,11 @@ PlanarAcceleration<double> process_noise(const Ship& ship, const Noise& noise) {
   constexpr double sway = 0.002, surge = 0.3, yaw = 1.5;
   const double U = service_speed(ship), L = length(ship), a = sway * noise.scale * U * U / L;
   return {surge * a * noise.axes[0], a * noise.axes[1], yaw * a / L * noise.axes[2]};
+}
+
+double position_walk(const Ship& ship, const Noise& noise) {
+  const double L = length(ship);
+  return std::pow(noise.walk * L, 2) * service_speed(ship) / L;
 }
 
 double log_likelihood(const EstimationProblem& problem, const Point& point, const Noise& noise) {
@@ -108,9 +114,107 @@ struct NoiseSearch {
   }
 };
 
+// ---------------------------------------------------------------- real instruments
+
+/// Sizes of all noises as logarithms, each with a normal prior about what is usual: a factor of e² either way for
+/// instruments, of 2 for the process noise, without which a ship whose sway no channel shows is tied to nothing.
+class NoiseSizes {
+ public:
+  NoiseSizes(const EstimationProblem& problem, const Noise& start) : start_(start) {
+    for (int i = 0; i < 3; ++i) sizes_.push_back({place_of_process_noise(i), ordinary, std::log(2.0)});
+    bool has_position = false;
+    for (const auto channel : motion_channels()) {
+      if (std::ranges::none_of(problem.runs,
+                               [&](const PreparedRun& run) { return std::ranges::count(run.channels, channel) > 0; }))
+        continue;
+      sizes_.push_back({place_of(channel), 1.0, wide});
+      has_position = has_position || channel == Channel::x;
+    }
+    if (has_position) sizes_.push_back({place_of_walk, usual_walk, wide});
+  }
+
+  Eigen::VectorXd point() const {
+    Eigen::VectorXd p(std::ssize(sizes_));
+    Noise noise = start_;
+    for (std::size_t i = 0; i < sizes_.size(); ++i)
+      p[static_cast<Eigen::Index>(i)] = std::log(std::max(of(noise, sizes_[i].place), 1e-6 * sizes_[i].usual));
+    return p;
+  }
+
+  Noise noise(const Eigen::VectorXd& p) const {
+    Noise noise = start_;
+    for (std::size_t i = 0; i < sizes_.size(); ++i)
+      of(noise, sizes_[i].place) = std::exp(p[static_cast<Eigen::Index>(i)]);
+    return noise;
+  }
+
+  /// ln of the prior, and its slope.
+  Slope prior(const Eigen::VectorXd& p) const {
+    double value = 0.0;
+    Eigen::VectorXd d(p.size());
+    for (std::size_t i = 0; i < sizes_.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      const double z = (p[k] - std::log(sizes_[i].usual)) / sizes_[i].deviation;
+      value -= 0.5 * z * z;
+      d[k] = -z / sizes_[i].deviation;
+    }
+    return {value, d};
+  }
+
+  /// By the logarithms of sizes, from that by the logarithms of variances.
+  Eigen::VectorXd slope(const FilterNoise& by_log) const {
+    Eigen::VectorXd slope(std::ssize(sizes_));
+    for (std::size_t i = 0; i < sizes_.size(); ++i) slope[static_cast<Eigen::Index>(i)] = 2.0 * by_log[sizes_[i].place];
+    return slope;
+  }
+
+ private:
+  static constexpr double ordinary = 1.0;     ///< scale of the process noise
+  static constexpr double usual_walk = 1e-3;  ///< of L in L/U: 20 cm of a ship of 200 m in half a minute
+  static constexpr double wide = 2.0;
+
+  struct Size {
+    int place;
+    double usual;
+    double deviation;  ///< of the logarithm
+  };
+
+  static double& of(Noise& noise, int place) {
+    if (place == place_of_walk) return noise.walk;
+    if (place > place_of_walk) return noise.axes[static_cast<std::size_t>(place - place_of_process_noise(0))];
+    return noise.factor[static_cast<std::size_t>(place)];
+  }
+
+  Noise start_;
+  std::vector<Size> sizes_;
+};
+
+/// The likeliest sizes of all noises together, up the exact slope.
+Likelihood climbed_noise(const EstimationProblem& problem, const Point& point, const Noise& start) {
+  constexpr int most_iterations = 30;
+  constexpr double times_seen = 50.0;  // about as often as a noise of a run is seen: scales the first step
+  const NoiseSizes sizes(problem, start);
+  const auto at = [&](const Eigen::VectorXd& p) -> Slope {
+    const auto noise = sizes.noise(p);
+    const auto prior = sizes.prior(p);
+    try {
+      const auto passes = filtered(problem, point, noise);
+      const double value = passes->log_likelihood() + prior.value;
+      if (!std::isfinite(value)) return {-HUGE_VAL, Eigen::VectorXd::Zero(p.size())};
+      return {value, sizes.slope(log_likelihood_slope(problem, point, noise, *passes)) + prior.by_p};
+    } catch (const std::exception&) {
+      return {-HUGE_VAL, Eigen::VectorXd::Zero(p.size())};
+    }
+  };
+  const auto first = sizes.point();
+  const auto found = climb(at, first, Eigen::VectorXd::Constant(first.size(), 2.0 * times_seen), most_iterations);
+  return {found.value, sizes.noise(found.p)};
+}
+
 }  // namespace
 
 Likelihood best_noise(const EstimationProblem& problem, const Point& point, const Noise& start, bool every_channel) {
+  if (start.with_memory) return climbed_noise(problem, point, start);
   NoiseSearch search{problem, point, {log_likelihood(problem, point, start), start}};
   search.climb_scale();
   for (int i = 0; i < 3 && search.climb_factors(every_channel); ++i) search.climb_scale();

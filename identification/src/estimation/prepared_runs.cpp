@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../compatibility/channel_character.hpp"
 #include "swayaw/identification/map_fit.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw::inline identification {
+using namespace detail;
 namespace {
 
 /// The least that is believed of an instrument, whatever the smoothness of its record: of positions over L, of other
@@ -13,15 +15,36 @@ double least_noise(Channel channel, double L, double U) {
   return (dimension_of(channel) == Dimension::length ? 1e-4 : 2e-4) * unit_of(channel, L, U);
 }
 
+/// Standard deviation of the error by which a channel is rounded: q/√12 of a step q, counted once for all samples in a
+/// row that repeat a value, for they all err alike.
+double rounding_of(std::span<const double> values, double step) {
+  if (!(step > 0.0)) return 0.0;
+  constexpr double longest = 10.0;  // samples that repeat a value on a straight course say little more
+  double samples = 0.0, changes = 1.0, last = missing;
+  for (const double x : values) {
+    if (std::isnan(x)) continue;
+    ++samples;
+    if (!std::isnan(last) && std::abs(x - last) > 0.5 * step) ++changes;
+    last = x;
+  }
+  return step / std::sqrt(12.0) * std::sqrt(std::min(longest, samples / changes));
+}
+
 PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Channel> channels) {
   const double L = length(ship), U = service_speed(ship);
-  PreparedRun result{
-      .run = &run, .channels = {}, .start = recorded_state(ship, run, run.time.front()), .measurements = 0};
-  for (const auto channel : channels) {
-    if (!run.has(channel)) continue;
-    result.channels.push_back(channel);
-    result.deviation[index_of(channel)] = std::max(least_noise(channel, L, U), white_noise_of(run[channel]));
-    result.measurements += std::ranges::count_if(run[channel], [](double x) { return !std::isnan(x); });
+  std::vector<ChannelCharacter> characters;
+  for (const auto channel : channels)
+    if (run.has(channel)) characters.push_back(character_of(run, channel));
+  PreparedRun result{.run = std::make_shared<const Recording>(measured_samples(run, characters)),
+                     .channels = {},
+                     .start = recorded_state(ship, run, run.time.front()),
+                     .measurements = 0};
+  for (const auto& c : characters) {
+    const auto values = (*result.run)[c.channel];
+    result.channels.push_back(c.channel);
+    result.deviation[index_of(c.channel)] =
+        std::max({least_noise(c.channel, L, U), c.noise, rounding_of(values, c.step)});
+    result.measurements += std::ranges::count_if(values, [](double x) { return !std::isnan(x); });
   }
   return result;
 }

@@ -12,12 +12,13 @@
 /// and once for 9. Not installed.
 namespace swayaw::inline identification::detail {
 
-/// Variances of the channels and, at the end, of the unmodelled accelerations of surge, sway and yaw; or slopes of the
-/// log likelihood by their logarithms.
-using FilterNoise = Eigen::Matrix<double, static_cast<int>(channel_count) + 3, 1>;
+/// Variances of the channels, what that of the error of a position gains in a second, and, at the end, variances of the
+/// unmodelled accelerations of surge, sway and yaw; or slopes of the log likelihood by their logarithms.
+using FilterNoise = Eigen::Matrix<double, static_cast<int>(channel_count) + 4, 1>;
 
 inline int place_of(Channel channel) { return static_cast<int>(index_of(channel)); }
-inline int place_of_process_noise(int i) { return static_cast<int>(channel_count) + i; }
+inline constexpr int place_of_walk = static_cast<int>(channel_count);
+inline int place_of_process_noise(int i) { return static_cast<int>(channel_count) + 1 + i; }
 
 /// Sums over the innovations of a channel.
 struct ChannelSums {
@@ -86,12 +87,17 @@ class RunFilter {
   virtual void residuals(const FilteredRun<N>& pass, Eigen::Ref<Eigen::VectorXd> out) = 0;
 };
 
+/// How a run is filtered.
+struct FilterOptions {
+  double longest_step = 0.02;  ///< in ship lengths of way
+};
+
 /// @param run    must outlive the filter, as its channels
 /// @param start  little is known of it
 /// @param tau    memory of the unmodelled accelerations [s], or infinity
 /// @throws Refusal  where one of her effects cannot act on her model
 template <int N>
 std::unique_ptr<RunFilter<N>> run_filter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
-                                         const ShipState<double>& start, double tau);
+                                         const ShipState<double>& start, double tau, const FilterOptions& options = {});
 
 }  // namespace swayaw::identification::detail

@@ -13,10 +13,10 @@ template <int N>
 class RunFilterOf final : public RunFilter<N> {
  public:
   RunFilterOf(const Ship& ship, const Recording& run, std::span<const Channel> channels, const ShipState<double>& start,
-              double tau)
+              double tau, const FilterOptions& options)
       : run_(run),
         channels_(channels),
-        predictor_(ship, tau),
+        predictor_(ship, tau, options.longest_step),
         observer_(instruments_of(ship), predictor_.current()),
         controls_(ship, run),
         start_(start),
@@ -57,6 +57,7 @@ class RunFilterOf final : public RunFilter<N> {
             noise[place] * smoother.step_back(now, now.state >= 0 ? ChannelSlope() : pass.slopes[--slope_count]);
       }
       for (std::size_t i = pass.passed[k].steps; i-- > before.steps;) {
+        slope[place_of_walk] += noise[place_of_walk] * pass.steps[i].h * (smoother.slope(0) + smoother.slope(1));
         add_slope(slope, noise, pass.steps[i].share, smoother);
         smoother.step_back(pass.steps[i]);
         add_slope(slope, noise, pass.steps[i].share, smoother);
@@ -141,6 +142,7 @@ class RunFilterOf final : public RunFilter<N> {
       const auto& t = pass.steps.emplace_back(predictor_.step(estimate.mean, controls_in(k, step), step.from, step.to));
       estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
       estimate.P = carried<N>(estimate.P, t);
+      estimate.P.diagonal().template head<2>().array() += noise[place_of_walk] * t.h;
       estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
     }
     require_motion(estimate.mean, k);
@@ -209,8 +211,8 @@ class RunFilterOf final : public RunFilter<N> {
 
 template <int N>
 std::unique_ptr<RunFilter<N>> run_filter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
-                                         const ShipState<double>& start, double tau) {
-  return std::make_unique<RunFilterOf<N>>(ship, run, channels, start, tau);
+                                         const ShipState<double>& start, double tau, const FilterOptions& options) {
+  return std::make_unique<RunFilterOf<N>>(ship, run, channels, start, tau, options);
 }
 
 }  // namespace swayaw::identification::detail

@@ -92,8 +92,9 @@ template <int N>
 class ShipPredictor {
  public:
   /// @param tau  memory of the unmodelled accelerations [s], or infinity
-  ShipPredictor(const Ship& ship, double tau)
-      : ship_(linearized_ship(ship)), tau_(tau), longest_(0.02 * length(ship)) {}
+  /// @param longest_step  in ship lengths of way
+  ShipPredictor(const Ship& ship, double tau, double longest_step)
+      : ship_(linearized_ship(ship)), tau_(tau), longest_(longest_step * length(ship)) {}
 
   /// Back to the state at the beginning of a run.
   void restart(const FilterVector<N>& x) {
@@ -112,7 +113,7 @@ class ShipPredictor {
     return ship_->rates(ship_state<N>(x), hidden_, controls);
   }
 
-  /// Into how many steps a time between samples is cut: one is 0.02 ship lengths and a fifth of the memory, or less.
+  /// Into how many steps a time between samples is cut: one is as long as allowed and a fifth of the memory, or less.
   int steps(double speed, double h) const {
     return std::max(1, static_cast<int>(std::ceil(h * std::max(speed / longest_, 5.0 / tau_))));
   }

@@ -19,18 +19,24 @@ namespace swayaw::inline identification {
 
 /// A recorded run made ready once for many fits.
 struct PreparedRun {
-  const Recording* run;
+  std::shared_ptr<const Recording> run;           ///< without outliers, and without samples between fixes
   std::vector<Channel> channels;                  ///< that are compared
-  std::array<double, channel_count> deviation{};  ///< of their white noise, where third differences tell all of it
+  std::array<double, channel_count> deviation{};  ///< of their white noise, where third differences and the step of
+                                                  ///< rounding tell all of it
   ShipState<double> start;                        ///< recorded; little is known of it
   Eigen::Index measurements;                      ///< samples of these channels that are there
+  double longest_step = 0.02;                     ///< of the filter, in ship lengths of way
 
   Eigen::Index rows() const { return measurements; }
 };
 
-/// @param runs  must outlive what is prepared of them
 std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
                                        std::span<const Channel> channels);
+
+/// The same with as few samples as tell what they tell: parabolas over an eighth of L/U, as
+/// many in that time, fewer where waves move her; rows of controls some twenty.
+std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> runs,
+                                   std::span<const Channel> channels);
 
 /// One unknown: its value is `mean` where nothing is known, and stays between its bounds.
 struct Unknown {

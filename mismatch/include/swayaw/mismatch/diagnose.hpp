@@ -82,6 +82,19 @@ struct BaselineShift {
   double deviations;
 };
 
+/// An error of an instrument that was found beside everything else, however small.
+struct InstrumentEstimate {
+  std::string channel;  ///< "r", "x" for both coordinates of a position
+  std::string error;    ///< "zero", "scale", "delay"
+  double value, standard_error;
+  std::string unit;
+};
+
+/// Error of the yaw rate over its variation, mean of all runs.
+struct Discrepancy {
+  double given, refitted, after;
+};
+
 /// What to sail next.
 struct Advice {
   std::string advice;                  ///< a manoeuvre in words
@@ -106,10 +119,12 @@ struct Diagnosis {
   std::vector<Candidate> candidates;  ///< best first
   std::vector<BaselineShift> shifts;  ///< largest first
   std::vector<RunErrors> train, holdout;
-  Ship refitted;                  ///< baseline refitted, without effects
-  Ship improved;                  ///< with the effects found
-  double process_noise;           ///< scale of what stays unexplained; 1 is ordinary
-  double refitted_process_noise;  ///< the same without any effect
+  Ship refitted;                                  ///< baseline refitted, without effects
+  Ship improved;                                  ///< with the effects found
+  std::vector<InstrumentEstimate> instruments{};  ///< told from none, beside the effects
+  std::optional<Discrepancy> discrepancy{};       ///< nothing where no run tells a yaw rate
+  double process_noise;                           ///< scale of what stays unexplained; 1 is ordinary
+  double refitted_process_noise;                  ///< the same without any effect
   double prior_inflation =
       1.0;  ///< factor on what the ship file or the reference runs say the parameters of the baseline are known to
   std::optional<Advice> next{};

@@ -8,7 +8,7 @@
 
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/recording.hpp"
-#include "swayaw/identification/noise.hpp"
+#include "swayaw/identification/map_fit.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 
 /// A recorded run as people look at it: which force is missing and when, and what each ship makes of the run.
@@ -34,6 +34,9 @@ struct MissingForce {
 ///
 /// @throws Refusal  if the run tells neither rudder nor speed
 std::vector<MissingForce> missing_force(const Ship& ship, const Recording& run, const Noise& noise);
+
+/// The same of a run that is ready for fits.
+std::vector<MissingForce> missing_force(const Ship& ship, const PreparedRun& run, const Noise& noise);
 
 /// Standard deviation of the force that an adequate model leaves out: the scale 1.
 PlanarForce<double> ordinary_force(const Ship& ship);

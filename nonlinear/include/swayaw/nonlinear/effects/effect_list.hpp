@@ -16,6 +16,7 @@
 #include "swayaw/nonlinear/effects/hull_linear_derivatives.hpp"
 #include "swayaw/nonlinear/effects/hull_nonlinear_damping.hpp"
 #include "swayaw/nonlinear/effects/log_scale.hpp"
+#include "swayaw/nonlinear/effects/model_form.hpp"
 #include "swayaw/nonlinear/effects/propeller_race.hpp"
 #include "swayaw/nonlinear/effects/propeller_side_force.hpp"
 #include "swayaw/nonlinear/effects/roll_coupling.hpp"
@@ -46,6 +47,7 @@ using EffectIn =
                  RudderEffectiveness<S>, RudderHullInteraction<S>, RudderStall<S>, RudderGap<S>, FlowStraightening<S>,
                  RaceOnRudder<S>, PropellerSideForce<S>, WakeChange<S>, ShaftSpeedDrop<S>, RudderOffset<S>,
                  SteeringGearLag<S>, SteeringGearBacklash<S>, RollCoupling<S>, FluidMemory<S>, HeadingBias<S>,
-                 GyroBias<S>, GyroScale<S>, LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>, UnknownForce<S>>;
+                 GyroBias<S>, GyroScale<S>, LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>, ModelForm<S>,
+                 UnknownForce<S>>;
 
 }  // namespace swayaw::nonlinear

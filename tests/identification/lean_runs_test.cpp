@@ -1,0 +1,113 @@
+#include <algorithm>
+#include <catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "random_ships.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/identification/map_fit.hpp"
+
+/// Runs of few samples, and noise with a memory, against laws.
+namespace swayaw {
+namespace {
+
+/// A tanker of 320 m on a slow curve whose channels are quadratics of time, recorded at a rate.
+struct Curve {
+  Ship ship = test::kvlcc2();
+  double unit = length(ship) / service_speed(ship);
+
+  static double position(double t) { return 7.0 * t - 1e-3 * t * t; }
+  static double yaw_rate(double t) { return 2e-3 + 3e-6 * t - 4e-9 * t * t; }
+
+  template <class Error>
+  Recording recorded(double rate, double duration, Error&& error) const {
+    Recording run{.name = "curve.csv", .facts = {}, .time = {}, .channels = {}, .extra = {}};
+    const auto n = static_cast<std::size_t>(duration * rate) + 1;
+    for (std::size_t k = 0; k < n; ++k) run.time.push_back(static_cast<double>(k) / rate);
+    for (const auto channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::r, Channel::delta}) {
+      const auto values = run.fill(channel);
+      for (std::size_t k = 0; k < n; ++k) {
+        const double t = run.time[k];
+        values[k] = channel == Channel::x   ? position(t) + error(channel, t)
+                    : channel == Channel::r ? yaw_rate(t) + error(channel, t)
+                    : channel == Channel::u ? 7.0
+                                            : 0.0;
+      }
+    }
+    return run;
+  }
+};
+
+constexpr std::array seen{Channel::x, Channel::y, Channel::psi, Channel::u, Channel::r};
+
+std::vector<double> there(const PreparedRun& run, Channel channel, auto&& truth) {
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < run.run->samples(); ++k)
+    if (const double value = (*run.run)[channel][k]; !std::isnan(value))
+      errors.push_back(value - truth(run.run->time[k]));
+  return errors;
+}
+
+double rms(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double x : values) sum += x * x;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+}  // namespace
+
+TEST_CASE("few samples of a curve that is a parabola are its values", "[identification][limit]") {
+  const Curve curve;
+  const std::vector runs{curve.recorded(2.0, 900.0, [](Channel, double) { return 0.0; })};
+  const auto lean = lean_runs(curve.ship, runs, seen).front();
+  const auto x = there(lean, Channel::x, Curve::position), r = there(lean, Channel::r, Curve::yaw_rate);
+  CHECK(x.size() > 100);
+  CHECK(rms(x) < 1e-6);
+  CHECK(rms(r) < 1e-12);
+}
+
+TEST_CASE("few samples have the noise that is said, and their number does not hang on the rate of the file",
+          "[identification][limit]") {
+  const Curve curve;
+  std::vector<std::size_t> numbers;
+  for (const double rate : {1.0, 4.0, 10.0}) {
+    std::mt19937_64 engine(4);
+    std::normal_distribution<double> normal;
+    const std::vector runs{curve.recorded(
+        rate, 1500.0, [&](Channel channel, double) { return normal(engine) * (channel == Channel::x ? 0.5 : 2e-4); })};
+    const auto lean = lean_runs(curve.ship, runs, seen).front();
+    const auto x = there(lean, Channel::x, Curve::position), r = there(lean, Channel::r, Curve::yaw_rate);
+    INFO(rate);
+    CHECK(std::abs(rms(x) / lean.deviation[index_of(Channel::x)] - 1.0) < 0.2);
+    CHECK(std::abs(rms(r) / lean.deviation[index_of(Channel::r)] - 1.0) < 0.2);
+    numbers.push_back(x.size());
+    CHECK(static_cast<double>(lean.run->samples()) < 1.6 * 20.0 * 1500.0 / curve.unit);
+  }
+  CHECK(static_cast<double>(std::ranges::max(numbers)) < 1.15 * static_cast<double>(std::ranges::min(numbers)));
+}
+
+TEST_CASE("waves that move a ship leave samples most of a period apart, whose noise is theirs",
+          "[identification][limit]") {
+  const Curve curve;
+  const double period = 0.4 * curve.unit, size = 1e-3;
+  const std::vector runs{curve.recorded(1.0, 1500.0, [&](Channel channel, double t) {
+    return channel == Channel::r ? size * std::sin(2.0 * pi * t / period + 0.3 * std::sin(0.01 * t)) : 0.0;
+  })};
+  const auto lean = lean_runs(curve.ship, runs, seen).front();
+  const auto r = there(lean, Channel::r, Curve::yaw_rate);
+  CHECK(static_cast<double>(r.size()) < 1500.0 / (0.7 * period));
+  CHECK(lean.deviation[index_of(Channel::r)] > 0.6 * size);
+  CHECK(lean.deviation[index_of(Channel::r)] < 1.6 * size);
+}
+
+TEST_CASE("a value that is rounded, and repeated on a straight course, counts once", "[identification][limit]") {
+  const Curve curve;
+  const double step = radians(0.5);
+  auto run = curve.recorded(1.0, 300.0, [](Channel, double) { return 0.0; });
+  const auto psi = run.fill(Channel::psi);
+  for (std::size_t k = 0; k < psi.size(); ++k) psi[k] = step * std::round(0.3 * std::sin(run.time[k] / 40.0) / step);
+  const auto prepared = prepared_runs(curve.ship, {&run, 1}, seen).front();
+  CHECK(prepared.deviation[index_of(Channel::psi)] >= step / std::sqrt(12.0));
+}
+
+}  // namespace swayaw

@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+#include "swayaw/core/recording_csv.hpp"
+#include "swayaw/mismatch/diagnose.hpp"
+#include "swayaw/nonlinear/ship_file.hpp"
+
+/// `diagnose` on labelled cases of ships of another form than their file's, with instruments as on board, made by
+/// another simulator.
+namespace swayaw {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Recording> runs_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (fs::exists(folder))
+    for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  std::ranges::sort(files);
+  std::vector<Recording> runs;
+  for (const auto& file : files) runs.push_back(read_recording(file).recording);
+  return runs;
+}
+
+std::optional<Diagnosis> diagnosis_of(const char* name) {
+  const auto folder = fs::path(SWAYAW_TEST_SHARED) / "concealed" / "on_board" / name;
+  if (!fs::exists(folder)) {
+    std::cout << "[skipped] no concealed cases in " << folder.parent_path().string() << "\n";
+    return std::nullopt;
+  }
+  return diagnose(read_ship(folder / "ship.toml"), runs_in(folder / "train"), runs_in(folder / "reference"),
+                  runs_in(folder / "holdout"));
+}
+
+const FoundEffect* found(const Diagnosis& d, std::string_view id) {
+  const auto effect = std::ranges::find(d.effects, id, [](const FoundEffect& e) { return id_of(e.effect); });
+  return effect == d.effects.end() ? nullptr : &*effect;
+}
+
+double value_of(const FoundEffect& effect, std::string_view key) {
+  return std::ranges::find(effect.parameters, key, &ParameterEstimate::key)->value;
+}
+
+}  // namespace
+
+TEST_CASE("of a ship of another form, with the instruments that ships have, nothing is said to be missing",
+          "[mismatch][published]") {
+  for (const auto* name : {"001", "016"}) {
+    const auto d = diagnosis_of(name);
+    if (!d) return;
+    INFO(name << " " << d->words);
+    CHECK(d->verdict == DiagnosisVerdict::nothing_missing);
+    CHECK(d->effects.empty());
+  }
+}
+
+TEST_CASE("beside another form and real instruments the strong errors are found, as large as they are",
+          "[mismatch][published]") {
+  if (const auto d = diagnosis_of("010")) {  // a current of 1.46 m/s to 115.6 deg, a gyro off by −0.00325 rad/s
+    const auto *current = found(*d, "steady_current"), *gyro = found(*d, "gyro_bias");
+    REQUIRE(gyro != nullptr);
+    REQUIRE(current != nullptr);
+    CHECK(std::abs(value_of(*gyro, "bias_rad_s") + 0.00325) < 0.0005);
+    CHECK(std::abs(value_of(*current, "current_speed_m_s") - 1.456) < 0.15);
+    CHECK(std::abs(value_of(*current, "current_to_rad") - 2.018) < 0.1);
+  }
+}
+
+}  // namespace swayaw

@@ -1,0 +1,73 @@
+#include <catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "random_ships.hpp"
+#include "swayaw/core/angle.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
+#include "swayaw/nonlinear/ship.hpp"
+
+/// The form of forces that no model has, against symmetry and rest.
+namespace swayaw {
+namespace {
+
+using Catch::Matchers::WithinAbs;
+
+ModelForm<> random_form(std::mt19937_64& engine) {
+  std::normal_distribution<double> normal;
+  ModelForm<> form;
+  for (const auto& p : ModelForm<>::parameters()) form.*p.member = 1e-3 * normal(engine);
+  return form;
+}
+
+PlanarForce<double> added(const ModelForm<>& form, const PlanarMotion<double>& motion, double delta) {
+  const Ship bare = test::kvlcc2_l7();
+  const ShipState<double> state{0.0, 0.0, 0.4, motion};
+  const Controls<double> controls{.delta = delta, .rev = 10.0};
+  const auto with = force_breakdown(with_effect(bare, form), state, controls).total,
+             without = force_breakdown(bare, state, controls).total;
+  return {with.X - without.X, with.Y - without.Y, with.N - without.N};
+}
+
+}  // namespace
+
+TEST_CASE("another form turns the other way as its mirror image, but for what differs from side to side",
+          "[nonlinear][symmetry]") {
+  std::mt19937_64 engine(31);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  for (int i = 0; i < 50; ++i) {
+    auto form = random_form(engine);
+    const PlanarMotion<double> motion{1.0 + 0.3 * uniform(engine), 0.3 * uniform(engine), 0.1 * uniform(engine)};
+    const double delta = radians(35.0) * uniform(engine);
+    const auto sided = form;
+    form.Y_u = form.N_u = 0.0;
+    const auto a = added(form, motion, delta), b = added(form, {motion.u, -motion.v, -motion.r}, -delta);
+    CHECK_THAT(a.X - b.X, WithinAbs(0.0, 1e-9 * std::abs(a.X) + 1e-9));
+    CHECK_THAT(a.Y + b.Y, WithinAbs(0.0, 1e-9 * std::abs(a.Y) + 1e-9));
+    CHECK_THAT(a.N + b.N, WithinAbs(0.0, 1e-9 * std::abs(a.N) + 1e-9));
+    const auto c = added(sided, motion, delta), d = added(sided, {motion.u, -motion.v, -motion.r}, -delta);
+    CHECK(std::abs(c.Y + d.Y) > 0.0);
+  }
+}
+
+TEST_CASE("another form fades with the way of the ship", "[nonlinear][limit]") {
+  std::mt19937_64 engine(32);
+  const auto form = random_form(engine);
+  const auto moving = added(form, {1.0, 0.0, 0.0}, radians(20.0)),
+             hardly = added(form, {1e-6, 0.0, 0.0}, radians(20.0));
+  CHECK(std::abs(hardly.X) < 1e-5 * std::abs(moving.X) + 1e-9);
+  CHECK(std::abs(hardly.Y) < 1e-5 * std::abs(moving.Y) + 1e-9);
+  CHECK(std::abs(hardly.N) < 1e-5 * std::abs(moving.N) + 1e-9);
+}
+
+TEST_CASE("terms of the rudder beyond an angle do nothing before it", "[nonlinear][limit]") {
+  const ModelForm<> form{.Y_d15 = 1e-3, .N_d28 = 1e-3};
+  const PlanarMotion<double> ahead{1.1, 0.0, 0.0};
+  CHECK(added(form, ahead, radians(14.9)).Y == 0.0);
+  CHECK(added(form, ahead, radians(-27.9)).N == 0.0);
+  CHECK(added(form, ahead, radians(-20.0)).Y < 0.0);
+  CHECK(added(form, ahead, radians(30.0)).N > 0.0);
+}
+
+}  // namespace swayaw
