@@ -285,9 +285,9 @@ FoundEffect found_effect(const Trial& trial, const Accepted& accepted, const Map
 }
 
 /// Whether an effect that follows the motion is more than a form that is wrong by a few per cent: without it, all else
-/// fitted once more, replays of all runs err by more.
+/// fitted once more, replays of all runs err by more, or she cannot sail them at all.
 bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, std::span<const Recording> runs,
-                       std::span<const Recording> holdout) {
+                       std::span<const Recording> holdout) try {
   constexpr double a_few_per_cent = 0.03;  // of the variation of a quantity
   const auto effect = s.accepted[accepted].effect;
   const auto place = place_of(effect);
@@ -315,6 +315,8 @@ bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted
     }
   return std::ranges::any_of(
       falls, [](const auto& fall) { return fall.second.first / std::max(1, fall.second.second) > a_few_per_cent; });
+} catch (const std::exception&) {
+  return true;
 }
 
 /// Effects in the order of what they bring; the words of those too small to matter.

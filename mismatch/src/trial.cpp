@@ -280,9 +280,9 @@ std::vector<OrdinaryEstimate> ordinary_instruments(const Trial& trial, const Hyp
                                                    const MapFit& fit) {
   std::vector<OrdinaryEstimate> found;
   for_each_ordinary(trial, hypothesis, [&](const EffectForm& form, Eigen::Index first) {
-    const auto effect = ordinary_at(form, fit.point, first), unit = form.at(std::vector{1.0});
+    const auto effect = ordinary_at(form, fit.point, first);
     if (form.coordinates.size() != 1 || place_of(effect) != EffectPlace::sensor) return;
-    const auto is = parameters_of(trial.ship, effect), one = parameters_of(trial.ship, unit);
+    const auto is = parameters_of(trial.ship, effect), one = parameters_of(trial.ship, form.at(std::vector{1.0}));
     const auto i =
         static_cast<std::size_t>(std::ranges::find(is, form.coordinates.front().name, &Parameter::key) - is.begin());
     found.push_back({effect, is[i].value - is[i].null,
