@@ -90,9 +90,7 @@ Line line_of(const Samples& s, double step) {
 std::vector<std::size_t> outliers_of(const Samples& s, double step) {
   constexpr double far = 12.0;  // times the median: 8 standard deviations of normal noise
   const auto bends = bends_of(s);
-  std::vector<double> sizes;
-  for (const double b : bends) sizes.push_back(std::abs(b));
-  const double limit = std::max(far * core::detail::median_of(std::move(sizes)), 3.0 * step);
+  const double limit = std::max(far * core::detail::median_size_of(bends), 3.0 * step);
   std::vector<std::size_t> found;
   for (std::size_t i = 2; i + 2 < s.size(); ++i) {
     // a spike bends the line by −½, 1, −½ of its height; a corner by less at its neighbours

@@ -15,11 +15,6 @@ namespace {
 /// more than the noise of either, one series made of the other by rounding.
 constexpr double not_its_own = 0.3;
 
-double usual_size(std::vector<double> values) {
-  for (double& x : values) x = std::abs(x);
-  return core::detail::median_of(std::move(values));
-}
-
 bool is_constant(std::span<const double> values) {
   const auto at = present(values);
   return std::ranges::all_of(at, [&](std::size_t i) { return values[i] == values[at.front()]; });
@@ -39,7 +34,7 @@ bool is_made_of_yaw_rate(const Recording& run, Channel sway) {
   std::vector<double> left;
   for (std::size_t i = 0; i < run.samples(); ++i)
     if (both(i)) left.push_back(v[i] - c - k * r[i]);
-  return usual_size(std::move(left)) < not_its_own * std::abs(k) * white_noise_of(r);
+  return core::detail::median_size_of(std::move(left)) < not_its_own * std::abs(k) * white_noise_of(r);
 }
 
 /// Difference of positions over time from sample i − back to i + ahead.
@@ -62,7 +57,7 @@ bool is_made_of_positions(const Recording& run, Channel surge, Channel sway) {
                                     ahead_y - u[i] * std::sin(psi[i]) - v[i] * std::cos(psi[i]));
       if (!std::isnan(off)) left.push_back(off * h / std::sqrt(2.0));
     }
-    if (!left.empty() && usual_size(std::move(left)) < not_its_own * noise) return true;
+    if (!left.empty() && core::detail::median_size_of(std::move(left)) < not_its_own * noise) return true;
   }
   return false;
 }

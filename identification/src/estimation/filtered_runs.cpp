@@ -26,7 +26,7 @@ void for_each_run(const EstimationProblem& problem, const Point& point, const No
   const double tau = noise.memory * length(problem.scale) / service_speed(problem.scale);
   in_parallel(problem.runs.size(), 0, [&](std::size_t i) {
     const auto& run = problem.runs[i];
-    f(i, *run_filter<9>(problem.ship_in(point, i), *run.run, run.channels, run.start, tau, {run.longest_step}));
+    f(i, *run_filter<9>(problem.ship_in(point, i), *run.run, run.channels, run.start, tau, run.longest_step));
   });
 }
 

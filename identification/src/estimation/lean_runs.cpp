@@ -2,17 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../compatibility/channel_character.hpp"
-#include "swayaw/core/angle.hpp"
-#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/detail/median.hpp"
 #include "swayaw/identification/map_fit.hpp"
-#include "swayaw/nonlinear/replay.hpp"
 
 /// Runs with as few samples as tell what they tell: means over times that are short for the ship and long for the
 /// errors of instruments.
 namespace swayaw::inline identification {
-using namespace detail;
 namespace {
 
 /// A parabola through samples about a time, by least squares.
@@ -22,9 +17,20 @@ struct Parabola {
   std::size_t samples = 0;
 };
 
-/// Samples from `first` to before `last` that are there, about a time, over half a window.
-Parabola parabola(const std::vector<double>& time, std::span<const double> values, std::size_t first, std::size_t last,
-                  double about, double half) {
+/// Samples from `first` to before `last`, as a window moves on in time.
+struct Window {
+  std::size_t first = 0, last = 0;
+
+  void move(const std::vector<double>& time, double from, double to) {
+    while (time[first] < from) ++first;
+    while (last < time.size() && time[last] <= to) ++last;
+  }
+};
+
+/// Samples of a window that are there, about a time, in units of half the window.
+Parabola parabola(const std::vector<double>& time, std::span<const double> values, const Window& window, double about,
+                  double half) {
+  const auto [first, last] = window;
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   double squares = 0.0;
@@ -48,12 +54,12 @@ Parabola parabola(const std::vector<double>& time, std::span<const double> value
 std::vector<double> rest_of(const Recording& run, Channel channel, double half) {
   const auto values = run[channel];
   std::vector<double> rest(run.samples(), 0.0);
-  std::size_t first = 0, last = 0;
+  Window window;
   for (std::size_t k = 0; k < run.samples(); ++k) {
-    while (run.time[first] < run.time[k] - half) ++first;
-    while (last < run.samples() && run.time[last] <= run.time[k] + half) ++last;
+    const double now = run.time[k];
+    window.move(run.time, now - half, now + half);
     if (std::isnan(values[k])) continue;
-    const auto p = parabola(run.time, values, first, last, run.time[k], half);
+    const auto p = parabola(run.time, values, window, now, half);
     if (!std::isnan(p.value)) rest[k] = values[k] - p.value;
   }
   return rest;
@@ -87,12 +93,6 @@ double wave_period(const Recording& run, double time_unit) {
   return *whole > comes_back ? h * static_cast<double>(whole - correlation.begin()) : 0.0;
 }
 
-/// Standard deviation by the median of sizes: motion of the ship for a few seconds does not count.
-double usual_size(std::vector<double> rest) {
-  for (double& x : rest) x = std::abs(x);
-  return 1.4826 * core::detail::median_of(std::move(rest));
-}
-
 constexpr double rows_kept = 20.0;  ///< in the time L/U
 
 /// Every so many rows are kept.
@@ -122,54 +122,88 @@ std::vector<Channel> own_channels(std::span<const Channel> channels) {
   return own;
 }
 
+/// When samples are taken, and over which time.
+struct Sampling {
+  double spacing, half;  ///< [s], half of a window
+  bool waves;            ///< whether they move the ship
+};
+
+Sampling sampling_of(const Recording& run, double time_unit) {
+  constexpr double usual_spacing = 0.125, usual_half_window = 0.06;  // of L/U
+  const double duration = run.time.back() - run.time.front(), step = duration / static_cast<double>(run.samples() - 1),
+               wave = wave_period(run, time_unit);
+  return {std::max(usual_spacing * time_unit, 0.75 * wave),
+          std::min(0.5 * duration, std::max(usual_half_window * time_unit, 2.05 * step)), wave > 0.0};
+}
+
+/// Few values of a channel at the rows of a run, missing between them, and what tells their noise.
+struct FewSamples {
+  std::vector<double> values;
+  Eigen::Index kept = 0;
+  double residual = 0.0;  ///< sum of squares about the parabolas
+  double freedom = 0.0;
+  double samples = 0.0;  ///< in all windows
+
+  /// The value of a parabola in the middle of n samples has 9/4n of their variance.
+  /// @param least  standard deviation of a sample that is believed without the residuals
+  double deviation(double least) const {
+    const double white = freedom > 0.0 ? std::sqrt(residual / freedom) : least;
+    const double n = std::max(5.0, kept > 0 ? samples / static_cast<double>(kept) : 5.0);
+    return std::max(white, least) * std::sqrt(9.0 / (4.0 * n));
+  }
+};
+
+FewSamples few_samples(const Recording& full, Channel channel, const std::vector<double>& rows, const Sampling& by) {
+  FewSamples few{.values = std::vector(rows.size(), missing)};
+  const double begin = full.time.front(), end = full.time.back();
+  double next = begin;
+  Window window;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double now = rows[k];
+    if (now < next) continue;
+    const double middle = std::clamp(now, begin + by.half, end - by.half);  // at either end on one side
+    window.move(full.time, middle - by.half, middle + by.half);
+    const auto p = parabola(full.time, full[channel], window, now, by.half);
+    if (std::isnan(p.value)) continue;
+    few.values[k] = p.value;
+    few.residual += p.residual, few.freedom += static_cast<double>(p.samples) - 3.0;
+    few.samples += static_cast<double>(p.samples), ++few.kept;
+    next = now + by.spacing;
+  }
+  return few;
+}
+
+/// Noise of a channel that waves move: they move her as a whole, and at samples three quarters of a period apart that
+/// is as good as noise. Motion of the ship for a few seconds does not count.
+double noise_of_waves(const Recording& run, Channel channel, double time_unit) {
+  return 1.4826 * core::detail::median_size_of(rest_of(run, channel, half_of_the_steady * time_unit));
+}
+
+PreparedRun lean(PreparedRun run, double time_unit) {
+  const auto& full = *run.run;
+  auto few = with_fewer_rows(full, time_unit);
+  const auto by = sampling_of(full, time_unit);
+  run.longest_step = 1.0 / rows_kept;
+  run.measurements = 0;
+  for (const auto channel : run.channels) {
+    auto samples = few_samples(full, channel, few.time, by);
+    auto& deviation = run.deviation[index_of(channel)];
+    deviation = samples.deviation(deviation);
+    if (by.waves) deviation = std::max(deviation, noise_of_waves(full, channel, time_unit));
+    run.measurements += samples.kept;
+    few.channels[index_of(channel)] = std::move(samples.values);
+  }
+  run.run = std::make_shared<const Recording>(std::move(few));
+  return run;
+}
+
 }  // namespace
 
 std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> runs,
                                    std::span<const Channel> channels) {
-  constexpr double usual_spacing = 0.125, usual_half_window = 0.06;  // of L/U
   const double time_unit = length(ship) / service_speed(ship);
-  const auto used = own_channels(channels);
-  auto prepared = prepared_runs(ship, runs, used);
-  for (auto& run : prepared) {
-    const auto& full = *run.run;
-    const double begin = full.time.front(), end = full.time.back(),
-                 step = (end - begin) / static_cast<double>(full.samples() - 1);
-    auto lean = with_fewer_rows(full, time_unit);
-    run.longest_step = 1.0 / rows_kept;
-    run.measurements = 0;
-    const double wave = wave_period(full, time_unit), spacing = std::max(usual_spacing * time_unit, 0.75 * wave),
-                 half = std::min(0.5 * (end - begin), std::max(usual_half_window * time_unit, 2.05 * step));
-    for (const auto channel : run.channels) {
-      const auto values = full[channel];
-      const auto out = lean.fill(channel);
-      std::ranges::fill(out, missing);
-      std::size_t first = 0, last = 0;
-      double next = begin, residual = 0.0, freedom = 0.0, samples = 0.0, kept = 0.0;
-      for (std::size_t k = 0; k < lean.samples(); ++k) {
-        const double now = lean.time[k];
-        if (now < next) continue;
-        const double middle = std::clamp(now, begin + half, end - half);  // at either end on one side
-        while (full.time[first] < middle - half) ++first;
-        while (last < full.samples() && full.time[last] <= middle + half) ++last;
-        const auto p = parabola(full.time, values, first, last, now, half);
-        if (std::isnan(p.value)) continue;
-        out[k] = p.value;
-        residual += p.residual, freedom += static_cast<double>(p.samples) - 3.0,
-            samples += static_cast<double>(p.samples), ++kept;
-        next = now + spacing;
-      }
-      run.measurements += static_cast<Eigen::Index>(kept);
-      auto& deviation = run.deviation[index_of(channel)];
-      // the value of a parabola in the middle of n samples has 9/4n of their variance
-      const double white = kept > 0.0 && freedom > 0.0 ? std::sqrt(residual / freedom) : deviation;
-      const double n = std::max(5.0, kept > 0.0 ? samples / kept : 5.0);
-      deviation = std::max(white, deviation) * std::sqrt(9.0 / (4.0 * n));
-      // waves move her as a whole: at samples three quarters of a period apart that is as good as noise
-      if (wave > 0.0)
-        deviation = std::max(deviation, usual_size(rest_of(full, channel, half_of_the_steady * time_unit)));
-    }
-    run.run = std::make_shared<const Recording>(std::move(lean));
-  }
+  auto prepared = prepared_runs(ship, runs, own_channels(channels));
+  for (auto& run : prepared) run = lean(std::move(run), time_unit);
   return prepared;
 }
 

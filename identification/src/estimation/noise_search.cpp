@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 #include "../filter/noise_ascent.hpp"
 #include "filtered_runs.hpp"
@@ -51,6 +53,16 @@ constexpr std::array scales{0.1, 0.25, 0.6, 1.5, 4.0, 10.0, 25.0, 60.0, 150.0, 4
 
 /// Log likelihood that a noise of its own must gain, of an axis or a channel: three standard deviations of one number.
 constexpr double worth_of_a_noise = 5.0;
+
+/// Channels of motion that some run of a problem has.
+std::vector<Channel> compared_channels(const EstimationProblem& problem) {
+  std::vector<Channel> channels;
+  std::ranges::copy_if(motion_channels(), std::back_inserter(channels), [&](Channel channel) {
+    return std::ranges::any_of(problem.runs,
+                               [&](const PreparedRun& run) { return std::ranges::count(run.channels, channel) > 0; });
+  });
+  return channels;
+}
 
 /// The likeliest noise so far, with the problem that it is of.
 struct NoiseSearch {
@@ -104,9 +116,7 @@ struct NoiseSearch {
   /// Noise of the channels.
   bool climb_factors(bool all) {
     bool moved = false;
-    for (const auto channel : motion_channels()) {
-      const auto has = [&](const PreparedRun& run) { return std::ranges::count(run.channels, channel) > 0; };
-      if (std::ranges::none_of(problem.runs, has)) continue;
+    for (const auto channel : compared_channels(problem)) {
       const auto of = [&](Noise& noise) -> double& { return noise.factor[index_of(channel)]; };
       if (all || of(best.noise) != 1.0) moved |= climb_powers(0, 12, of);
     }
@@ -122,15 +132,9 @@ class NoiseSizes {
  public:
   NoiseSizes(const EstimationProblem& problem, const Noise& start) : start_(start) {
     for (int i = 0; i < 3; ++i) sizes_.push_back({place_of_process_noise(i), ordinary, std::log(2.0)});
-    bool has_position = false;
-    for (const auto channel : motion_channels()) {
-      if (std::ranges::none_of(problem.runs,
-                               [&](const PreparedRun& run) { return std::ranges::count(run.channels, channel) > 0; }))
-        continue;
-      sizes_.push_back({place_of(channel), 1.0, wide});
-      has_position = has_position || channel == Channel::x;
-    }
-    if (has_position) sizes_.push_back({place_of_walk, usual_walk, wide});
+    const auto channels = compared_channels(problem);
+    for (const auto channel : channels) sizes_.push_back({place_of(channel), 1.0, wide});
+    if (std::ranges::count(channels, Channel::x) > 0) sizes_.push_back({place_of_walk, usual_walk, wide});
   }
 
   Eigen::VectorXd point() const {

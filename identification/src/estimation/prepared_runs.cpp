@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "../compatibility/channel_character.hpp"
+#include "../filter/run_filter.hpp"
 #include "swayaw/identification/map_fit.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
@@ -38,7 +39,8 @@ PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Cha
   PreparedRun result{.run = std::make_shared<const Recording>(measured_samples(run, characters)),
                      .channels = {},
                      .start = recorded_state(ship, run, run.time.front()),
-                     .measurements = 0};
+                     .measurements = 0,
+                     .longest_step = usual_longest_step};
   for (const auto& c : characters) {
     const auto values = (*result.run)[c.channel];
     result.channels.push_back(c.channel);

@@ -87,17 +87,17 @@ class RunFilter {
   virtual void residuals(const FilteredRun<N>& pass, Eigen::Ref<Eigen::VectorXd> out) = 0;
 };
 
-/// How a run is filtered.
-struct FilterOptions {
-  double longest_step = 0.02;  ///< in ship lengths of way
-};
+/// Longest step of a filter where nothing else is asked, in ship lengths of way.
+inline constexpr double usual_longest_step = 0.02;
 
 /// @param run    must outlive the filter, as its channels
 /// @param start  little is known of it
 /// @param tau    memory of the unmodelled accelerations [s], or infinity
+/// @param longest_step  in ship lengths of way
 /// @throws Refusal  where one of her effects cannot act on her model
 template <int N>
 std::unique_ptr<RunFilter<N>> run_filter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
-                                         const ShipState<double>& start, double tau, const FilterOptions& options = {});
+                                         const ShipState<double>& start, double tau,
+                                         double longest_step = usual_longest_step);
 
 }  // namespace swayaw::identification::detail

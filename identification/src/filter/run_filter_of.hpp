@@ -13,10 +13,10 @@ template <int N>
 class RunFilterOf final : public RunFilter<N> {
  public:
   RunFilterOf(const Ship& ship, const Recording& run, std::span<const Channel> channels, const ShipState<double>& start,
-              double tau, const FilterOptions& options)
+              double tau, double longest_step)
       : run_(run),
         channels_(channels),
-        predictor_(ship, tau, options.longest_step),
+        predictor_(ship, tau, longest_step),
         observer_(instruments_of(ship), predictor_.current()),
         controls_(ship, run),
         start_(start),
@@ -211,8 +211,8 @@ class RunFilterOf final : public RunFilter<N> {
 
 template <int N>
 std::unique_ptr<RunFilter<N>> run_filter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
-                                         const ShipState<double>& start, double tau, const FilterOptions& options) {
-  return std::make_unique<RunFilterOf<N>>(ship, run, channels, start, tau, options);
+                                         const ShipState<double>& start, double tau, double longest_step) {
+  return std::make_unique<RunFilterOf<N>>(ship, run, channels, start, tau, longest_step);
 }
 
 }  // namespace swayaw::identification::detail

@@ -25,7 +25,7 @@ struct PreparedRun {
                                                   ///< rounding tell all of it
   ShipState<double> start;                        ///< recorded; little is known of it
   Eigen::Index measurements;                      ///< samples of these channels that are there
-  double longest_step = 0.02;                     ///< of the filter, in ship lengths of way
+  double longest_step;                            ///< of the filter, in ship lengths of way
 
   Eigen::Index rows() const { return measurements; }
 };

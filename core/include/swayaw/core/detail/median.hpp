@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -14,6 +15,13 @@ inline double median_of(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
   return *middle;
+}
+
+/// The median of their sizes: of normal deviates 1/1.4826 of the standard deviation, robust against a few that are
+/// large.
+inline double median_size_of(std::vector<double> values) {
+  for (double& x : values) x = std::abs(x);
+  return median_of(std::move(values));
 }
 
 }  // namespace swayaw::core::detail
