@@ -30,6 +30,13 @@ void for_each_run(const EstimationProblem& problem, const Point& point, const No
   });
 }
 
+/// The first row of each run, and the number of all.
+std::vector<Eigen::Index> first_rows(const EstimationProblem& problem) {
+  std::vector<Eigen::Index> first{0};
+  for (const auto& run : problem.runs) first.push_back(first.back() + run.rows());
+  return first;
+}
+
 }  // namespace
 
 double FilteredRuns::log_likelihood() const {
@@ -59,8 +66,7 @@ std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, c
 }
 
 Eigen::VectorXd residuals(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes) {
-  std::vector<Eigen::Index> first{0};
-  for (const auto& run : problem.runs) first.push_back(first.back() + run.rows());
+  const auto first = first_rows(problem);
   Eigen::VectorXd e(first.back());
   for_each_run(problem, point, Noise{}, [&](std::size_t i, RunFilter<9>& filter) {
     filter.residuals(passes.runs[i], e.segment(first[i], problem.runs[i].rows()));
@@ -77,15 +83,72 @@ Eigen::VectorXd residuals_if_any(const EstimationProblem& problem, const Point& 
   }
 }
 
-void difference(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
-                const Eigen::VectorXd& here, Eigen::Index first, Eigen::MatrixXd& slopes) {
-  in_parallel(static_cast<std::size_t>(point.size() - first), 0, [&](std::size_t k) {
-    const auto i = first + static_cast<Eigen::Index>(k);
-    const auto& unknown = problem.unknowns[static_cast<std::size_t>(i)];
-    const double step = point[i] + unknown.step > unknown.high ? -unknown.step : unknown.step;
-    Point moved = point;
-    moved[i] += step;
-    slopes.col(i) = (residuals_if_any(problem, moved, passes) - here) / step;
+namespace {
+
+/// The point with one unknown moved, towards its far bound where the near one is in the way.
+Point moved(const EstimationProblem& problem, Point point, Eigen::Index i, double step) {
+  point[i] += point[i] + step > problem.unknowns[static_cast<std::size_t>(i)].high ? -step : step;
+  return point;
+}
+
+/// The point a little off, where no effect is exactly null and no speed exactly 0.
+Point stirred(const EstimationProblem& problem, const Point& point) {
+  constexpr double little = 1e-9;
+  Point result = point;
+  for (Eigen::Index i = 0; i < point.size(); ++i) result[i] = moved(problem, point, i, little)[i];
+  return result;
+}
+
+std::optional<Ship> ship_if_any(const EstimationProblem& problem, const Point& point, std::size_t run) {
+  try {
+    return problem.ship_in(point, run);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+/// Columns from `first` on by the tangent of the filter. @return  which were found in every run
+std::vector<bool> tangents(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
+                           Eigen::Index first, Eigen::MatrixXd& slopes) {
+  constexpr double step = 1e-6;  // over which numbers of the ship are differenced
+  const auto columns = point.size() - first;
+  const Point at = stirred(problem, point);
+  const auto rows = first_rows(problem);
+  std::vector<std::vector<bool>> found(problem.runs.size(), std::vector<bool>(static_cast<std::size_t>(columns)));
+  in_parallel(problem.runs.size(), 0, [&](std::size_t run) {
+    const auto ship = ship_if_any(problem, at, run);
+    if (!ship) return;
+    std::vector<Neighbour> neighbours;
+    for (Eigen::Index i = first; i < point.size(); ++i) {
+      const Point there = moved(problem, at, i, step);
+      neighbours.push_back({ship_if_any(problem, there, run), there[i] - at[i]});
+    }
+    try {
+      const auto& prepared = problem.runs[run];
+      found[run] =
+          run_filter<9>(*ship, *prepared.run, prepared.channels, prepared.start, 0.0, prepared.longest_step)
+              ->slopes(passes.runs[run], *ship, neighbours, slopes.block(rows[run], first, prepared.rows(), columns));
+    } catch (const std::exception&) {  // her motion runs away
+    }
+  });
+  std::vector<bool> all(static_cast<std::size_t>(columns), true);
+  for (const auto& in_run : found)
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] && in_run[i];
+  return all;
+}
+
+}  // namespace
+
+void renew_slopes(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
+                  const Eigen::VectorXd& here, Eigen::Index first, Eigen::MatrixXd& slopes) {
+  constexpr Eigen::Index few = 8;  // columns cost less by differences
+  std::vector<Eigen::Index> rest;
+  const auto found = point.size() - first > few ? tangents(problem, point, passes, first, slopes) : std::vector<bool>{};
+  for (Eigen::Index i = first; i < point.size(); ++i)
+    if (found.empty() || !found[static_cast<std::size_t>(i - first)]) rest.push_back(i);
+  in_parallel(rest.size(), 0, [&](std::size_t k) {
+    const Point there = moved(problem, point, rest[k], problem.unknowns[static_cast<std::size_t>(rest[k])].step);
+    slopes.col(rest[k]) = (residuals_if_any(problem, there, passes) - here) / (there[rest[k]] - point[rest[k]]);
   });
 }
 

@@ -29,8 +29,10 @@ Eigen::VectorXd residuals(const EstimationProblem& problem, const Point& point, 
 /// The same, huge where a ship cannot sail or her motion runs away.
 Eigen::VectorXd residuals_if_any(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes);
 
-/// d(residuals)/d(point) by differences, columns from `first` on. @param here  residuals at the point
-void difference(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
-                const Eigen::VectorXd& here, Eigen::Index first, Eigen::MatrixXd& slopes);
+/// d(residuals)/d(point), columns from `first` on: exact by the tangent of the filter, where there are many and the
+/// residuals are smooth; else by differences over the steps of the unknowns.
+/// @param here  residuals at the point
+void renew_slopes(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
+                  const Eigen::VectorXd& here, Eigen::Index first, Eigen::MatrixXd& slopes);
 
 }  // namespace swayaw::identification

@@ -71,7 +71,7 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
     if (first_known) slopes.leftCols(known->cols()) = *known;
     const auto renew = [&](const Descent& at, int iteration) {
       const Eigen::Index first = iteration > 0 ? fixed : first_known ? known->cols() : 0;
-      difference(problem, at.point, *passes, at.residuals, first, slopes);
+      renew_slopes(problem, at.point, *passes, at.residuals, first, slopes);
       return normal_equations(problem, slopes, at);
     };
     descend(
@@ -96,7 +96,7 @@ LinearizedFit linearized(const EstimationProblem& problem, const MapFit& fit) {
   LinearizedFit result{.point = fit.point, .passes = filtered(problem, fit.point, fit.noise)};
   result.residuals = residuals(problem, fit.point, *result.passes);
   result.slopes.resize(problem.rows(), fit.point.size());
-  difference(problem, fit.point, *result.passes, result.residuals, 0, result.slopes);
+  renew_slopes(problem, fit.point, *result.passes, result.residuals, 0, result.slopes);
   result.inverse = inverse(result.slopes.transpose() * result.slopes + problem.precision);
   result.pull = problem.precision * (fit.point - problem.mean());
   return result;
@@ -135,7 +135,7 @@ PredictedGain predicted_gain(const EstimationProblem& problem, const LinearizedF
   Eigen::MatrixXd slopes(problem.rows(), problem.size()), A = Eigen::MatrixXd::Identity(size, size);
   // the step is of the further unknowns alone
   const auto renew = [&](const Descent& at, int) {
-    difference(problem, at.point, *before.passes, at.residuals, base, slopes);
+    renew_slopes(problem, at.point, *before.passes, at.residuals, base, slopes);
     const Eigen::MatrixXd J = slopes.rightCols(size);
     A = J.transpose() * before.projected(J) + Lambda;
     NormalEquations normal{Eigen::MatrixXd::Identity(problem.size(), problem.size()),

@@ -70,8 +70,23 @@ class ChannelObserver {
     return shown.a;
   }
 
+  /// Whether accelerations matter to a channel.
+  bool late(Channel channel) const { return instruments_[channel].delay != 0.0; }
+
+  /// Whether another observer may see something else.
+  bool differs(const ChannelObserver& other) const { return !same_place(other) || instruments_ != other.instruments_; }
+  bool differs(const ChannelObserver& other, Channel channel) const {
+    return !same_place(other) || instruments_[channel] != other.instruments_[channel];
+  }
+
  private:
   using D = Dual<6>;
+
+  bool same_place(const ChannelObserver& other) const {
+    return instruments_.antenna_x == other.instruments_.antenna_x &&
+           instruments_.antenna_y == other.instruments_.antenna_y && current_.speed == other.current_.speed &&
+           current_.to == other.current_.to;
+  }
 
   /// By its derivatives where no state is 0: a channel that shows one state alone has a unit vector there.
   int state_shown_alone(Channel channel) const {

@@ -3,6 +3,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -66,6 +67,12 @@ struct FilteredRun {
   void forget_steps() { steps.clear(), innovations.clear(), slopes.clear(); }
 };
 
+/// A ship with one unknown moved a little.
+struct Neighbour {
+  std::optional<Ship> ship;  ///< nothing where there can be none
+  double step;               ///< of the unknown
+};
+
 template <int N>
 class RunFilter {
  public:
@@ -85,6 +92,13 @@ class RunFilter {
   /// Innovations over their standard deviations, with the gains and the steps of a pass: of another ship what hers
   /// would be, of the same ship those of the pass.
   virtual void residuals(const FilteredRun<N>& pass, Eigen::Ref<Eigen::VectorXd> out) = 0;
+
+  /// Derivatives of the residuals, a column for each neighbour.
+  /// @param ship  that the filter was made of
+  /// @return  whether each column was found: not that of a neighbour on whom other effects act or at other times, and
+  ///          none on a ship with hidden states
+  virtual std::vector<bool> slopes(const FilteredRun<N>& pass, const Ship& ship, std::span<const Neighbour> neighbours,
+                                   Eigen::Ref<Eigen::MatrixXd> out) = 0;
 };
 
 /// Longest step of a filter where nothing else is asked, in ship lengths of way.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "run_filter.hpp"
+#include "state_slopes.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
@@ -68,25 +69,40 @@ class RunFilterOf final : public RunFilter<N> {
   }
 
   void residuals(const FilteredRun<N>& pass, Eigen::Ref<Eigen::VectorXd> out) override {
-    FilterVector<N> x = first_state();
-    predictor_.set_tau(pass.tau);
-    predictor_.restart(x);
-    std::size_t step = 0, row = 0;
-    for (std::size_t k = 0; k < pass.passed.size(); ++k) {
-      require_motion(x, k);
-      const int count = static_cast<int>(pass.passed[k].steps - step);
-      for (int i = 0; i < count; ++i, ++step) {
-        const auto [from, to] = step_in(k, i, count);
-        predictor_.repeat(x, controls_in(k, {from, to}), from, to, pass.steps[step]);
-      }
-      const auto sight = observer_.late() ? late_sight(x, k) : sight_of(x);
-      for (; row < pass.passed[k].innovations; ++row) {
-        const auto& now = pass.innovations[row];
-        const double e = compared(now.channel, run_[now.channel][k], expected(now.channel, x, sight));
-        out[static_cast<Eigen::Index>(row)] = e / std::sqrt(now.variance);
-        x += now.K * e;
-      }
-    }
+    walk(
+        pass,
+        [&](FilterVector<N>& x, const Interval& step, const Controls<double>& controls, const Transition<N>& t) {
+          predictor_.repeat(x, controls, step.from, step.to, t);
+        },
+        [](const FilterVector<N>&, std::size_t) {},
+        [&](const FilterVector<N>&, const Sight&, std::size_t row, double e) {
+          out[static_cast<Eigen::Index>(row)] = e / std::sqrt(pass.innovations[row].variance);
+        });
+  }
+
+  std::vector<bool> slopes(const FilteredRun<N>& pass, const Ship& ship, std::span<const Neighbour> neighbours,
+                           Eigen::Ref<Eigen::MatrixXd> out) override {
+    if (predictor_.hides_states()) return std::vector<bool>(neighbours.size(), false);
+    const auto differences = differences_between(ship, neighbours, run_);
+    predictor_.tape(ship, differences.variable);
+    StateSlopes<N> X(differences, observer_);
+    TapedShip::Slopes by;
+    walk(
+        pass,
+        [&](FilterVector<N>& x, const Interval& step, const Controls<double>& controls, const Transition<N>& t) {
+          predictor_.repeat(x, controls, step.from, step.to, t, by);
+          X.step(t, by, 0.5 * (step.from + step.to), controls);
+        },
+        [&](const FilterVector<N>& x, std::size_t k) {
+          if (!observer_.late()) return;
+          predictor_.slopes(x, at_samples_[k], by);
+          X.accelerate(by, run_.time[k], at_samples_[k]);
+        },
+        [&](const FilterVector<N>& x, const Sight& sight, std::size_t row, double) {
+          X.observe({ship_state<N>(x), sight.acceleration, sight.phi}, pass.innovations[row],
+                    out.row(static_cast<Eigen::Index>(row)));
+        });
+    return differences.found;
   }
 
  private:
@@ -119,6 +135,34 @@ class RunFilterOf final : public RunFilter<N> {
   struct Interval {
     double from, to;
   };
+
+  /// The way through a run with the gains and the steps of a pass.
+  /// @param move(x, step, controls, transition)  moves a state over a step
+  /// @param arrived(x, k)                        before the measurements of a sample
+  /// @param told(x, sight, row, e)            a residual, before the state takes it
+  template <class Move, class Arrived, class Told>
+  void walk(const FilteredRun<N>& pass, Move&& move, Arrived&& arrived, Told&& told) {
+    FilterVector<N> x = first_state();
+    predictor_.set_tau(pass.tau);
+    predictor_.restart(x);
+    std::size_t step = 0, row = 0;
+    for (std::size_t k = 0; k < pass.passed.size(); ++k) {
+      require_motion(x, k);
+      const int count = static_cast<int>(pass.passed[k].steps - step);
+      for (int i = 0; i < count; ++i, ++step) {
+        const auto interval = step_in(k, i, count);
+        move(x, interval, controls_in(k, interval), pass.steps[step]);
+      }
+      const auto sight = observer_.late() ? late_sight(x, k) : sight_of(x);
+      arrived(x, k);
+      for (; row < pass.passed[k].innovations; ++row) {
+        const auto& now = pass.innovations[row];
+        const double e = compared(now.channel, run_[now.channel][k], expected(now.channel, x, sight));
+        told(x, sight, row, e);
+        x += now.K * e;
+      }
+    }
+  }
 
   /// The i-th of the steps from sample k − 1 to k.
   Interval step_in(std::size_t k, int i, int count) const {

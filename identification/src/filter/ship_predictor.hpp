@@ -3,8 +3,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "linearized_ship.hpp"
+#include "taped_ship.hpp"
 
 /// Prediction of a ship and of small deviations from her way, over N = 6 states (x, y, psi, u, v, r) or 9 (and
 /// unmodelled accelerations). Not installed.
@@ -30,6 +32,9 @@ struct Transition {
   double fading;                   ///< h/τ of the unmodelled accelerations a
   double keep;                     ///< what is left of a: the rows of a in Φ
   double share;
+
+  /// What is left over a step of a that fades, exp(−h/τ) to third order.
+  double faded() const { return 1.0 - fading * (1.0 - fading * (0.5 - fading / 6.0)); }
 
   /// What small deviations of psi, u, v, r and a add to those of x … r: Φ = 1 + h A + h²A²/2! in these rows and
   /// columns, less 1.
@@ -98,7 +103,10 @@ class ShipPredictor {
 
   /// Back to the state at the beginning of a run.
   void restart(const FilterVector<N>& x) {
-    if (!ship_->changes().empty()) ship_->restart();
+    if (!ship_->changes().empty()) {
+      ship_->restart();
+      if (taped_) taped_->restart();
+    }
     hidden_ = ship_->steady_hidden(ship_state<N>(x).motion);
     next_change_ = 0;
   }
@@ -111,6 +119,16 @@ class ShipPredictor {
   /// Rates of the ship now, unmodelled accelerations left out.
   StateVector<double> rates(const FilterVector<N>& x, const Controls<double>& controls) const {
     return ship_->rates(ship_state<N>(x), hidden_, controls);
+  }
+
+  /// From the next restart on, slopes can be asked for by these numbers of the ship.
+  void tape(const Ship& ship, const std::vector<bool>& variable) { taped_ = taped_ship(ship, variable); }
+
+  bool hides_states() const { return ship_->hides_states(); }
+
+  /// Derivatives of rates().
+  void slopes(const FilterVector<N>& x, const Controls<double>& controls, TapedShip::Slopes& slopes) const {
+    taped_->at(ship_state<N>(x), hidden_, controls, slopes);
   }
 
   /// Into how many steps a time between samples is cut: one is as long as allowed and a fifth of the memory, or less.
@@ -155,6 +173,24 @@ class ShipPredictor {
     move(x, t, rate);
   }
 
+  /// The same with the derivatives of the rates of x … r by the variables of the taped ship.
+  void repeat(FilterVector<N>& x, const Controls<double>& controls, double from, double to, const Transition<N>& t,
+              TapedShip::Slopes& slopes) {
+    const auto state = ship_state<N>(x);
+    const auto middle = half_way(state.motion, t.h);
+    Eigen::Matrix<double, 6, 1> rate = Eigen::Matrix<double, 6, 1>::Zero();
+    TapedShip::Slopes of_part;
+    bool first = true;
+    with_changes(from, to, [&](double weight) {
+      const auto part = ship_->rates(state, middle, controls);
+      rate += weight * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(part.data());
+      taped_->at(state, middle, controls, of_part);
+      if (std::exchange(first, false)) slopes = weight * of_part;
+      else slopes += weight * of_part;
+    });
+    move(x, t, rate);
+  }
+
  private:
   /// x⁺ = x + h f + what curves it, f with the unmodelled accelerations; these fade. Hidden states follow.
   void move(FilterVector<N>& x, const Transition<N>& t, const Eigen::Matrix<double, 6, 1>& rate) {
@@ -165,7 +201,7 @@ class ShipPredictor {
     if constexpr (N == 9) {
       hf.template segment<3>(3) += h * x.template tail<3>();
       hf.template tail<3>() = -fading * x.template tail<3>();
-      x.template tail<3>() *= 1.0 - fading * (1.0 - fading * (0.5 - fading / 6.0));
+      x.template tail<3>() *= t.faded();
     }
     x.template head<6>() += hf.template head<6>() + t.curved(hf);
     if (ship_->hides_states()) hidden_ = followed(before, ship_state<N>(x).motion, h);
@@ -194,22 +230,27 @@ class ShipPredictor {
     return moved(hidden_, mean, h);
   }
 
+  void apply_next() {
+    ship_->apply(ship_->changes()[next_change_]);
+    if (taped_) taped_->apply(next_change_);
+  }
+
   /// Calls part(weight) for each part of a time in which the same wind blows and the same forces act.
   template <class Part>
   void with_changes(double from, double to, Part&& part) {
     const auto changes = ship_->changes();
-    for (; next_change_ < changes.size() && changes[next_change_].time <= from; ++next_change_)
-      ship_->apply(changes[next_change_]);
+    for (; next_change_ < changes.size() && changes[next_change_].time <= from; ++next_change_) apply_next();
     double now = from;
     for (; next_change_ < changes.size() && changes[next_change_].time < to; ++next_change_) {
       part((changes[next_change_].time - now) / (to - from));
       now = changes[next_change_].time;
-      ship_->apply(changes[next_change_]);
+      apply_next();
     }
     part(now == from ? 1.0 : (to - now) / (to - from));
   }
 
   std::unique_ptr<LinearizedShip> ship_;
+  std::unique_ptr<TapedShip> taped_{};
   Hidden<double> hidden_;
   std::size_t next_change_ = 0;
   double tau_;

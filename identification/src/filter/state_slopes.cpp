@@ -1,0 +1,79 @@
+#include "state_slopes.hpp"
+
+#include "swayaw/nonlinear/steady_motion.hpp"
+
+namespace swayaw::inline identification::detail {
+namespace {
+
+bool same_actuator(const RudderActuator& a, const RudderActuator& b) {
+  return a.width == b.width && a.lag == b.lag && a.rate == b.rate && a.offset == b.offset &&
+         a.record_delay == b.record_delay;
+}
+
+/// Whether the numbers of two ships tell how the one becomes the other: the same effects act at the same times, and no
+/// direction swings round, as that of a stream of no speed.
+bool comparable(const ShipNumbers& a, const ShipNumbers& b, double step) {
+  constexpr double swing = 100.0;  // rad for a unit of the unknown
+  if (a.structure != b.structure || a.values.size() != b.values.size()) return false;
+  for (std::size_t i = 0; i < a.angles.size(); ++i)
+    if (!(std::abs(a.angles[i] - b.angles[i]) < swing * std::abs(step))) return false;
+  return true;
+}
+
+/// Whether recorded propulsion alone tells it, whatever the ship.
+bool propulsion_is_recorded(const Ship& ship, const Recording& run) {
+  return (run.has(Channel::rev) && takes_shaft_speed(ship)) || run.has(Channel::thrust) ||
+         std::holds_alternative<AbkowitzShip<double>>(ship.model);
+}
+
+bool same_controls(const Ship& a, const Ship& b, const Recording& run) {
+  return run.has(Channel::delta) && propulsion_is_recorded(a, run) &&
+         same_actuator(rudder_actuator(a), rudder_actuator(b)) &&
+         instruments_of(a)[Channel::delta] == instruments_of(b)[Channel::delta];
+}
+
+std::optional<ShipNumbers> numbers_if_any(const std::optional<Ship>& ship) {
+  if (!ship) return std::nullopt;
+  try {
+    return numbers_of(*ship);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+NeighbourDifferences differences_between(const Ship& ship, std::span<const Neighbour> neighbours,
+                                         const Recording& run) {
+  NeighbourDifferences result;
+  const auto here = numbers_of(ship);
+  result.variable.assign(here.values.size(), false);
+  struct Moved {
+    Eigen::Index unknown;
+    std::size_t number;
+    double slope;
+  };
+  std::vector<Moved> moved;
+  const ChannelObserver observer(instruments_of(ship), surroundings_at(ship, 0.0).current);
+  for (const auto& neighbour : neighbours) {
+    const auto unknown = std::ssize(result.found);
+    const auto there = numbers_if_any(neighbour.ship);
+    result.found.push_back(there && comparable(here, *there, neighbour.step));
+    if (!result.found.back()) continue;
+    for (std::size_t i = 0; i < here.values.size(); ++i)
+      if (const double d = there->values[i] - here.values[i]; d != 0.0 && std::isfinite(d))
+        moved.push_back({unknown, i, d / neighbour.step}), result.variable[i] = true;
+    if (!same_controls(ship, *neighbour.ship, run))
+      result.controls.push_back({unknown, neighbour.step, RecordedControls(*neighbour.ship, run)});
+    const auto current = surroundings_at(*neighbour.ship, 0.0).current;
+    if (const ChannelObserver other(instruments_of(*neighbour.ship), current); observer.differs(other))
+      result.observers.push_back({unknown, neighbour.step, other});
+  }
+  std::vector<Eigen::Index> variable;
+  Eigen::Index next = TapedVariables::count;
+  for (const bool is : result.variable) variable.push_back(is ? next++ : -1);
+  for (const auto& m : moved) result.numbers.push_back({m.unknown, variable[m.number], m.slope});
+  return result;
+}
+
+}  // namespace swayaw::identification::detail

@@ -1,0 +1,125 @@
+#include "taped_ship.hpp"
+
+#include "swayaw/nonlinear/simulation/equations_of_motion.hpp"
+
+namespace swayaw::inline identification::detail {
+namespace {
+
+/// The parts of a ship that act in her equations of motion, with a scalar of their own.
+template <class Model, class S = typename Model::Scalar>
+struct Acting {
+  Model model;
+  Surroundings<S> around;
+  ActingEffects<S> added;
+  std::vector<Wind<S>> winds;  ///< the first, and from each change on
+};
+
+/// In the order in which they are numbered.
+template <class S, class Model>
+auto cast_all(const Acting<Model>& from) {
+  auto model = cast<S>(from.model);
+  auto around = cast<S>(from.around);
+  auto added = cast<S>(from.added);
+  std::vector<Wind<S>> winds;
+  for (const auto& wind : from.winds) winds.push_back({S(wind.speed), S(wind.from)});
+  return Acting<decltype(model)>{std::move(model), std::move(around), std::move(added), std::move(winds)};
+}
+
+template <class Model>
+Acting<Model> parts_of(const ActingShip<Model>& ship) {
+  std::vector winds{ship.surroundings.wind};
+  for (const auto& change : ship.changes) winds.push_back(change.wind);
+  return {ship.model, ship.surroundings, ship.added, std::move(winds)};
+}
+
+template <class Model>
+class TapedModel final : public TapedShip {
+ public:
+  /// @param variables  how many there are
+  TapedModel(const ActingShip<Model>& ship, const std::vector<Tape::Place>& places, Tape::Place variables)
+      : ship_(parts_of(ship)),
+        taped_([&] {
+          const Numbering numbering(places);
+          return cast_all<Taped>(cast_all<Numbered>(ship_));
+        }()),
+        before_{.time = 0.0, .wind = ship_.around.wind, .windy = ship_.around.windy, .acting = ship_.added.acting},
+        changes_(ship.changes),
+        variables_(variables) {}
+
+  void at(const ShipState<double>& state, const Hidden<double>& hidden, const Controls<double>& controls,
+          Slopes& slopes) override {
+    using V = TapedVariables;
+    Tape::now = &tape_;
+    tape_.restart(variables_);
+    const auto& m = state.motion;
+    const ShipState<Taped> s{
+        Taped(state.x), Taped(state.y), {state.psi, V::psi + 1}, {{m.u, V::u + 1}, {m.v, V::v + 1}, {m.r, V::r + 1}}};
+    const Controls<Taped> c{{controls.delta, V::delta + 1},
+                            {controls.rev, V::rev + 1},
+                            {{controls.thrust.port, V::port + 1}, {controls.thrust.starboard, V::starboard + 1}},
+                            controls.by_thrust};
+    Hidden<Taped> constant;
+    std::ranges::transform(hidden, constant.begin(), [](double x) { return Taped(x); });
+    const auto branch = branch_at(ship_.model, m, driven(ship_.added, m, controls));
+    const auto f = rates_of(taped_.model, taped_.around, taped_.added, s, constant, c, branch);
+    slopes.resize(6, variables_);
+    take(slopes, {3, 4, 5}, {f[3].place, f[4].place, f[5].place, 0});
+    take(slopes, {0, 1, 2}, {f[0].place, f[1].place, f[2].place, 0});
+  }
+
+  void restart() override { apply(before_, 0); }
+  void apply(std::size_t change) override { apply(changes_[change], change + 1); }
+
+ private:
+  void apply(const Change& change, std::size_t wind) {
+    change.apply(ship_.around, ship_.added);
+    change.apply(ship_.around, taped_.added);
+    taped_.around.wind = taped_.winds[wind], taped_.around.windy = change.windy;
+  }
+
+  void take(Slopes& slopes, const std::array<int, 3>& rows, const std::array<Tape::Place, 4>& of) {
+    const auto& by = tape_.slopes(of);
+    for (Eigen::Index i = 0; i < variables_; ++i)
+      for (std::size_t k = 0; k < rows.size(); ++k) slopes(rows[k], i) = by[static_cast<std::size_t>(i) + 1][k];
+  }
+
+  Acting<Model> ship_;
+  decltype(cast_all<Taped>(std::declval<Acting<Model>>())) taped_;
+  Change before_;
+  std::vector<Change> changes_;
+  Tape tape_;
+  Tape::Place variables_;
+};
+
+}  // namespace
+
+ShipNumbers numbers_of(const Ship& ship) {
+  ShipNumbers numbers;
+  numbers.structure.push_back(static_cast<double>(ship.model.index()));
+  visit_acting(ship, [&](const auto& acting) {
+    const Numbering numbering;
+    cast_all<Numbered>(parts_of(acting));
+    numbers.values = numbering.values();
+    const auto& around = acting.surroundings;
+    numbers.structure.insert(numbers.structure.end(),
+                             {around.windy ? 1.0 : 0.0, static_cast<double>(acting.added.acting)});
+    numbers.angles = {around.wind.from, around.current.to};
+    for (const auto& change : acting.changes) {
+      numbers.structure.insert(numbers.structure.end(),
+                               {change.time, change.windy ? 1.0 : 0.0, static_cast<double>(change.acting)});
+      numbers.angles.push_back(change.wind.from);
+    }
+  });
+  return numbers;
+}
+
+std::unique_ptr<TapedShip> taped_ship(const Ship& ship, const std::vector<bool>& variable) {
+  std::vector<Tape::Place> places;
+  Tape::Place last = TapedVariables::count;
+  for (const bool is : variable) places.push_back(is ? ++last : 0);
+  return visit_acting(ship, [&]<class Model>(const ActingShip<Model>& acting) -> std::unique_ptr<TapedShip> {
+    return std::make_unique<TapedModel<Model>>(acting, places, last);
+  });
+}
+
+}  // namespace swayaw::identification::detail

@@ -1,0 +1,115 @@
+#include <catch.hpp>
+#include <cmath>
+
+#include "../nonlinear/random_effects.hpp"
+#include "swayaw/identification/map_fit.hpp"
+#include "trajectory_recordings.hpp"
+
+/// Slopes of the residuals of a fit, beside differences of the residuals themselves.
+namespace swayaw {
+namespace {
+
+/// A seeded ship with effects on her and with instruments that err, as a function of her coefficients and of the
+/// parameters of the effects, each in its deviation.
+struct Neighbourhood {
+  Ship ship;
+  std::vector<Parameter> coefficients;
+  struct OfEffect {
+    std::size_t effect;
+    Parameter parameter;
+  };
+  std::vector<OfEffect> of_effects{};
+
+  Eigen::Index size() const { return std::ssize(coefficients) + std::ssize(of_effects); }
+
+  std::string name(Eigen::Index i) const {
+    const auto k = static_cast<std::size_t>(i);
+    if (k < coefficients.size()) return coefficients[k].name;
+    const auto& p = of_effects[k - coefficients.size()].parameter;
+    return std::string(p.table) + "." + p.name;
+  }
+
+  Ship at(const Point& c) const {
+    std::vector<double> values;
+    for (const auto& p : coefficients) values.push_back(p.value + p.deviation * c[std::ssize(values)]);
+    Ship result = with_values(ship, coefficients, values);
+    Eigen::Index next = std::ssize(coefficients);
+    for (const auto& [i, p] : of_effects)
+      parameter_value(result.effects[i], p.index) = p.value + p.deviation * c[next++];
+    return result;
+  }
+
+  EstimationProblem problem(std::span<const PreparedRun> runs) const {
+    return {.unknowns = std::vector<Unknown>(static_cast<std::size_t>(size())),
+            .precision = Eigen::MatrixXd::Identity(size(), size()),
+            .runs = runs,
+            .ship_in = [this](const Point& c, std::size_t) { return at(c); },
+            .scale = ship};
+  }
+};
+
+/// Effects of all places, of two channels each where they are of one.
+std::vector<Effect> effects_on(const Ship& ship, unsigned seed) {
+  test::RandomEffects random(seed);
+  std::vector<Effect> effects;
+  for (const auto id :
+       {SteadyWind<>::id, Gust<>::id, SteadyCurrent<>::id, WaveDrift<>::id, AddedResistance<>::id, AddedMass<>::id,
+        CrossFlowDrag<>::id, RudderOffset<>::id, SteeringGearLag<>::id, HeadingBias<>::id, GyroBias<>::id,
+        GyroScale<>::id, LogScale<>::id, AntennaLeverArm<>::id, ModelForm<>::id})
+    if (const auto effect = random.of_kind(id, ship)) effects.push_back(*effect);
+  const double unit = length(ship) / service_speed(ship);
+  for (const auto channel : {Channel::r, Channel::x, Channel::delta})
+    effects.push_back(ChannelDelay<>{channel, random.uniform(0.02, 0.1) * unit});
+  return effects;
+}
+
+Neighbourhood neighbourhood_of(Ship ship, unsigned seed) {
+  for (const auto& effect : effects_on(ship, seed)) ship.effects.push_back(effect);
+  Neighbourhood result{.ship = ship, .coefficients = {}};
+  for (const auto& p : parameters_of(ship))
+    if (p.role == Role::coefficient && p.deviation > 0.0 && p.value != 0.0) result.coefficients.push_back(p);
+  for (std::size_t i = 0; i < ship.effects.size(); ++i)
+    if (!acting_time(ship.effects[i]))
+      for (const auto& p : parameters_of(ship, ship.effects[i]))
+        // the kinks of a rudder at its largest rate pass samples as the rate changes: residuals have kinks there too
+        if (std::isfinite(p.deviation) && std::isfinite(p.value) && p.key != "rate_rad_s")
+          result.of_effects.push_back({i, p});
+  return result;
+}
+
+/// Central differences of the residuals with the gains of a linearization.
+Eigen::MatrixXd central_differences(const EstimationProblem& problem, const LinearizedFit& fit, double step) {
+  LinearizedFit none;
+  none.passes = fit.passes, none.residuals = fit.residuals;
+  const std::vector<double> here(fit.point.begin(), fit.point.end());
+  return 0.5 * (further_slopes(problem, none, here, step) + further_slopes(problem, none, here, -step));
+}
+
+TEMPLATE_TEST_CASE("slopes of the residuals of a fit are the limit of their differences",
+                   "[identification][second-route]", MmgShip<double>, PiShip<double>, PuShip<double>,
+                   AbkowitzShip<double>) {
+  test::RandomModels models(29);
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    auto [bare, runs] = test::steerable<TestType>(models, {20.0, -10.0}, 15.0, 0.1, 1e-8);
+    bare.surroundings.windage = test::with_areas(bare.model).surroundings.windage;
+    const auto neighbourhood = neighbourhood_of(bare, seed);
+    for (auto& run : runs) {
+      run = replay_from(neighbourhood.ship, RecordedControls(neighbourhood.ship, run), recorded_state(bare, run, 0.0),
+                        run.time);
+      test::add_noise(run, bare, seed);
+    }
+    const auto prepared = prepared_runs(bare, runs, test::usual_channels);
+    const auto problem = neighbourhood.problem(prepared);
+    const auto fit = linearized(problem, {.point = Point::Zero(problem.size()), .noise = Noise{}, .covariance = {}});
+    const auto expected = central_differences(problem, fit, 1e-4);
+    CHECK(4 * (expected.colwise().norm().array() > 0.0).count() > 3 * problem.size());
+    for (Eigen::Index i = 0; i < problem.size(); ++i) {
+      INFO(neighbourhood.name(i) << ", seed " << seed);
+      // 0 for what she has not, as the torque of an engine that is not limited; differences are rounded at 1e-7
+      CHECK((fit.slopes.col(i) - expected.col(i)).norm() <= 1e-5 * expected.col(i).norm() + 1e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace swayaw
