@@ -40,14 +40,14 @@ Innovation<N> updated(Gaussian<N>& estimate, Channel channel, int state, double 
   return innovation;
 }
 
-/// The same for any channel, linearized again where the first update leads.
+/// The same for any channel, linearized again where the first update leads, unless it is linear.
 /// @param expected  double expected(const FilterVector<N>& x, ChannelSlope& slope)
 template <int N, class Expected>
-Innovation<N> updated(Gaussian<N>& estimate, Channel channel, Expected&& expected, double measured, double R,
-                      ChannelSlope& slope) {
+Innovation<N> updated(Gaussian<N>& estimate, Channel channel, Expected&& expected, bool linear, double measured,
+                      double R, ChannelSlope& slope) {
   Innovation<N> innovation{.channel = channel, .state = -1};
   FilterVector<N> x = estimate.mean;
-  for (int pass = 0; pass < 2; ++pass) {
+  for (int pass = 0; pass < (linear ? 1 : 2); ++pass) {
     const double h = expected(x, slope);
     const FilterVector<N> Ph = estimate.P.template leftCols<6>() * slope;
     innovation.variance = slope.dot(Ph.template head<6>()) + R;

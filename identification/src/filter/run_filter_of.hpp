@@ -153,7 +153,7 @@ class RunFilterOf final : public RunFilter<N> {
         const auto interval = step_in(k, i, count);
         move(x, interval, controls_in(k, interval), pass.steps[step]);
       }
-      const auto sight = observer_.late() ? late_sight(x, k) : sight_of(x);
+      const auto sight = sight_at(x, k);
       arrived(x, k);
       for (; row < pass.passed[k].innovations; ++row) {
         const auto& now = pass.innovations[row];
@@ -195,10 +195,12 @@ class RunFilterOf final : public RunFilter<N> {
   /// @return log likelihood of the sample
   double measure(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
     double product = 1.0, squares = 0.0;  // of variances, whose logarithm is slow
+    const auto before = sight_at(estimate.mean, k);
     for (const Channel channel : channels_) {
       const auto samples = run_[channel];
       if (samples.empty() || std::isnan(samples[k])) continue;
-      const auto& now = pass.innovations.emplace_back(update(estimate, channel, k, noise[place_of(channel)], pass));
+      const auto& now =
+          pass.innovations.emplace_back(update(estimate, channel, k, before, noise[place_of(channel)], pass));
       const double square = now.error * now.error / now.variance;
       squares += square;
       product *= 2.0 * pi * now.variance;
@@ -207,14 +209,16 @@ class RunFilterOf final : public RunFilter<N> {
     return -0.5 * (squares + std::log(product));
   }
 
-  Innovation<N> update(Gaussian<N>& estimate, Channel channel, std::size_t k, double R, FilteredRun<N>& pass) {
+  /// @param before  what there is to look at before the measurements of the sample
+  Innovation<N> update(Gaussian<N>& estimate, Channel channel, std::size_t k, const Sight& before, double R,
+                       FilteredRun<N>& pass) {
     const double value = run_[channel][k];
     if (const auto state = observer_.state_alone(channel))
       return updated<N>(estimate, channel, *state, value - observer_.bias(channel), R);
     const auto expected = [&](const FilterVector<N>& x, ChannelSlope& slope) {
-      return observer_.value(channel, observer_.late() ? late_sight(x, k) : sight_of(x), slope);
+      return observer_.value(channel, {ship_state<N>(x), before.acceleration, before.phi}, slope);
     };
-    return updated<N>(estimate, channel, expected, value, R, pass.slopes.emplace_back());
+    return updated<N>(estimate, channel, expected, observer_.linear(channel), value, R, pass.slopes.emplace_back());
   }
 
   double expected(Channel channel, const FilterVector<N>& x, const Sight& sight) const {
@@ -222,16 +226,14 @@ class RunFilterOf final : public RunFilter<N> {
     return observer_.value(channel, {ship_state<N>(x), sight.acceleration, sight.phi});
   }
 
-  Sight sight_of(const FilterVector<N>& x) const {
-    return {ship_state<N>(x), {0.0, 0.0, 0.0}, shown_by(predictor_.hidden(), Channel::phi)};
-  }
-
-  /// With the accelerations that a late channel needs.
-  Sight late_sight(const FilterVector<N>& x, std::size_t k) const {
+  /// With the accelerations where a late channel needs them.
+  Sight sight_at(const FilterVector<N>& x, std::size_t k) const {
+    const double phi = shown_by(predictor_.hidden(), Channel::phi);
+    if (!observer_.late()) return {ship_state<N>(x), {0.0, 0.0, 0.0}, phi};
     const auto rate = predictor_.rates(x, at_samples_[k]);
     PlanarAcceleration<double> a{rate[3], rate[4], rate[5]};
     if constexpr (N == 9) a = {a.u + x[6], a.v + x[7], a.r + x[8]};
-    return {ship_state<N>(x), a, shown_by(predictor_.hidden(), Channel::phi)};
+    return {ship_state<N>(x), a, phi};
   }
 
   static void add_slope(FilterNoise& slope, const FilterNoise& noise, double share, const Smoother<N>& smoother) {
