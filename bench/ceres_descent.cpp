@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <numeric>
 #include <random>
 
 #include "../identification/src/estimation/descent.hpp"
@@ -83,7 +84,9 @@ Outcome by_trust_region(const EstimationProblem& problem, const FilteredRuns& pa
   here.cost = cost(here.point, here.residuals);
   Eigen::MatrixXd J(problem.rows(), problem.size());
   const auto renew = [&](const Descent& at, int) {
-    difference(problem, at.point, passes, at.residuals, 0, J);
+    std::vector<Eigen::Index> all(static_cast<std::size_t>(problem.size()));
+    std::iota(all.begin(), all.end(), 0);
+    difference(problem, at.point, passes, at.residuals, all, J);
     count += static_cast<int>(problem.size());
     return NormalEquations{J.transpose() * J + problem.precision, -J.transpose() * at.residuals - at.point};
   };

@@ -1,7 +1,10 @@
 #include <benchmark/benchmark.h>
 
+#include <chrono>
+#include <numeric>
 #include <random>
 
+#include "../identification/src/estimation/filtered_runs.hpp"
 #include "reference_loops.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/identification/trajectory_fit.hpp"
@@ -50,6 +53,52 @@ void trajectory_fit_10_numbers_888_samples(benchmark::State& state) {
   tell_ratio(state);
 }
 BENCHMARK(trajectory_fit_10_numbers_888_samples)->Arg(1)->Arg(0)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// Seconds that f takes.
+template <class F>
+double seconds(F&& f) {
+  const auto begin = std::chrono::steady_clock::now();
+  f();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Slopes of the residuals of the zigzag by every coefficient of the ship, and how many times longer differences take.
+void slopes_of_residuals_888_samples(benchmark::State& state) {
+  const Ship ship = read_ship(SWAYAW_BENCH_SHIPS "/kvlcc2_l7.toml");
+  const std::vector runs{noisy_zigzag(ship)};
+  auto parameters = parameters_of(ship);
+  std::erase_if(parameters, [](const Parameter& p) { return p.role != Role::coefficient || !(p.deviation > 0.0); });
+  const auto prepared = prepared_runs(ship, runs, motion_channels());
+  const auto size = std::ssize(parameters);
+  const EstimationProblem problem{.unknowns = std::vector<Unknown>(parameters.size()),
+                                  .precision = Eigen::MatrixXd::Identity(size, size),
+                                  .runs = prepared,
+                                  .ship_in =
+                                      [&](const Point& c, std::size_t) {
+                                        std::vector<double> values;
+                                        for (const auto& p : parameters)
+                                          values.push_back(p.value + p.deviation * c[std::ssize(values)]);
+                                        return with_values(ship, parameters, values);
+                                      },
+                                  .scale = ship};
+  const Point here = Point::Zero(size);
+  const auto passes = filtered(problem, here, Noise{});
+  const auto e = residuals(problem, here, *passes);
+  Eigen::MatrixXd slopes(problem.rows(), size);
+  std::vector<Eigen::Index> all(parameters.size());
+  std::iota(all.begin(), all.end(), 0);
+  double tangent = 0.0, differences = 0.0;
+  for (auto _ : state) {
+    tangent += seconds([&] { renew_slopes(problem, here, *passes, e, 0, slopes); });
+    state.PauseTiming();
+    differences += seconds([&] { difference(problem, here, *passes, e, all, slopes); });
+    state.ResumeTiming();
+  }
+  state.counters["unknowns"] = static_cast<double>(size);
+  state.counters["differences_longer"] = differences / tangent;
+  tell_ratio(state);
+}
+BENCHMARK(slopes_of_residuals_888_samples)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace swayaw::bench

@@ -21,12 +21,15 @@ FilterNoise variances(const Ship& scale, const PreparedRun& run, const Noise& no
 }
 
 /// Calls f(run, filter) for each run with the ship that sailed it, on all cores.
+/// @param passes  whose controls are used again where they serve
 template <class F>
-void for_each_run(const EstimationProblem& problem, const Point& point, const Noise& noise, F&& f) {
+void for_each_run(const EstimationProblem& problem, const Point& point, const Noise& noise, const FilteredRuns* passes,
+                  F&& f) {
   const double tau = noise.memory * length(problem.scale) / service_speed(problem.scale);
   in_parallel(problem.runs.size(), 0, [&](std::size_t i) {
     const auto& run = problem.runs[i];
-    f(i, *run_filter<9>(problem.ship_in(point, i), *run.run, run.channels, run.start, tau, run.longest_step));
+    f(i, *run_filter<9>(problem.ship_in(point, i), *run.run, run.channels, run.start, tau, run.longest_step,
+                        passes ? passes->runs[i].controls : nullptr));
   });
 }
 
@@ -48,7 +51,7 @@ double FilteredRuns::log_likelihood() const {
 FilterNoise log_likelihood_slope(const EstimationProblem& problem, const Point& point, const Noise& noise,
                                  const FilteredRuns& passes) {
   std::vector<FilterNoise> slopes(problem.runs.size());
-  for_each_run(problem, point, noise, [&](std::size_t i, RunFilter<9>& filter) {
+  for_each_run(problem, point, noise, &passes, [&](std::size_t i, RunFilter<9>& filter) {
     slopes[i] = filter.backward(variances(problem.scale, problem.runs[i], noise), passes.runs[i]);
   });
   FilterNoise sum = FilterNoise::Zero();
@@ -59,7 +62,7 @@ FilterNoise log_likelihood_slope(const EstimationProblem& problem, const Point& 
 std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, const Point& point, const Noise& noise) {
   auto result = std::make_shared<FilteredRuns>();
   result->runs.resize(problem.runs.size());
-  for_each_run(problem, point, noise, [&](std::size_t i, RunFilter<9>& filter) {
+  for_each_run(problem, point, noise, nullptr, [&](std::size_t i, RunFilter<9>& filter) {
     filter.forward(variances(problem.scale, problem.runs[i], noise), result->runs[i]);
   });
   return result;
@@ -68,7 +71,7 @@ std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, c
 Eigen::VectorXd residuals(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes) {
   const auto first = first_rows(problem);
   Eigen::VectorXd e(first.back());
-  for_each_run(problem, point, Noise{}, [&](std::size_t i, RunFilter<9>& filter) {
+  for_each_run(problem, point, Noise{}, &passes, [&](std::size_t i, RunFilter<9>& filter) {
     filter.residuals(passes.runs[i], e.segment(first[i], problem.runs[i].rows()));
   });
   return e;
@@ -139,17 +142,26 @@ std::vector<bool> tangents(const EstimationProblem& problem, const Point& point,
 
 }  // namespace
 
+void difference(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
+                const Eigen::VectorXd& here, std::span<const Eigen::Index> columns, Eigen::MatrixXd& slopes) {
+  in_parallel(columns.size(), 0, [&](std::size_t k) {
+    const auto i = columns[k];
+    const Point there = moved(problem, point, i, problem.unknowns[static_cast<std::size_t>(i)].step);
+    slopes.col(i) = (residuals_if_any(problem, there, passes) - here) / (there[i] - point[i]);
+  });
+}
+
 void renew_slopes(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
                   const Eigen::VectorXd& here, Eigen::Index first, Eigen::MatrixXd& slopes) {
-  constexpr Eigen::Index few = 8;  // columns cost less by differences
+  // a diagnosis of 82 unknowns takes 34 s of processor time so; 39 s with 3, 48 s with 1
+  constexpr Eigen::Index few = 8;
+  const auto columns = point.size() - first;
+  const auto found = columns > few ? tangents(problem, point, passes, first, slopes)
+                                   : std::vector<bool>(static_cast<std::size_t>(columns), false);
   std::vector<Eigen::Index> rest;
-  const auto found = point.size() - first > few ? tangents(problem, point, passes, first, slopes) : std::vector<bool>{};
   for (Eigen::Index i = first; i < point.size(); ++i)
-    if (found.empty() || !found[static_cast<std::size_t>(i - first)]) rest.push_back(i);
-  in_parallel(rest.size(), 0, [&](std::size_t k) {
-    const Point there = moved(problem, point, rest[k], problem.unknowns[static_cast<std::size_t>(rest[k])].step);
-    slopes.col(rest[k]) = (residuals_if_any(problem, there, passes) - here) / (there[rest[k]] - point[rest[k]]);
-  });
+    if (!found[static_cast<std::size_t>(i - first)]) rest.push_back(i);
+  difference(problem, point, passes, here, rest, slopes);
 }
 
 }  // namespace swayaw::identification

@@ -29,9 +29,13 @@ Eigen::VectorXd residuals(const EstimationProblem& problem, const Point& point, 
 /// The same, huge where a ship cannot sail or her motion runs away.
 Eigen::VectorXd residuals_if_any(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes);
 
-/// d(residuals)/d(point), columns from `first` on: exact by the tangent of the filter, where there are many and the
-/// residuals are smooth; else by differences over the steps of the unknowns.
-/// @param here  residuals at the point
+/// Columns of d(residuals)/d(point) by differences over the steps of their unknowns. @param here  residuals at the
+/// point
+void difference(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
+                const Eigen::VectorXd& here, std::span<const Eigen::Index> columns, Eigen::MatrixXd& slopes);
+
+/// Columns of d(residuals)/d(point) from `first` on: by the tangent of the filter where they are many, which is exact;
+/// by differences where they are few, and those of unknowns in which the residuals are not smooth.
 void renew_slopes(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
                   const Eigen::VectorXd& here, Eigen::Index first, Eigen::MatrixXd& slopes);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "measurement_update.hpp"
+#include "swayaw/nonlinear/replay.hpp"
 
 /// Filter and smoother of a recorded run: any ship, with all her effects and instruments. Compiled once for 6 states
 /// and once for 9. Not installed.
@@ -43,6 +44,21 @@ struct Passed {
   double log_likelihood = 0.0;
 };
 
+/// Rudder and propulsion of a run, worked out once for all ships whose rudder and propulsion do alike.
+struct RunControls {
+  RecordedControls recorded;
+  std::vector<Controls<double>> at_samples;
+  RudderActuator actuator;
+  ChannelError<double> rudder_record;
+  bool whatever_ship;  ///< whether the recording tells the propulsion, so that no other ship has other thrust
+
+  /// @param run  must outlive the controls
+  RunControls(const Ship& ship, const Recording& run);
+
+  /// Whether they are those of another ship too.
+  bool serve(const Ship& ship) const;
+};
+
 /// A filtered run, with what the smoother and residuals with the same gains need, unless it is not kept.
 template <int N>
 struct FilteredRun {
@@ -53,6 +69,7 @@ struct FilteredRun {
   std::vector<ChannelSlope> slopes;  ///< of channels that show no state alone
   std::array<ChannelSums, channel_count> sums{};
   double tau = 0.0;  ///< memory of the unmodelled accelerations [s]
+  std::shared_ptr<const RunControls> controls;
 
   double log_likelihood() const { return passed.back().log_likelihood; }
 
@@ -108,10 +125,12 @@ inline constexpr double usual_longest_step = 0.02;
 /// @param start  little is known of it
 /// @param tau    memory of the unmodelled accelerations [s], or infinity
 /// @param longest_step  in ship lengths of way
+/// @param known  controls of a pass, used again where they serve
 /// @throws Refusal  where one of her effects cannot act on her model
 template <int N>
 std::unique_ptr<RunFilter<N>> run_filter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
                                          const ShipState<double>& start, double tau,
-                                         double longest_step = usual_longest_step);
+                                         double longest_step = usual_longest_step,
+                                         std::shared_ptr<const RunControls> known = nullptr);
 
 }  // namespace swayaw::identification::detail

@@ -14,23 +14,21 @@ template <int N>
 class RunFilterOf final : public RunFilter<N> {
  public:
   RunFilterOf(const Ship& ship, const Recording& run, std::span<const Channel> channels, const ShipState<double>& start,
-              double tau, double longest_step)
+              double tau, double longest_step, std::shared_ptr<const RunControls> known)
       : run_(run),
         channels_(channels),
         predictor_(ship, tau, longest_step),
         observer_(instruments_of(ship), predictor_.current()),
-        controls_(ship, run),
+        controls_(known && known->serve(ship) ? std::move(known) : std::make_shared<const RunControls>(ship, run)),
         start_(start),
         L_(length(ship)),
-        U_0_(service_speed(ship)) {
-    at_samples_.reserve(run.samples());
-    for (const double time : run.time) at_samples_.push_back(controls_.at(time));
-  }
+        U_0_(service_speed(ship)) {}
 
   void forward(const FilterNoise& noise, FilteredRun<N>& pass,
                const std::function<void(std::size_t, const Gaussian<N>&)>& tell) override {
     pass.restart(run_.samples(), channels_.size());
     pass.tau = predictor_.tau();
+    pass.controls = controls_;
     Gaussian<N> estimate = start(noise);
     predictor_.restart(estimate.mean);
     double log_likelihood = 0.0;
@@ -83,7 +81,7 @@ class RunFilterOf final : public RunFilter<N> {
   std::vector<bool> slopes(const FilteredRun<N>& pass, const Ship& ship, std::span<const Neighbour> neighbours,
                            Eigen::Ref<Eigen::MatrixXd> out) override {
     if (predictor_.hides_states()) return std::vector<bool>(neighbours.size(), false);
-    const auto differences = differences_between(ship, neighbours, run_);
+    const auto differences = differences_between(ship, neighbours, run_, *controls_);
     predictor_.tape(ship, differences.variable);
     StateSlopes<N> X(differences, observer_);
     TapedShip::Slopes by;
@@ -95,8 +93,8 @@ class RunFilterOf final : public RunFilter<N> {
         },
         [&](const FilterVector<N>& x, std::size_t k) {
           if (!observer_.late()) return;
-          predictor_.slopes(x, at_samples_[k], by);
-          X.accelerate(by, run_.time[k], at_samples_[k]);
+          predictor_.slopes(x, at_samples()[k], by);
+          X.accelerate(by, run_.time[k], at_samples()[k]);
         },
         [&](const FilterVector<N>& x, const Sight& sight, std::size_t row, double) {
           X.observe({ship_state<N>(x), sight.acceleration, sight.phi}, pass.innovations[row],
@@ -173,8 +171,9 @@ class RunFilterOf final : public RunFilter<N> {
   /// Controls in the middle of a step from sample k − 1 to k; a rudder with a motion of its own is asked for it.
   Controls<double> controls_in(std::size_t k, const Interval& step) const {
     const double middle = 0.5 * (step.from + step.to);
-    if (controls_.track()) return controls_.at(middle);
-    return between(at_samples_[k - 1], at_samples_[k], (middle - run_.time[k - 1]) / (run_.time[k] - run_.time[k - 1]));
+    if (controls_->recorded.track()) return controls_->recorded.at(middle);
+    return between(at_samples()[k - 1], at_samples()[k],
+                   (middle - run_.time[k - 1]) / (run_.time[k] - run_.time[k - 1]));
   }
 
   /// To sample k, in steps that are short for the ship.
@@ -230,7 +229,7 @@ class RunFilterOf final : public RunFilter<N> {
   Sight sight_at(const FilterVector<N>& x, std::size_t k) const {
     const double phi = shown_by(predictor_.hidden(), Channel::phi);
     if (!observer_.late()) return {ship_state<N>(x), {0.0, 0.0, 0.0}, phi};
-    const auto rate = predictor_.rates(x, at_samples_[k]);
+    const auto rate = predictor_.rates(x, at_samples()[k]);
     PlanarAcceleration<double> a{rate[3], rate[4], rate[5]};
     if constexpr (N == 9) a = {a.u + x[6], a.v + x[7], a.r + x[8]};
     return {ship_state<N>(x), a, phi};
@@ -243,22 +242,24 @@ class RunFilterOf final : public RunFilter<N> {
 
   static constexpr int random = N == 9 ? 6 : 3;  ///< first of the states that random accelerations drive
 
+  const std::vector<Controls<double>>& at_samples() const { return controls_->at_samples; }
+
   bool has_memory() const { return N == 9 && std::isfinite(predictor_.tau()); }
 
   const Recording& run_;
   std::span<const Channel> channels_;
   ShipPredictor<N> predictor_;
   ChannelObserver observer_;
-  RecordedControls controls_;
-  std::vector<Controls<double>> at_samples_;
+  std::shared_ptr<const RunControls> controls_;
   ShipState<double> start_;
   double L_, U_0_;
 };
 
 template <int N>
 std::unique_ptr<RunFilter<N>> run_filter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
-                                         const ShipState<double>& start, double tau, double longest_step) {
-  return std::make_unique<RunFilterOf<N>>(ship, run, channels, start, tau, longest_step);
+                                         const ShipState<double>& start, double tau, double longest_step,
+                                         std::shared_ptr<const RunControls> known) {
+  return std::make_unique<RunFilterOf<N>>(ship, run, channels, start, tau, longest_step, std::move(known));
 }
 
 }  // namespace swayaw::identification::detail

@@ -26,12 +26,6 @@ bool propulsion_is_recorded(const Ship& ship, const Recording& run) {
          std::holds_alternative<AbkowitzShip<double>>(ship.model);
 }
 
-bool same_controls(const Ship& a, const Ship& b, const Recording& run) {
-  return run.has(Channel::delta) && propulsion_is_recorded(a, run) &&
-         same_actuator(rudder_actuator(a), rudder_actuator(b)) &&
-         instruments_of(a)[Channel::delta] == instruments_of(b)[Channel::delta];
-}
-
 std::optional<ShipNumbers> numbers_if_any(const std::optional<Ship>& ship) {
   if (!ship) return std::nullopt;
   try {
@@ -43,8 +37,22 @@ std::optional<ShipNumbers> numbers_if_any(const std::optional<Ship>& ship) {
 
 }  // namespace
 
-NeighbourDifferences differences_between(const Ship& ship, std::span<const Neighbour> neighbours,
-                                         const Recording& run) {
+RunControls::RunControls(const Ship& ship, const Recording& run)
+    : recorded(ship, run),
+      actuator(rudder_actuator(ship)),
+      rudder_record(instruments_of(ship)[Channel::delta]),
+      whatever_ship(run.has(Channel::delta) && propulsion_is_recorded(ship, run)) {
+  at_samples.reserve(run.samples());
+  for (const double time : run.time) at_samples.push_back(recorded.at(time));
+}
+
+bool RunControls::serve(const Ship& ship) const {
+  return whatever_ship && same_actuator(actuator, rudder_actuator(ship)) &&
+         rudder_record == instruments_of(ship)[Channel::delta];
+}
+
+NeighbourDifferences differences_between(const Ship& ship, std::span<const Neighbour> neighbours, const Recording& run,
+                                         const RunControls& controls) {
   NeighbourDifferences result;
   const auto here = numbers_of(ship);
   result.variable.assign(here.values.size(), false);
@@ -63,7 +71,7 @@ NeighbourDifferences differences_between(const Ship& ship, std::span<const Neigh
     for (std::size_t i = 0; i < here.values.size(); ++i)
       if (const double d = there->values[i] - here.values[i]; d != 0.0 && std::isfinite(d))
         moved.push_back({unknown, i, d / neighbour.step}), result.variable[i] = true;
-    if (!same_controls(ship, *neighbour.ship, run))
+    if (!controls.serve(*neighbour.ship))
       result.controls.push_back({unknown, neighbour.step, RecordedControls(*neighbour.ship, run)});
     const auto current = surroundings_at(*neighbour.ship, 0.0).current;
     if (const ChannelObserver other(instruments_of(*neighbour.ship), current); observer.differs(other))

@@ -36,7 +36,9 @@ struct NeighbourDifferences {
   std::vector<OfObserver> observers;
 };
 
-NeighbourDifferences differences_between(const Ship& ship, std::span<const Neighbour> neighbours, const Recording& run);
+/// @param controls  of the ship
+NeighbourDifferences differences_between(const Ship& ship, std::span<const Neighbour> neighbours, const Recording& run,
+                                         const RunControls& controls);
 
 /// Derivatives X of a filter's state x by all unknowns, from one state to the next.
 ///
