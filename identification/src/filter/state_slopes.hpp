@@ -95,13 +95,15 @@ class StateSlopes {
   template <int Size>
   using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, Size>;
 
-  /// C of x⁺ = x + C h f, from h f of all states.
+  /// C = 1 + h A/2! + h²A²/3! in the rows of x … r, of x⁺ = x + C h f with f of all states.
   static Eigen::Matrix<double, 6, N> with_curve(const Transition<N>& t) {
-    Eigen::Matrix<double, 6, N> C;
-    for (int i = 0; i < N; ++i) {
-      C.col(i) = t.curved(FilterVector<N>::Unit(i));
-      if (i < 6) C(i, i) += 1.0;
-    }
+    Eigen::Matrix<double, 6, N> first = Eigen::Matrix<double, 6, N>::Zero();
+    first.template middleCols<4>(2) = t.hA;
+    if constexpr (N == 9) first.template bottomRightCorner<3, 3>().diagonal().array() += t.h;
+    Eigen::Matrix<double, 6, N> second = t.hA.lazyProduct(first.template middleRows<4>(2));
+    if constexpr (N == 9) second.template bottomRightCorner<3, 3>().diagonal().array() -= t.fading * t.h;
+    Eigen::Matrix<double, 6, N> C = first / 2.0 + second / 6.0;
+    C.template leftCols<6>().diagonal().array() += 1.0;
     return C;
   }
 
