@@ -11,6 +11,7 @@
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
+#include "way_ahead.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -238,7 +239,8 @@ void print_text(const Ship& ship, const CompareArguments& a, const std::vector<C
 void compare(const CompareArguments& a) {
   const Ship ship = parse_ship(ship_text(a.ship), a.ship);
   const CompareOptions options{.window_lengths = a.window_lengths, .replay = {.shaft = shaft_named(a.shaft)}};
-  const auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check});
+  auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check});
+  for (auto& run : runs) run = with_way_ahead(ship, std::move(run));
   std::vector<Comparison> comparisons;
   for (const auto& run : runs) {
     tell_shaft(run, options.replay.shaft);

@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/replay.hpp"
+#include "way_ahead.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -28,19 +28,6 @@ void begin_at_service_speed(const Ship& ship, Recording& run) {
              run.name, service_speed(ship));
 }
 
-/// Why the ship cannot sail the first two ship lengths of the run; empty where she can.
-std::string why_not(const Ship& ship, const Recording& run) try {
-  const auto start = recorded_state(ship, run, run.time.front());
-  const double until = run.time.front() + 2.0 * length(ship) / service_speed(ship);
-  const auto count = std::max<std::ptrdiff_t>(2, std::ranges::upper_bound(run.time, until) - run.time.begin());
-  const auto times = std::span(run.time).first(std::min(run.time.size(), static_cast<std::size_t>(count)));
-  if (times.size() < 2) return "it has one sample";
-  (void)replay_from(ship, RecordedControls(ship, run), start, times);
-  return {};
-} catch (const std::exception& trouble) {
-  return trouble.what();
-}
-
 }  // namespace
 
 void set_aside(std::vector<SetAside>& aside, const std::string& run, const std::string& why) {
@@ -52,6 +39,7 @@ std::vector<Recording> sailable(const Ship& ship, std::vector<Recording> runs, s
   std::vector<Recording> result;
   for (auto& run : runs) {
     if (!tells_speed(run) && run.samples() > 0) begin_at_service_speed(ship, run);
+    if (run.samples() > 0) run = with_way_ahead(ship, std::move(run));
     const auto why = why_not(ship, run);
     if (why.empty()) {
       result.push_back(std::move(run));

@@ -19,7 +19,8 @@ struct SetAside {
 /// Notes that a run is set aside, and says so on stderr.
 void set_aside(std::vector<SetAside>& aside, const std::string& run, const std::string& why);
 
-/// The runs whose first two ship lengths the ship can sail; the others go to `aside`, and to stderr by name.
+/// The parts of the runs that the ship can sail (way_ahead.hpp); runs whose first two ship lengths she cannot sail go
+/// to `aside`, and to stderr by name.
 ///
 /// Where no channel tells the speed of a run, its first sample gets the ship's service speed as that of the log; stderr
 /// says so.

@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <catch.hpp>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "program.hpp"
 #include "swayaw/core/angle.hpp"
@@ -140,6 +142,98 @@ TEST_CASE("a run without any speed begins at the service speed, which is said", 
   CHECK(outcome.code == 0);
   CHECK_THAT(outcome.err, ContainsSubstring("blind.csv: no channel tells her speed; the service speed of 1.179 m/s"));
   CHECK(nlohmann::json::parse(outcome.out)["coefficients"].size() == 2);
+}
+
+// ---------------------------------------------------------------- parts of runs
+
+/// The samples of a run with so many seconds before, and after, in which the ship drifts astern where she is.
+Recording adrift(const Recording& run, double before, double after) {
+  const double h = run.time[1] - run.time[0];
+  const auto first = static_cast<std::size_t>(before / h), last = static_cast<std::size_t>(after / h),
+             all = first + run.samples() + last;
+  Recording result{run.name, run.facts, {}, {}, {}};
+  for (std::size_t i = 0; i < all; ++i) result.time.push_back(static_cast<double>(i) * h);
+  for (std::size_t c = 0; c < channel_count; ++c) {
+    if (run.channels[c].empty()) continue;
+    for (std::size_t i = 0; i < all; ++i)
+      result.channels[c].push_back(run.channels[c][std::clamp(i, first, first + run.samples() - 1) - first]);
+  }
+  for (const auto& [channel, value] : {std::pair{Channel::u, -0.02}, {Channel::v, 0.0}, {Channel::r, 0.0}})
+    for (std::size_t i = 0; i < all; ++i)
+      if (i < first || i >= first + run.samples()) result.channels[index_of(channel)][i] = value;
+  return result;
+}
+
+/// What compare says of one run, and how long the part is that it used.
+struct Used {
+  std::string err;
+  double duration;
+};
+
+Used used_of(const Scratch& scratch, const std::string& file) {
+  const auto outcome = run(scratch, "compare kvlcc2_l7 " + file + "--json --no-check");
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  return {outcome.err, nlohmann::json::parse(outcome.out)["runs"][0]["duration_s"]};
+}
+
+TEST_CASE("of a run that begins or ends adrift the part with way ahead is used, which is said", "[app]") {
+  const Scratch scratch;
+  const double grid = 0.25 * 7.0 / 1.179;  // L/U: between these times the speed is not asked for
+  double sailed = 0.0;
+  const auto with = [&](const std::string& name, double before, double after) {
+    return recorded(scratch, name, 10, [&](Recording& r) {
+      sailed = r.time.back();
+      r = adrift(r, before, after);
+    });
+  };
+  const auto late = used_of(scratch, with("late.csv", 30.0, 0.0));
+  CHECK_THAT(late.err, ContainsSubstring("late.csv: used from 3"));
+  CHECK_THAT(late.err, ContainsSubstring("before, she has no way ahead\n"));
+  CHECK_THAT(late.duration, WithinAbs(sailed, 2.0 * grid));
+  const auto stopped = used_of(scratch, with("stopped.csv", 0.0, 30.0));
+  CHECK_THAT(stopped.err, ContainsSubstring("stopped.csv: used up to "));
+  CHECK_THAT(stopped.duration, WithinAbs(sailed, 2.0 * grid));
+  const auto both = used_of(scratch, with("both.csv", 30.0, 30.0));
+  CHECK_THAT(both.err, ContainsSubstring("before and after, she has no way ahead"));
+  CHECK_THAT(both.duration, WithinAbs(sailed, 3.0 * grid));
+  const auto whole = used_of(scratch, with("whole.csv", 0.0, 0.0));
+  CHECK_THAT(whole.err, !ContainsSubstring("no way ahead"));
+  CHECK(whole.duration == sailed);
+}
+
+TEST_CASE("identify finds from the part with way ahead what it finds from a run that has no other", "[app]") {
+  const Scratch scratch;
+  const auto found = [&](const std::string& file) {
+    const auto outcome = run(scratch, identify_words(scratch, file) + " --json --no-check");
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const auto json = nlohmann::json::parse(outcome.out);
+    CHECK(json["verdict"]["set_aside"].empty());
+    return json["coefficients"][0]["value"].get<double>();
+  };
+  const double whole = found(recorded(scratch, "whole.csv", 10, as_it_is)),
+               part = found(recorded(scratch, "late.csv", 10, [](Recording&r) { r = adrift(r, 30.0, 30.0); }));
+  CHECK_THAT(part, WithinRel(whole, 0.02));
+}
+
+TEST_CASE("a run that is astern throughout, or makes too little way ahead, is set aside", "[app]") {
+  const Scratch scratch;
+  const auto good = recorded(scratch, "good.csv", 10, as_it_is);
+  const auto astern = recorded(scratch, "adrift.csv", 10, [](Recording& r) {
+    for (double& u : r.channels[index_of(Channel::u)]) u = -0.02;
+  });
+  const auto brief = recorded(scratch, "brief.csv", 10, [](Recording& r) {
+    for (std::size_t i = 0; i < r.samples(); ++i)
+      if (r.time[i] < 20.0 || r.time[i] > 26.0) r.channels[index_of(Channel::u)][i] = -0.02;
+  });
+  const auto outcome = run(scratch, identify_words(scratch, good + astern + brief) + " --json --no-check");
+  INFO(outcome.err);
+  CHECK(outcome.code == 0);
+  for (const auto* name : {"adrift", "brief"})
+    CHECK_THAT(outcome.err,
+               ContainsSubstring(std::string(name) + ".csv: set aside: the ship cannot sail it: forces are known"));
+  CHECK(nlohmann::json::parse(outcome.out)["verdict"]["set_aside"].size() == 2);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "swayaw/core/motion.hpp"
 #include "swayaw/nonlinear/effects/acting_effects.hpp"
 #include "swayaw/nonlinear/models/branch.hpp"
+#include "swayaw/nonlinear/models/validity.hpp"
 #include "swayaw/nonlinear/simulator.hpp"
 
 /// Forces of a model, carried on where it does not hold, for a simulator that must go on: at rest, astern, turning on
@@ -29,14 +30,14 @@ namespace swayaw::inline nonlinear::detail {
 /// Range that is taken as it is; docs/simulation.md has the table.
 struct HeldRange {
   // The ships of ships/, in turns with 35 deg of rudder, keep u ≥ 0.22 U_0, |v| ≤ 0.8 u and |r| L ≤ 2.1 u.
-  static constexpr double least_way = 0.1;   ///< u over U_0; the thrust is then 95 to 98 % of that at bollard pull
-  static constexpr double most_way = 2.0;    ///< u over U_0
-  static constexpr double most_drift = 2.0;  ///< |v| over u
-  static constexpr double most_turn = 3.0;   ///< |r| L over u
-  static constexpr double C_X = 0.02;        ///< R_0' of the MMG ships of ships/: 0.014 to 0.022
-  static constexpr double C_D = 1.0;         ///< of a merchant hull across the flow, about 0.7 to 1.2
-  static constexpr double draught = 0.05;    ///< over L, where the model does not know it
-  static constexpr double creep = 1e-6;      ///< of U_0: what stands for rest in P(m_0)
+  static constexpr double least_way = nonlinear::least_way;  ///< u over U_0
+  static constexpr double most_way = 2.0;                    ///< u over U_0
+  static constexpr double most_drift = 2.0;                  ///< |v| over u
+  static constexpr double most_turn = 3.0;                   ///< |r| L over u
+  static constexpr double C_X = 0.02;                        ///< R_0' of the MMG ships of ships/: 0.014 to 0.022
+  static constexpr double C_D = 1.0;                         ///< of a merchant hull across the flow, about 0.7 to 1.2
+  static constexpr double draught = 0.05;                    ///< over L, where the model does not know it
+  static constexpr double creep = 1e-6;                      ///< of U_0: what stands for rest in P(m_0)
 };
 
 /// A motion moved into the range.

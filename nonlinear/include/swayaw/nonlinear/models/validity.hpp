@@ -25,6 +25,10 @@ enum class Validity {
 /// rudder.
 inline constexpr double largest_yaw_rate = 10.0;
 
+/// u over the service speed below which forces of any model are little known: the thrust is then 95 to 98 % of that at
+/// bollard pull. The ships of ships/ keep 0.22 and more in turns with 35 deg of rudder.
+inline constexpr double least_way = 0.1;
+
 /// "the shaft turns astern, and the thrust is known for a shaft that turns ahead", alike; empty for valid.
 std::string_view words_for(Validity validity);
 
