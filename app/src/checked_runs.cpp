@@ -4,6 +4,7 @@
 #include <string>
 
 #include "input.hpp"
+#include "measured_surroundings.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
 
@@ -46,6 +47,7 @@ std::vector<RunCheck> checks_of(const std::vector<Recording>& runs, ShortRuns sh
 
 std::vector<Recording> checked_runs(const std::vector<std::filesystem::path>& files, const Reading& reading) {
   auto runs = loaded_runs(files, reading.rudder_positive);
+  for (auto& run : runs) run = without(std::move(run), reading.ignored);
   if (reading.no_check) return runs;
   const auto checks = checks_of(runs, ShortRuns::passed_over);
   std::ranges::for_each(checks, refuse_mistakes);

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "commands.hpp"
 #include "swayaw/core/recording.hpp"
 
 namespace swayaw::inline identification {
@@ -16,6 +17,7 @@ namespace swayaw::app {
 struct Reading {
   std::string_view rudder_positive;  ///< "port" or "starboard", whatever the files say; empty: as they say
   bool no_check = false;             ///< instruments are not checked
+  Ignored ignored{};
 };
 
 std::vector<Recording> loaded_runs(const std::vector<std::filesystem::path>& files, std::string_view rudder_positive);

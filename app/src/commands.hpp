@@ -9,6 +9,12 @@
 /// Results go to stdout, messages to stderr. @throws Refusal, std::domain_error
 namespace swayaw::app {
 
+/// What was measured around the ship and is not to act on her.
+struct Ignored {
+  bool wind = false;
+  bool depth = false;
+};
+
 struct SimulateArguments {
   std::filesystem::path ship;
   std::string zigzag;          ///< "D/H" in degrees, or empty
@@ -43,6 +49,7 @@ struct ReplayArguments {
   bool forces = false;  ///< forces by part in the time series
   bool json = false;
   std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
+  Ignored ignored{};
 };
 void replay(const ReplayArguments& arguments);
 
@@ -65,6 +72,7 @@ struct CompareArguments {
   bool markdown = false;
   std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
   bool no_check = false;        ///< instruments are not checked first
+  Ignored ignored{};
 };
 void compare(const CompareArguments& arguments);
 
@@ -190,6 +198,7 @@ struct IdentifyArguments {
   bool json = false;
   std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
   bool no_check = false;        ///< instruments are not checked first
+  Ignored ignored{};
 };
 void identify(const IdentifyArguments& arguments);
 
@@ -203,6 +212,7 @@ struct DiagnoseArguments {
   bool json = false;
   std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
   bool no_check = false;        ///< instruments are not checked first
+  Ignored ignored{};
 };
 void diagnose(const DiagnoseArguments& arguments);
 

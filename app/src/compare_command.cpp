@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
+#include "measured_surroundings.hpp"
 #include "swayaw/app/report.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
@@ -239,8 +240,9 @@ void print_text(const Ship& ship, const CompareArguments& a, const std::vector<C
 void compare(const CompareArguments& a) {
   const Ship ship = parse_ship(ship_text(a.ship), a.ship);
   const CompareOptions options{.window_lengths = a.window_lengths, .replay = {.shaft = shaft_named(a.shaft)}};
-  auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check});
+  auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check, a.ignored});
   for (auto& run : runs) run = with_way_ahead(ship, std::move(run));
+  tell_in_vain(ship, runs);
   std::vector<Comparison> comparisons;
   for (const auto& run : runs) {
     tell_shaft(run, options.replay.shaft);

@@ -5,6 +5,7 @@
 #include "diagnose_report.hpp"
 #include "input.hpp"
 #include "json.hpp"
+#include "measured_surroundings.hpp"
 #include "progress.hpp"
 #include "run_selection.hpp"
 #include "swayaw/core/version.hpp"
@@ -223,12 +224,13 @@ void diagnose(const DiagnoseArguments& a) {
     progress.tell(what);
     return !interrupt.asked();
   };
-  const Reading reading{a.rudder_positive, a.no_check};
+  const Reading reading{a.rudder_positive, a.no_check, a.ignored};
   std::vector<SetAside> aside;
   const auto runs = sailable(ship, checked_runs(a.runs, reading), aside);
   require_some(runs, aside);
   const auto reference = sailable(ship, checked_runs(a.reference, reading), aside),
              holdout = sailable(ship, checked_runs(a.holdout, reading), aside);
+  for (const auto& some : {runs, reference, holdout}) tell_in_vain(ship, some);
   auto diagnosis = swayaw::diagnose(ship, runs, reference, holdout, options);
   for (const auto& trouble : diagnosis.troubles) fmt::print(stderr, "swayaw: {}\n", trouble);
   const auto kept = writable(diagnosis.improved, ship);

@@ -8,6 +8,7 @@
 #include "identify_linear.hpp"
 #include "input.hpp"
 #include "json.hpp"
+#include "measured_surroundings.hpp"
 #include "progress.hpp"
 #include "run_selection.hpp"
 #include "swayaw/core/version.hpp"
@@ -55,10 +56,19 @@ std::vector<Channel> channels_named(const std::vector<std::string>& names) {
   return channels;
 }
 
+/// Coefficients are found as of the water in which the runs were sailed: their depth does not act besides.
+Recording with_depth_in_coefficients(const Ship& ship, Recording run) {
+  const auto depth = recorded_depth(run);
+  if (in_depth(ship, depth))
+    fmt::print(stderr, "swayaw: {}: the coefficients will be those of water {:.4g} m deep, as it was measured\n",
+               run.name, *depth);
+  return without(std::move(run), {.depth = true});
+}
+
 Question question_of(const IdentifyArguments& a) {
   Question q{.ship = in_model(load_nonlinear_ship(a.ship), a.model),
-             .runs = checked_runs(a.runs, {a.rudder_positive, a.no_check}),
-             .holdout = checked_runs(a.holdout, {a.rudder_positive, a.no_check}),
+             .runs = checked_runs(a.runs, {a.rudder_positive, a.no_check, a.ignored}),
+             .holdout = checked_runs(a.holdout, {a.rudder_positive, a.no_check, a.ignored}),
              .options = {.parameters = {}}};
   q.options.parameters = parameters_to_find(q.ship, a);
   q.options.priors = a.prior;
@@ -67,6 +77,10 @@ Question question_of(const IdentifyArguments& a) {
   q.runs = sailable(q.ship, std::move(q.runs), q.aside);
   require_some(q.runs, q.aside);
   q.holdout = sailable(q.ship, std::move(q.holdout), q.aside);
+  for (auto* runs : {&q.runs, &q.holdout}) {
+    tell_in_vain(q.ship, *runs);
+    for (auto& run : *runs) run = with_depth_in_coefficients(q.ship, std::move(run));
+  }
   return q;
 }
 

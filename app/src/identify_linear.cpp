@@ -89,7 +89,10 @@ void identify_linear(const IdentifyArguments& a) {
   const auto p = particulars_of(load_ship(a.ship));
   if (!a.holdout.empty())
     fmt::print(stderr, "swayaw: --holdout has no use with --model linear, whose standard errors hold by themselves\n");
-  const auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check});
+  const auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check, a.ignored});
+  for (const auto& run : runs)
+    if (run.has(Channel::wind_speed))
+      fmt::print(stderr, "swayaw: {}: the measured wind is not used: a linear ship has no place for it\n", run.name);
   const auto fit = fit_linear(runs, {.L = p.particulars.L});
   if (!std::isfinite(fit.coefficients.a1.value))
     throw Refusal(

@@ -127,6 +127,11 @@ void add_rudder_positive(CLI::App& command, std::string& side) {
       ->check(side_name);
 }
 
+void add_ignored(CLI::App& command, Ignored& ignored) {
+  command.add_flag("--ignore-wind", ignored.wind, "as if the true wind (wind_speed, wind_from) had not been measured");
+  command.add_flag("--ignore-depth", ignored.depth, "as if the depth (water_depth_m, depth_m) had not been measured");
+}
+
 void add_replay(CLI::App& app, ReplayArguments& a) {
   auto& command = *app.add_subcommand("replay", "simulate a recorded run with its rudder and shaft speed");
   add_ship(command, a.ship);
@@ -135,13 +140,15 @@ void add_replay(CLI::App& app, ReplayArguments& a) {
   command.add_option("--out", a.out, "time series to this file (CSV)")->required();
   command.add_flag("--forces", a.forces, "forces by part in the time series");
   add_rudder_positive(command, a.rudder_positive);
+  add_ignored(command, a.ignored);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { replay(a); });
 }
 
 /// Of commands that check the instruments of their recordings before they begin.
-void add_reading(CLI::App& command, std::string& side, bool& no_check) {
+void add_reading(CLI::App& command, std::string& side, bool& no_check, Ignored& ignored) {
   add_rudder_positive(command, side);
+  add_ignored(command, ignored);
   command.add_flag("--no-check", no_check, "believe the recordings: signs, units and clocks are not checked first");
 }
 
@@ -171,7 +178,7 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   command.add_option("--report", a.report, "write an HTML page that needs no network");
   auto* json = command.add_flag("--json", a.json, "print one JSON document");
   command.add_flag("--markdown", a.markdown, "print Markdown tables")->excludes(json);
-  add_reading(command, a.rudder_positive, a.no_check);
+  add_reading(command, a.rudder_positive, a.no_check, a.ignored);
   command.callback([&a] { compare(a); });
 }
 
@@ -311,7 +318,7 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   command.add_flag("--resample", a.resample,
                    "the same from other choices of runs: one left out, one alone, one rudder amplitude alone");
   command.add_option("--out", a.out, "ship file of the identified ship (TOML)")->required();
-  add_reading(command, a.rudder_positive, a.no_check);
+  add_reading(command, a.rudder_positive, a.no_check, a.ignored);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { identify(a); });
 }
@@ -325,7 +332,7 @@ void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
   command.add_option("--holdout", a.holdout, "recordings that are not used but predicted");
   command.add_option("--save-model", a.save_model, "ship file with the effects found (TOML)");
   command.add_option("--report", a.report, "write an HTML page that needs no network");
-  add_reading(command, a.rudder_positive, a.no_check);
+  add_reading(command, a.rudder_positive, a.no_check, a.ignored);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { diagnose(a); });
 }

@@ -3,6 +3,7 @@
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
+#include "measured_surroundings.hpp"
 #include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 
@@ -10,7 +11,8 @@ namespace swayaw::app {
 
 void replay(const ReplayArguments& a) {
   const Ship ship = parse_ship(ship_text(a.ship), a.ship);
-  const Recording run = load_run(a.run, a.rudder_positive);
+  const Recording run = without(load_run(a.run, a.rudder_positive), a.ignored);
+  tell_in_vain(ship, {&run, 1});
   const Shaft shaft = shaft_named(a.shaft);
   tell_shaft(run, shaft);
   Recording simulated = swayaw::replay(ship, run, {.shaft = shaft});

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <catch.hpp>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "program.hpp"
@@ -234,6 +235,82 @@ TEST_CASE("a run that is astern throughout, or makes too little way ahead, is se
     CHECK_THAT(outcome.err,
                ContainsSubstring(std::string(name) + ".csv: set aside: the ship cannot sail it: forces are known"));
   CHECK(nlohmann::json::parse(outcome.out)["verdict"]["set_aside"].size() == 2);
+}
+
+// ---------------------------------------------------------------- wind and depth as measured
+
+/// A wind from starboard that was measured, and water of 1.5 draughts.
+void with_surroundings(Recording& recording) {
+  std::ranges::fill(recording.fill(Channel::wind_speed), 4.0);
+  std::ranges::fill(recording.fill(Channel::wind_from), radians(90));
+  recording.facts.water_depth = 1.5 * 0.46;
+}
+
+/// The 7 m model without anything for the wind to take hold of.
+std::string without_windage(const Scratch& scratch) {
+  std::istringstream whole(read_text(test::ship_file("kvlcc2_l7.toml")));
+  std::string text;
+  for (std::string line; std::getline(whole, line);)
+    if (!line.starts_with("frontal_area") && !line.starts_with("lateral_area")) text += line + "\n";
+  write_text(scratch / "bare.toml", text);
+  return (scratch / "bare.toml").string() + " ";
+}
+
+TEST_CASE("with --ignore-wind and --ignore-depth the answer is that of a file without them, bit for bit", "[app]") {
+  const Scratch scratch, bare;
+  const std::string ship = "kvlcc2_l7 ";
+  const auto run_with = recorded(scratch, "run.csv", 10, with_surroundings),
+             run_without = recorded(bare, "run.csv", 10, as_it_is);
+  const auto told = run(scratch, "compare " + ship + run_with + "--json"),
+             ignored = run(scratch, "compare " + ship + run_with + "--json --ignore-wind --ignore-depth"),
+             never = run(scratch, "compare " + ship + run_without + "--json");
+  CHECK(never.code == 0);
+  CHECK(ignored.out == never.out);
+  CHECK(told.out != never.out);
+  for (const auto* one : {" --ignore-wind", " --ignore-depth"})
+    CHECK(run(scratch, "compare " + ship + run_with + "--json" + one).out != never.out);
+}
+
+TEST_CASE("identify and diagnose forget what they are told to ignore", "[app]") {
+  const Scratch scratch, bare;
+  const std::string ship = "kvlcc2_l7 ";
+  const auto run_with = recorded(scratch, "run.csv", 10, with_surroundings),
+             run_without = recorded(bare, "run.csv", 10, as_it_is);
+  const auto identified = [&](const std::string& file, const std::string& more) {
+    return run(scratch, "identify " + file + "--ship " + ship +
+                            "--model mmg --fit forces --find N_v,N_r --json --out " + (scratch / "new.toml").string() +
+                            more)
+        .out;
+  };
+  CHECK(identified(run_with, " --ignore-wind --ignore-depth") == identified(run_without, ""));
+  CHECK(identified(run_with, "") != identified(run_without, ""));
+}
+
+TEST_CASE("wind and depth that cannot act are named in one line, and nothing fails", "[app]") {
+  const Scratch scratch;
+  const auto file = recorded(scratch, "run.csv", 10, with_surroundings), bare = without_windage(scratch);
+  const auto told = run(scratch, "compare " + bare + file);
+  CHECK(told.code == 0);
+  CHECK_THAT(told.err, ContainsSubstring("run.csv: the measured wind is not used: the ship file has no [windage]"));
+  CHECK(told.err.find("measured wind") == told.err.rfind("measured wind"));
+  CHECK_THAT(run(scratch, "compare " + bare + file + "--ignore-wind").err, !ContainsSubstring("measured wind"));
+  const auto replayed = run(scratch, "replay mariner " + file + "--out " + (scratch / "out.csv").string());
+  CHECK_THAT(replayed.err, ContainsSubstring("is not used: shallow_water cannot act on a ship of model \"abkowitz\""));
+}
+
+TEST_CASE("a replay writes the wind that acted, and its forces by part have it", "[app][round-trip]") {
+  const Scratch scratch;
+  const std::string ship = "kvlcc2_l7 ";
+  const auto file = recorded(scratch, "run.csv", 10, with_surroundings);
+  const auto out = scratch / "out.csv";
+  REQUIRE(run(scratch, "replay " + ship + file + "--forces --out " + out.string()).code == 0);
+  const auto replayed = read_recording(out).recording;
+  CHECK(replayed[Channel::wind_speed][10] == 4.0);
+  const auto wind = std::ranges::find(replayed.extra, "Y_wind_N", &ExtraColumn::name);
+  REQUIRE(wind != replayed.extra.end());
+  CHECK(std::stod(wind->cells[10]) < 0.0);
+  REQUIRE(run(scratch, "replay " + ship + file + "--ignore-wind --out " + out.string()).code == 0);
+  CHECK_FALSE(read_recording(out).recording.has(Channel::wind_speed));
 }
 
 }  // namespace

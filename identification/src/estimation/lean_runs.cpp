@@ -95,6 +95,22 @@ double wave_period(const Recording& run, double time_unit) {
 
 constexpr double rows_kept = 20.0;  ///< in the time L/U
 
+/// The true wind at every so many rows, its velocity the mean of the samples nearest to each.
+void average_wind(const Recording& run, std::size_t every, Recording& fewer) {
+  const auto speed = run[Channel::wind_speed], from = run[Channel::wind_from];
+  if (speed.empty() || from.empty()) return;
+  for (std::size_t k = 0; k < fewer.samples(); ++k) {
+    const std::size_t middle = k * every, half = every / 2;
+    double north = 0.0, east = 0.0, count = 0.0;
+    for (std::size_t i = middle - std::min(middle, half); i < std::min(middle - half + every, run.samples()); ++i) {
+      if (std::isnan(speed[i] + from[i])) continue;
+      north += speed[i] * std::cos(from[i]), east += speed[i] * std::sin(from[i]), ++count;
+    }
+    fewer.channels[index_of(Channel::wind_speed)][k] = count > 0.0 ? std::hypot(north, east) / count : missing;
+    fewer.channels[index_of(Channel::wind_from)][k] = count > 0.0 ? std::atan2(east, north) : missing;
+  }
+}
+
 /// Every so many rows are kept.
 Recording with_fewer_rows(const Recording& run, double time_unit) {
   const double rows = static_cast<double>(run.samples()) / (run.time.back() - run.time.front()) * time_unit;
@@ -107,6 +123,7 @@ Recording with_fewer_rows(const Recording& run, double time_unit) {
   };
   Recording fewer{.name = run.name, .facts = run.facts, .time = thinned(run.time), .channels = {}, .extra = {}};
   std::ranges::transform(run.channels, fewer.channels.begin(), thinned);
+  average_wind(run, every, fewer);
   return fewer;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "swayaw/core/dual.hpp"
-#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_in_wind.hpp"
 
 /// Rates of a ship with her effects, and their derivatives by the state. Not installed.
 namespace swayaw::inline identification::detail {
@@ -42,7 +42,8 @@ class LinearizedShip {
   void apply(const Change& change) {
     change.apply(around_, added_);
     change.apply(around_, dual_added_);
-    dual_around_ = cast<D>(around_);
+    dual_around_.wind = {D(around_.wind.speed), D(around_.wind.from)};
+    dual_around_.windy = around_.windy;
   }
 
   /// Back to the time before the first change.
@@ -77,7 +78,8 @@ class LinearizedShip {
   Change before_;
 };
 
+/// @param wind  recorded, on top of that of her effects
 /// @throws Refusal  where one of her effects cannot act on her model
-std::unique_ptr<LinearizedShip> linearized_ship(const Ship& ship);
+std::unique_ptr<LinearizedShip> linearized_ship(const Ship& ship, std::span<const WindPiece> wind = {});
 
 }  // namespace swayaw::identification::detail

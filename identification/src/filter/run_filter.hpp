@@ -50,6 +50,7 @@ struct RunControls {
   std::vector<Controls<double>> at_samples;
   RudderActuator actuator;
   ChannelError<double> rudder_record;
+  ChannelError<double> wind_speed_record, wind_from_record;
   bool whatever_ship;  ///< whether the recording tells the propulsion, so that no other ship has other thrust
 
   /// @param run  must outlive the controls

@@ -17,9 +17,9 @@ class RunFilterOf final : public RunFilter<N> {
               double tau, double longest_step, std::shared_ptr<const RunControls> known)
       : run_(run),
         channels_(channels),
-        predictor_(ship, tau, longest_step),
-        observer_(instruments_of(ship), predictor_.current()),
         controls_(known && known->serve(ship) ? std::move(known) : std::make_shared<const RunControls>(ship, run)),
+        predictor_(ship, controls_->recorded.wind(), tau, longest_step),
+        observer_(instruments_of(ship), predictor_.current()),
         start_(start),
         L_(length(ship)),
         U_0_(service_speed(ship)) {}
@@ -80,7 +80,9 @@ class RunFilterOf final : public RunFilter<N> {
 
   std::vector<bool> slopes(const FilteredRun<N>& pass, const Ship& ship, std::span<const Neighbour> neighbours,
                            Eigen::Ref<Eigen::MatrixXd> out) override {
-    if (predictor_.hides_states()) return std::vector<bool>(neighbours.size(), false);
+    const auto& recorded = controls_->recorded;
+    const bool surrounded = !recorded.wind().empty() || in_depth(ship, recorded.depth());  // which no tape knows
+    if (predictor_.hides_states() || surrounded) return std::vector<bool>(neighbours.size(), false);
     const auto differences = differences_between(ship, neighbours, run_, *controls_);
     predictor_.tape(ship, differences.variable);
     StateSlopes<N> X(differences, observer_);
@@ -248,9 +250,9 @@ class RunFilterOf final : public RunFilter<N> {
 
   const Recording& run_;
   std::span<const Channel> channels_;
+  std::shared_ptr<const RunControls> controls_;
   ShipPredictor<N> predictor_;
   ChannelObserver observer_;
-  std::shared_ptr<const RunControls> controls_;
   ShipState<double> start_;
   double L_, U_0_;
 };
@@ -259,7 +261,9 @@ template <int N>
 std::unique_ptr<RunFilter<N>> run_filter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
                                          const ShipState<double>& start, double tau, double longest_step,
                                          std::shared_ptr<const RunControls> known) {
-  return std::make_unique<RunFilterOf<N>>(ship, run, channels, start, tau, longest_step, std::move(known));
+  const auto shallow = in_depth(ship, recorded_depth(run));
+  return std::make_unique<RunFilterOf<N>>(shallow ? *shallow : ship, run, channels, start, tau, longest_step,
+                                          std::move(known));
 }
 
 }  // namespace swayaw::identification::detail

@@ -96,10 +96,11 @@ void carry_back(FilterMatrix<N>& M, FilterVector<N>& r, const Transition<N>& t) 
 template <int N>
 class ShipPredictor {
  public:
+  /// @param wind  recorded
   /// @param tau  memory of the unmodelled accelerations [s], or infinity
   /// @param longest_step  in ship lengths of way
-  ShipPredictor(const Ship& ship, double tau, double longest_step)
-      : ship_(linearized_ship(ship)), tau_(tau), longest_(longest_step * length(ship)) {}
+  ShipPredictor(const Ship& ship, std::span<const WindPiece> wind, double tau, double longest_step)
+      : ship_(linearized_ship(ship, wind)), tau_(tau), longest_(longest_step * length(ship)) {}
 
   /// Back to the state at the beginning of a run.
   void restart(const FilterVector<N>& x) {

@@ -41,14 +41,18 @@ RunControls::RunControls(const Ship& ship, const Recording& run)
     : recorded(ship, run),
       actuator(rudder_actuator(ship)),
       rudder_record(instruments_of(ship)[Channel::delta]),
+      wind_speed_record(instruments_of(ship)[Channel::wind_speed]),
+      wind_from_record(instruments_of(ship)[Channel::wind_from]),
       whatever_ship(run.has(Channel::delta) && propulsion_is_recorded(ship, run)) {
   at_samples.reserve(run.samples());
   for (const double time : run.time) at_samples.push_back(recorded.at(time));
 }
 
 bool RunControls::serve(const Ship& ship) const {
+  const auto instruments = instruments_of(ship);
   return whatever_ship && same_actuator(actuator, rudder_actuator(ship)) &&
-         rudder_record == instruments_of(ship)[Channel::delta];
+         rudder_record == instruments[Channel::delta] && wind_speed_record == instruments[Channel::wind_speed] &&
+         wind_from_record == instruments[Channel::wind_from];
 }
 
 NeighbourDifferences differences_between(const Ship& ship, std::span<const Neighbour> neighbours, const Recording& run,

@@ -235,6 +235,14 @@ std::vector<Prior> priors_of(std::span<const Parameter> parameters, const Design
   return priors;
 }
 
+/// Coefficients are those of the water in which the runs were sailed: the measured depth does not act besides.
+StateEstimate states_in_any_depth(const Ship& ship, const Recording& run, const EstimationOptions& options) {
+  if (!in_depth(ship, recorded_depth(run))) return estimate_states(ship, run, options);
+  auto deep = run;
+  deep.facts.water_depth.reset(), deep.channels[index_of(Channel::depth)].clear();
+  return estimate_states(ship, deep, options);
+}
+
 std::vector<double> attenuations(const Regression& fit) {
   std::vector<double> result;
   for (const auto& c : fit.coefficients) result.push_back(std::abs(c.attenuation));
@@ -270,7 +278,7 @@ ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, std::vect
 
 ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, const ForceFitOptions& options) {
   std::vector<StateEstimate> states;
-  for (const auto& run : runs) states.push_back(estimate_states(ship, run, options.states));
+  for (const auto& run : runs) states.push_back(states_in_any_depth(ship, run, options.states));
   return fit_forces(ship, runs, std::move(states), options);
 }
 

@@ -67,7 +67,7 @@ std::vector<InverseDynamics> inverse_dynamics(const Ship& ship, const Recording&
     throw Refusal(
         fmt::format("{}: {} samples, but {} in the estimate", run.name, run.samples(), estimate.states.size()));
   const RecordedControls controls(ship, run);
-  const auto acting = with_effects_applied(ship);
+  const auto acting = with_effects_applied(in_depth(ship, recorded_depth(run)).value_or(ship));
   std::vector<InverseDynamics> result;
   result.reserve(run.samples());
   const auto of_model = [&](const auto& model) {

@@ -31,13 +31,26 @@ std::vector<int> steps_between(std::span<const double> time, double longest) {
   return steps;
 }
 
-SampledRun sampled_run(const Recording& run, const RecordedControls& controls, std::span<const Channel> channels,
-                       double longest_step) {
+/// At each sample, the recorded wind on top of that of the ship's own surroundings.
+std::vector<Air> air_at(std::span<const double> times, const Surroundings<double>& rest,
+                        std::span<const WindPiece> wind) {
+  std::vector<Air> air;
+  if (wind.empty()) return air;
+  for (const double time : times) {
+    const auto around = with_recorded_wind(rest, wind_between(wind, time, time).front());
+    air.push_back({around.wind, around.windy});
+  }
+  return air;
+}
+
+SampledRun sampled_run(const Recording& run, const RecordedControls& controls, const Surroundings<double>& rest,
+                       std::span<const Channel> channels, double longest_step) {
   SampledRun result{.time = run.time,
                     .controls = {},
                     .steps = steps_between(run.time, longest_step),
                     .measurements = measurements_of(run, channels)};
   for (const double time : run.time) result.controls.push_back(controls.at(time));
+  result.air = air_at(run.time, rest, controls.wind());
   if (result.measurements.empty())
     throw Refusal(fmt::format("{}: none of the channels to fit to was recorded", run.name));
   return result;
@@ -88,16 +101,16 @@ TrajectoryProblem problem_of(const Ship& ship, std::span<const Recording> runs, 
                             .U = service_speed(ship),
                             .threads = options.threads};
   problem.channels = recorded_channels(runs, measured_channels(), options.channels);
+  const auto around = surroundings_at(ship, 0.0);
   for (const auto& run : runs) {
     if (run.samples() < 3) throw Refusal(fmt::format("{}: fewer than 3 samples to fit to", run.name));
     const RecordedControls controls(ship, run);
     problem.unit.push_back(time_unit(ship, run));
-    problem.runs.push_back(sampled_run(run, controls, problem.channels, options.step * problem.unit.back()));
+    problem.runs.push_back(sampled_run(run, controls, around, problem.channels, options.step * problem.unit.back()));
   }
   for (const auto& number : problem.parameters) add_bounds(problem, number);
-  problem.simulator = std::visit(
-      [&](const auto& model) { return segment_simulator(model, surroundings_at(ship, 0.0), problem.parameters); },
-      ship.model);
+  problem.simulator =
+      std::visit([&](const auto& model) { return segment_simulator(model, around, problem.parameters); }, ship.model);
   return problem;
 }
 

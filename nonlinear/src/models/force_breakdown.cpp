@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_in_wind.hpp"
 #include "swayaw/nonlinear/instruments/instruments.hpp"
 #include "swayaw/nonlinear/models/validity.hpp"
 #include "swayaw/nonlinear/replay.hpp"
@@ -100,33 +102,38 @@ Recording true_run(const Recording& run, const Ship& ship) {
 }
 
 /// With what acts at that time.
-ForceBreakdown breakdown_at(const Ship& ship, double time, const Sample& sample) {
+ForceBreakdown breakdown_at(const Ship& ship, std::span<const WindPiece> wind, double time, const Sample& sample) {
   return visit_acting(ship, [&](const auto& acting) {
-    const auto now = acting.at(time);
+    const auto now = in_wind(acting, wind_between(wind, time, time)).at(time);
     return break_down(now, now.surroundings, sample.state, sample.controls);
   });
 }
 
+/// A column by its name, empty at first: wind may begin later than the run.
+ExtraColumn& column_named(std::vector<ExtraColumn>& columns, const std::string& name, std::size_t samples) {
+  const auto found = std::ranges::find(columns, name, &ExtraColumn::name);
+  if (found != columns.end()) return *found;
+  return columns.emplace_back(ExtraColumn{name, std::vector<std::string>(samples)});
+}
+
 }  // namespace
 
-void add_forces(Recording& run, const Ship& ship) {
+void add_forces(Recording& run, const Ship& deep) {
+  const auto shallow = in_depth(deep, recorded_depth(run));
+  const auto& ship = shallow ? *shallow : deep;
+  const auto wind = recorded_wind(ship, run);
   const auto truth = true_run(run, ship);
   const Samples samples(truth, ship);
   std::vector<ExtraColumn> columns;
   for (std::size_t i = 0; i < run.samples(); ++i) {
     const auto sample = samples[i];
     if (!sample) continue;
-    const auto split = breakdown_at(ship, run.time[i], *sample);
-    for (std::size_t k = 0; k < split.parts.size(); ++k) {
-      const auto& [name, force] = split.parts[k];
-      if (columns.size() == 3 * k)
-        for (const auto& column :
-             {fmt::format("X_{}_N", name), fmt::format("Y_{}_N", name), fmt::format("N_{}_N_m", name)})
-          columns.push_back({column, std::vector<std::string>(run.samples())});
-      columns[3 * k].cells[i] = cell(force.X);
-      columns[3 * k + 1].cells[i] = cell(force.Y);
-      columns[3 * k + 2].cells[i] = cell(force.N);
-    }
+    const auto split = breakdown_at(ship, wind, run.time[i], *sample);
+    for (const auto& [name, force] : split.parts)
+      for (const auto& [column, value] : {std::pair{fmt::format("X_{}_N", name), force.X},
+                                          {fmt::format("Y_{}_N", name), force.Y},
+                                          {fmt::format("N_{}_N_m", name), force.N}})
+        column_named(columns, column, run.samples()).cells[i] = cell(value);
   }
   run.extra.insert(run.extra.end(), columns.begin(), columns.end());
 }

@@ -10,6 +10,7 @@
 #include "swayaw/nonlinear/models/branch.hpp"
 #include "swayaw/nonlinear/simulation/equations_of_motion.hpp"
 #include "swayaw/nonlinear/simulation/runge_kutta.hpp"
+#include "swayaw/nonlinear/simulation/segment_simulator.hpp"
 
 /// Classical Runge–Kutta steps in double or dual numbers, on one branch of the force model at a time. Not installed.
 namespace swayaw::inline nonlinear::detail {
@@ -39,6 +40,11 @@ class Stepper {
   using ShipBranch = Branch<double, Model<double>::branch_count>;
 
   Stepper(const Model<S>& ship, const Surroundings<S>& around) : ship_(ship), around_(around) {}
+
+  void blow(const Air& air) {
+    around_.wind = {S(air.wind.speed), S(air.wind.from)};
+    around_.windy = air.windy;
+  }
 
   /// The classical Runge–Kutta step. Times may be numbers or duals.
   template <class T>
@@ -91,6 +97,9 @@ class BranchStepper {
       : plain_(model, around), along_(cast<Dual<1>>(model), cast<Dual<1>>(around)), stepper_(ship, cast<S>(around)) {}
 
   void begin(const StateVector<double>& s, const Controls<double>& c) { branch_ = branch_of(s, c); }
+
+  /// From now on that wind blows.
+  void blow(const Air& air) { plain_.blow(air), along_.blow(air), stepper_.blow(air); }
 
   void advance(StateVector<S>& s, const ControlLine& line, double t, double h) {
     const auto next = stepper_.step(s, line, t, h, branch_);

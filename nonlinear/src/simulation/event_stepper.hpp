@@ -263,12 +263,11 @@ class EventStepper final : public ShipStepper {
 
   /// Wind and forces as they are from now on.
   void pass_changes() {
-    while (!changes_.empty() && changes_.front().time <= time_) {
-      changes_.front().apply(surroundings_, added_);
-      changes_.erase(changes_.begin());
+    while (next_ < changes_.size() && changes_[next_].time <= time_) {
+      changes_[next_++].apply(surroundings_, added_);
       running_ = false;
     }
-    next_change_ = changes_.empty() ? never : changes_.front().time;
+    next_change_ = next_ < changes_.size() ? changes_[next_].time : never;
   }
 
   struct BranchChange {
@@ -420,6 +419,7 @@ class EventStepper final : public ShipStepper {
   Model ship_;
   Surroundings<double> surroundings_;
   std::vector<Change> changes_;
+  std::size_t next_ = 0;  ///< of them
   ActingEffects<double> added_;
   bool with_added_;
   RudderActuator actuator_;

@@ -6,7 +6,7 @@
 #include "../instruments/local_fit.hpp"
 #include "../instruments/track_velocity.hpp"
 #include "../manoeuvres/manoeuvre_run.hpp"
-#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_in_wind.hpp"
 #include "swayaw/nonlinear/models/validity.hpp"
 
 namespace swayaw::inline nonlinear {
@@ -164,12 +164,13 @@ Interpolant rudder_of(const Ship& ship, const Recording& run) {
 }  // namespace
 
 RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const ReplayOptions& options)
-    : rudder_(rudder_of(ship, run)) {
+    : rudder_(rudder_of(ship, run)), wind_(recorded_wind(ship, run)), depth_(recorded_depth(run)) {
   const bool recorded = options.shaft == Shaft::recorded;
   if (recorded && run.has(Channel::rev) && takes_shaft_speed(ship)) rev_.emplace(run, Channel::rev);
   else if (recorded && run.has(Channel::thrust)) thrust_.emplace(run, Channel::thrust);
   else if (!std::holds_alternative<AbkowitzShip<double>>(ship.model))  // whose polynomial holds her propulsion
-    constant_ = self_propulsion(ship, speed(recorded_state(ship, run, run.time.front()).motion));
+    constant_ = self_propulsion(in_depth(ship, depth_).value_or(ship),
+                                speed(recorded_state(ship, run, run.time.front()).motion));
   const auto& propulsion = rev_ ? rev_ : thrust_;
   const auto propulsion_times = propulsion ? propulsion->times() : std::span<const double>{};
   std::ranges::set_union(rudder_.times(), propulsion_times, std::back_inserter(knots_));
@@ -227,13 +228,17 @@ std::vector<Sample> integrate_along(ShipStepper& stepper, const RecordedControls
 
 }  // namespace
 
-Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
+Recording replay_from(const Ship& deep, const RecordedControls& controls, const ShipState<double>& start,
                       std::span<const double> times, const ReplayOptions& options) {
+  const auto shallow = in_depth(deep, controls.depth());
+  const auto& ship = shallow ? *shallow : deep;
   require_valid(ship, start.motion, controls.at(times.front()));
   if (const auto astern = controls.shaft_astern(times.front(), times.back()))
     throw Refusal(
         fmt::format("{}: the recorded shaft turns astern at {:.6g} s", words_for(Validity::shaft_astern), *astern));
-  return visit_acting(ship, [&](const auto& acting) {
+  const auto wind = wind_between(controls.wind(), times.front(), times.back());
+  return visit_acting(ship, [&](const auto& calm) {
+    const auto acting = in_wind(calm, wind);
     const Sample from{times.front(), start, with_rudder(controls.at(times.front()), controls.shown()(times.front()))};
     const auto stepper = make_stepper(acting, from, options.tolerance);
     return recording_of(integrate_along(*stepper, controls, times), acting);
@@ -245,6 +250,9 @@ Recording replay(const Ship& ship, const Recording& run, const ReplayOptions& op
   auto simulated = replay_from(ship, controls, recorded_state(ship, run, run.time.front()), run.time, options);
   simulated.name = ship.name;
   simulated.facts = run.facts;
+  if (!controls.wind().empty())
+    for (const auto channel : {Channel::wind_speed, Channel::wind_from})
+      simulated.channels[index_of(channel)] = run.channels[index_of(channel)];
   return simulated;
 }
 

@@ -101,6 +101,7 @@ class ModelSegmentSimulator : public SegmentSimulator {
     for (std::size_t k = segment.from; k < segment.to; ++k) {
       const double duration = run.time[k + 1] - run.time[k], h = duration / run.steps[k];
       const ControlLine line{run.controls[k], run.controls[k + 1], duration};
+      if (!run.air.empty()) stepper.blow(run.air[k]);
       for (int i = 0; i < run.steps[k]; ++i) stepper.advance(s, line, i * h, h);
       see(k + 1);
     }

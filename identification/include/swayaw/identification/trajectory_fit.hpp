@@ -90,8 +90,9 @@ struct TrajectoryFit {
 /// Parameters of a ship fitted to recordings by multiple shooting; each run starts from a state that is fitted too.
 ///
 /// Maximum likelihood of white measurement noise around the simulated run (output errors), with exact derivatives of
-/// the simulation by start and parameters. Rudder and propulsion are those of the recording. Standard errors allow for
-/// residuals that are correlated over a part of a ship length.
+/// the simulation by start and parameters. Rudder, propulsion and measured wind are those of the recording; parameters
+/// are those of the depth in which it was sailed. Standard errors allow for residuals that are correlated over a part
+/// of a ship length.
 ///
 /// @throws Refusal            if there is nothing to fit or to fit to, a number does not exist, a run has no rudder
 /// angle or does not tell

@@ -7,6 +7,7 @@
 #include "swayaw/core/recording.hpp"
 #include "swayaw/nonlinear/ship.hpp"
 #include "swayaw/nonlinear/simulation/rudder_track.hpp"
+#include "swayaw/nonlinear/surroundings/recorded_surroundings.hpp"
 
 /// Simulation with the rudder and shaft speed of a recording, beside that recording.
 namespace swayaw::inline nonlinear {
@@ -40,7 +41,7 @@ struct ReplayOptions {
 /// @throws Refusal  if no channel tells the speed of the ship
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time);
 
-/// Rudder and propulsion of a recording as functions of time, joined by straight lines.
+/// Rudder and propulsion of a recording as functions of time, joined by straight lines; wind and depth as measured.
 /// An ordered rudder angle passes through the steering gear of the ship first; then any passes through what the effects
 /// of the ship put between the indicator and the rudder. Thrust is taken where the recording or the ship does not tell
 /// the shaft speed.
@@ -67,6 +68,12 @@ class RecordedControls {
   /// Times at which the slope of a control changes, in order.
   std::span<const double> knots() const { return knots_; }
 
+  /// Measured wind; empty where there is none or the ship shows it nothing.
+  std::span<const WindPiece> wind() const { return wind_; }
+
+  /// Measured depth of the water [m].
+  const std::optional<double>& depth() const { return depth_; }
+
  private:
   Interpolant rudder_;
   std::optional<RudderTrack> track_;
@@ -74,16 +81,20 @@ class RecordedControls {
   std::optional<Interpolant> thrust_;
   Controls<double> constant_{};  ///< where nothing is recorded
   std::vector<double> knots_;
+  std::vector<WindPiece> wind_;
+  std::optional<double> depth_;
 };
 
 /// Simulated run from a state at times.front() on, sampled at those times, as the instruments of the ship would record
-/// it. Heel and memory begin as in a steady motion.
+/// it. Heel and memory begin as in a steady motion. Measured wind blows on top of that of her effects; measured depth
+/// acts where it makes a difference (in_depth).
 ///
 /// @throws Refusal  if no force model holds for the start, or for the shaft on the way (validity.hpp)
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
                       std::span<const double> times, const ReplayOptions& options = {});
 
-/// The whole run simulated from its recorded start, sampled at the recorded times.
+/// The whole run simulated from its recorded start, sampled at the recorded times, in the wind and depth that were
+/// measured; what acted of them is among its columns and facts again.
 ///
 /// @throws Refusal  if the run does not tell rudder or speed
 Recording replay(const Ship& ship, const Recording& run, const ReplayOptions& options = {});

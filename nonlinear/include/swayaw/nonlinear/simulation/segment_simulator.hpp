@@ -20,12 +20,19 @@ struct Measurement {
   double value;
 };
 
+/// What blows for a while.
+struct Air {
+  Wind<double> wind;
+  bool windy;
+};
+
 /// A recording made ready for simulation.
 struct SampledRun {
   std::vector<double> time;
   std::vector<Controls<double>> controls;  ///< at each sample; in straight lines between
   std::vector<int> steps;                  ///< of integration, from each sample to the next
   std::vector<Measurement> measurements;   ///< in the order of samples
+  std::vector<Air> air{};                  ///< from each sample on, all of it; empty where no wind was recorded
 };
 
 /// Part of a run from one sample to another, with the measurements that belong to it.
