@@ -21,15 +21,33 @@ Json place_json(const MismatchPlace& p) {
           {"to_s", p.to}, {"share", number(p.share)}, {"where", p.where}};
 }
 
-Json effect_json(const FoundEffect& e) {
+Json parameters_json(const std::vector<ParameterEstimate>& estimates) {
   Json parameters = Json::object();
-  for (const auto& p : e.parameters)
+  for (const auto& p : estimates)
     parameters[p.key] = {{"value", number(p.value)}, {"standard_error", number(p.standard_error)}};
+  return parameters;
+}
+
+Json effect_json(const FoundEffect& e) {
+  Json parameters = parameters_json(e.parameters);
   if (const auto* channel = channel_of(e.effect))
     parameters["channel"] = {{"value", short_name(*channel)}, {"standard_error", nullptr}};
-  return {{"effect", id_of(e.effect)},           {"probability", number(e.probability)},
-          {"onset_s", number(e.onset)},          {"end_s", number(e.end)},
-          {"parameters", std::move(parameters)}, {"indistinguishable_from", e.indistinguishable_from}};
+  Json json{{"effect", id_of(e.effect)},           {"probability", number(e.probability)},
+            {"onset_s", number(e.onset)},          {"end_s", number(e.end)},
+            {"parameters", std::move(parameters)}, {"indistinguishable_from", e.indistinguishable_from}};
+  if (e.scope != Scope::ship) json["scope"] = name_of(e.scope);
+  return json;
+}
+
+Json surroundings_json(const std::vector<SurroundingsEstimate>& surroundings) {
+  Json list = Json::array();
+  for (const auto& s : surroundings) {
+    Json entry{{"scope", s.scope}, {"runs", s.runs}};
+    entry.update(parameters_json(s.parameters));
+    if (!s.cannot_tell.empty()) entry["cannot_tell"] = s.cannot_tell;
+    list.push_back(std::move(entry));
+  }
+  return list;
 }
 
 Json errors_json(const std::vector<QuantityError>& errors) {
@@ -96,6 +114,22 @@ Json instruments_json(const std::vector<InstrumentEstimate>& instruments) {
   return list;
 }
 
+/// {"yaw_moment": {"form": 0.55, …, "size": 0.12, "standard_error": {"form": 0.06, …}}, …}
+Json budget_json(const std::vector<ForceBudget>& budget) {
+  Json json = Json::object();
+  for (const auto& b : budget) {
+    Json shares = Json::object(), errors = Json::object();
+    for (std::size_t i = 0; i < follows_count; ++i) {
+      const std::string name(name_of(static_cast<Follows>(i)));
+      shares[name] = number(b.share[i]), errors[name] = number(b.standard_error[i]);
+    }
+    shares["size"] = number(b.size);
+    shares["standard_error"] = std::move(errors);
+    json[b.quantity] = std::move(shares);
+  }
+  return json;
+}
+
 Json discrepancy_json(const std::optional<Discrepancy>& d) {
   if (!d) return nullptr;
   return {{"given", number(d->given)}, {"refitted", number(d->refitted)}, {"after", number(d->after)}};
@@ -113,7 +147,7 @@ Json document_of(const Diagnosis& d) {
                           {"holdout_gain", number(c.holdout_gain)},
                           {"trace", c.trace},
                           {"refuted", c.refuted}});
-  return {{"schema", "swayaw.diagnosis/1"},
+  return {{"schema", "swayaw.diagnosis/2"},
           {"version", version()},
           {"verdict", name_of(d.verdict)},
           {"words", d.words},
@@ -125,7 +159,9 @@ Json document_of(const Diagnosis& d) {
           {"symmetry", d.symmetry},
           {"traces", d.traces},
           {"baseline_shift", shifts_json(d.shifts)},
+          {"budget", budget_json(d.budget)},
           {"instruments", instruments_json(d.instruments)},
+          {"surroundings", surroundings_json(d.surroundings)},
           {"discrepancy", discrepancy_json(d.discrepancy)},
           {"linear", linear_json(d.linear)},
           {"linear_words", words_of(d.linear)},
@@ -153,15 +189,42 @@ void print_runs(std::string_view title, const std::vector<RunErrors>& runs) {
   }
 }
 
+/// The force that is missing by what it follows, in per cent of its mean square.
+void print_budget(const std::vector<ForceBudget>& budget) {
+  if (budget.empty()) return;
+  fmt::print("\nthe force that the model as given lacks, by what it follows, % of its mean square\n  {:<14}", "");
+  for (std::size_t i = 0; i < follows_count; ++i) fmt::print("{:>17}", name_of(static_cast<Follows>(i)));
+  fmt::print("{:>20}\n", "over force on hull");
+  for (const auto& b : budget) {
+    fmt::print("  {:<14}", b.quantity);
+    for (std::size_t i = 0; i < follows_count; ++i)
+      fmt::print("{:>10.0f} +- {:<3.0f}", 100.0 * b.share[i], 100.0 * b.standard_error[i]);
+    fmt::print("{:>20.2g}\n", b.size);
+  }
+}
+
+void print_surroundings(const std::vector<SurroundingsEstimate>& surroundings) {
+  if (surroundings.empty()) return;
+  fmt::print("\nsurroundings\n");
+  for (const auto& s : surroundings) {
+    fmt::print("  {:<32}", s.scope);
+    for (const auto& p : s.parameters)
+      if (!std::isnan(p.value)) fmt::print("  {} {:.3g} +- {:.2g}", p.key, p.value, p.standard_error);
+    fmt::print("{}{}\n", s.cannot_tell.empty() ? "" : "  ", s.cannot_tell);
+  }
+}
+
 void print_diagnosis(const Ship& ship, const Diagnosis& d, const Json& document) {
   fmt::print("{}\n{}\n", ship.name, d.words);
   for (const auto& run : document["set_aside"]) fmt::print("Set aside: {}.\n", run["run"].get<std::string>());
+  print_budget(d.budget);
   for (const auto& e : d.effects) {
     fmt::print("\n{}, probability {:.3f}\n", id_of(e.effect), e.probability);
     for (const auto& p : e.parameters) fmt::print("  {:<24}{:>12.5g} +- {:.2g}\n", p.key, p.value, p.standard_error);
     if (!e.indistinguishable_from.empty())
       fmt::print("  as well explained by {}\n", fmt::join(e.indistinguishable_from, ", "));
   }
+  print_surroundings(d.surroundings);
   if (!d.instruments.empty()) fmt::print("\ninstruments, allowed for\n");
   for (const auto& i : d.instruments)
     fmt::print("  {:<10}{:<14}{:>12.5g} +- {:.2g} {}\n", i.channel, i.error, i.value, i.standard_error, i.unit);

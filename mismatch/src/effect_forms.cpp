@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "swayaw/core/angle.hpp"
+#include "swayaw/identification/data_compatibility.hpp"
 
 namespace swayaw::inline mismatch::detail {
 namespace {
@@ -14,7 +15,8 @@ EffectForm as_effect(SearchForm<Kind> form) {
   EffectForm result{.id = std::move(form.id),
                     .coordinates = std::move(form.coordinates),
                     .at = [at = std::move(form.at)](std::span<const double> c) { return Effect(at(c)); },
-                    .starts = std::move(form.starts)};
+                    .starts = std::move(form.starts),
+                    .window = std::move(form.window)};
   if (form.with_terms)
     result.with_terms = [with_terms = std::move(form.with_terms)](std::span<const std::size_t> kept) {
       return as_effect(with_terms(kept));
@@ -43,6 +45,80 @@ void add_forms_by_channel(std::vector<EffectForm>& forms, Kind null, const Searc
 
 }  // namespace
 
+// ---------------------------------------------------------------- parts of the runs
+
+std::vector<double> EffectForm::in_part(std::span<const double> c, std::size_t part) const {
+  const auto size = common();
+  std::vector<double> there(c.begin(), c.begin() + static_cast<std::ptrdiff_t>(size));
+  if (part >= parts.size()) return there;
+  for (std::size_t i = 0; i < size; ++i) there[i] += c[(part + 1) * size + i];
+  return there;
+}
+
+std::size_t EffectForm::part_of(const Recording& run) const {
+  if (parts.empty()) return 0;
+  return static_cast<std::size_t>(std::ranges::find(parts, part_name(scope, run)) - parts.begin());
+}
+
+std::string part_name(Scope scope, const Recording& run) {
+  if (scope == Scope::run) return run.name;
+  const auto group = scope == Scope::group ? group_of(run) : "all";
+  return group.empty() ? "no group" : group;
+}
+
+EffectForm differing(const EffectForm& form, Scope scope, std::span<const PreparedRun> runs) {
+  EffectForm result = form;
+  result.scope = scope;
+  for (const auto& run : runs)
+    if (const auto name = part_name(scope, *run.run); std::ranges::count(result.parts, name) == 0)
+      result.parts.push_back(name);
+  for (std::size_t part = 0; part < result.parts.size(); ++part)
+    for (const auto& c : form.coordinates) result.coordinates.push_back(c);
+  for (auto& start : result.starts) start.resize(result.coordinates.size(), 0.0);
+  return result;
+}
+
+Eigen::MatrixXd part_map(const EffectForm& form, std::size_t part) {
+  const auto size = static_cast<Eigen::Index>(form.common());
+  Eigen::MatrixXd map = Eigen::MatrixXd::Zero(size, std::ssize(form.coordinates));
+  map.leftCols(size).setIdentity();
+  if (part < form.parts.size()) map.middleCols((static_cast<Eigen::Index>(part) + 1) * size, size).setIdentity();
+  return map;
+}
+
+Eigen::MatrixXd mean_part_map(const EffectForm& form) {
+  Eigen::MatrixXd sum = part_map(form, 0);
+  for (std::size_t part = 1; part < form.parts.size(); ++part) sum += part_map(form, part);
+  return sum / static_cast<double>(std::max<std::size_t>(1, form.parts.size()));
+}
+
+std::vector<double> mean_of_parts(const EffectForm& form, std::span<const double> c) {
+  const Eigen::VectorXd mean = mean_part_map(form) * Eigen::Map<const Eigen::VectorXd>(c.data(), std::ssize(c));
+  return {mean.begin(), mean.end()};
+}
+
+std::vector<Effect> effects_in_parts(const EffectForm& form, std::span<const double> c) {
+  std::vector<Effect> effects;
+  for (std::size_t part = 0; part < std::max<std::size_t>(1, form.parts.size()); ++part)
+    effects.push_back(form.at(form.in_part(c, part)));
+  return effects;
+}
+
+std::vector<EffectForm> differing_surroundings(std::span<const EffectForm> forms, std::span<const PreparedRun> runs) {
+  std::vector<EffectForm> result;
+  for (const auto& form : forms) {
+    if (form.id != SteadyWind<>::id && form.id != SteadyCurrent<>::id) continue;
+    for (const auto scope : {Scope::group, Scope::run})
+      if (auto other = differing(form, scope, runs); other.parts.size() > 1) result.push_back(std::move(other));
+  }
+  return result;
+}
+
+EffectForm with_spread(EffectForm form, double factor) {
+  for (std::size_t i = form.common(); i < form.coordinates.size(); ++i) form.coordinates[i].deviation *= factor;
+  return form;
+}
+
 std::optional<EffectForm> ordinary_lift_loss(const Ship& ship) {
   const auto parameters = parameters_of(ship, RudderGap<>{});
   const auto s = std::ranges::find(parameters, "s", &Parameter::key);
@@ -61,7 +137,11 @@ std::optional<Channel> channel_of(const EffectForm& form) {
 
 std::optional<std::vector<double>> coordinates_of(const Ship& ship, const EffectForm& form, const Effect& effect) {
   const auto wanted = parameters_of(ship, effect);
-  std::vector<double> c(form.coordinates.size(), 0.0);
+  std::vector<double> c(form.common(), 0.0);
+  const auto in_all_parts = [&](std::vector<double> found) {
+    found.resize(form.coordinates.size(), 0.0);
+    return found;
+  };
   const auto at_null = parameters_of(ship, form.at(c));
   if (c.size() == 1) {
     const auto p = std::ranges::find(wanted, form.coordinates.front().name, &Parameter::key);
@@ -69,7 +149,7 @@ std::optional<std::vector<double>> coordinates_of(const Ship& ship, const Effect
     const auto i = static_cast<std::size_t>(p - wanted.begin());
     c[0] = 1.0;
     const double unit = parameters_of(ship, form.at(c))[i].value - at_null[i].value;
-    return std::vector{(p->value - at_null[i].value) / unit};
+    return in_all_parts({(p->value - at_null[i].value) / unit});
   }
   if (c.size() != 2 || form.coordinates[0].name != "north") return std::nullopt;
   c = {1.0, 0.0};
@@ -78,7 +158,7 @@ std::optional<std::vector<double>> coordinates_of(const Ship& ship, const Effect
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (wanted[i].direction) direction = wanted[i].value;
     else if (wanted[i].decides && size == 0.0) size = wanted[i].value / unit[i].value;
-  return std::vector{size * std::cos(direction), size * std::sin(direction)};
+  return in_all_parts({size * std::cos(direction), size * std::sin(direction)});
 }
 
 int axis_of_term(std::string_view name) {
@@ -265,6 +345,10 @@ bool is_finding(const Ship& ship, const Effect& effect) {
   return !parameters.empty() && !is_ordinary(effect, parameters) &&
          std::ranges::any_of(parameters,
                              [](const Parameter& p) { return p.decides && !(std::abs(p.value - p.null) <= p.floor); });
+}
+
+bool is_finding(const Ship& ship, const EffectForm& form, std::span<const double> c) {
+  return std::ranges::any_of(effects_in_parts(form, c), [&](const Effect& e) { return is_finding(ship, e); });
 }
 
 }  // namespace swayaw::mismatch::detail

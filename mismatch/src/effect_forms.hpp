@@ -6,14 +6,60 @@
 #include <string>
 #include <vector>
 
+#include "swayaw/identification/map_fit.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/effects/search_form.hpp"
 
 /// Effects in coordinates that a fit moves. Not installed.
 namespace swayaw::inline mismatch::detail {
 
-/// An effect of any kind as a function of coordinates; each kind tells its own in its file.
-using EffectForm = SearchForm<Effect>;
+/// An effect of any kind as a function of coordinates, as each kind tells in its file; of all runs, or of another size
+/// and direction in each part of them.
+///
+/// Where it differs, the coordinates that all parts have in common come first, then what each part adds to them, normal
+/// with a deviation of its own, the spread: parts of which little is known are drawn towards the others.
+struct EffectForm {
+  std::string id;  ///< as in ship files
+  std::vector<Coordinate> coordinates;
+  std::function<Effect(std::span<const double>)> at;  ///< of the coordinates in common; others are not looked at
+  std::vector<std::vector<double>> starts;
+  std::vector<double> window{};
+  std::function<EffectForm(std::span<const std::size_t>)> with_terms{};
+  Scope scope = Scope::ship;         ///< of the parts: group or run; of the ship where there are none
+  std::vector<std::string> parts{};  ///< names of groups or runs
+
+  /// How many coordinates all parts have in common.
+  std::size_t common() const { return coordinates.size() / (parts.size() + 1); }
+
+  /// Coordinates in a part of the runs; those in common for a part of which nothing is known.
+  std::vector<double> in_part(std::span<const double> c, std::size_t part) const;
+
+  /// The part that a run is of; past the last where it is of none.
+  std::size_t part_of(const Recording& run) const;
+};
+
+/// The name of the part that a run is of: its own, that of its group, "all".
+std::string part_name(Scope scope, const Recording& run);
+
+/// The same effect, different in each part of the runs, its spread as wide as what is in common.
+EffectForm differing(const EffectForm& form, Scope scope, std::span<const PreparedRun> runs);
+
+/// Wind and stream among these effects as they differ from group to group, and from run to run, where there are
+/// several.
+std::vector<EffectForm> differing_surroundings(std::span<const EffectForm> forms, std::span<const PreparedRun> runs);
+
+/// What coordinates in a part of the runs are, or the mean of all parts, as a matrix times all coordinates.
+Eigen::MatrixXd part_map(const EffectForm& form, std::size_t part);
+Eigen::MatrixXd mean_part_map(const EffectForm& form);
+
+/// The mean of the parts, as coordinates in common.
+std::vector<double> mean_of_parts(const EffectForm& form, std::span<const double> c);
+
+/// The effect in each part of the runs; one where it is the same in all.
+std::vector<Effect> effects_in_parts(const EffectForm& form, std::span<const double> c);
+
+/// The same with another spread of the parts, over what the first had.
+EffectForm with_spread(EffectForm form, double factor);
 
 /// A rudder whose lift falls a little with its angle, K = 1 − loss (delta)²: what every lift curve does and no linear
 /// one knows. It belongs to the baseline of every ship that has a place for it.
@@ -51,5 +97,8 @@ EffectForm unknown_map(const Ship& ship);
 
 /// Whether an effect is larger than the practical floor in any of its parameters that decide.
 bool is_finding(const Ship& ship, const Effect& effect);
+
+/// The same in any part of the runs.
+bool is_finding(const Ship& ship, const EffectForm& form, std::span<const double> c);
 
 }  // namespace swayaw::mismatch::detail

@@ -286,11 +286,35 @@ Pruned pruned(const EffectForm& form, const MapFit& fit) {
   return pruned(form, fit.point.tail(size), fit.covariance.bottomRightCorner(size, size));
 }
 
+/// How much an effect differs from run to run, over what was taken for it, and what the log evidence gains by that.
+struct LikelySpread {
+  double factor = 1.0, gain = 0.0;
+};
+
+/// The spread that makes a converged fit likeliest; its effect is the last.
+LikelySpread likely_spread(const EstimationProblem& problem, const EffectForm& form, const MapFit& fit) {
+  LikelySpread best;
+  const auto own = std::ssize(form.coordinates) - static_cast<std::ptrdiff_t>(form.common());
+  if (own == 0) return best;
+  for (double factor = 1.0 / 64.0; factor <= 4.0; factor *= 2.0) {
+    Eigen::VectorXd factors = Eigen::VectorXd::Ones(problem.size());
+    factors.tail(own).setConstant(factor);
+    const double gain = gain_by_prior(problem, fit, with_wider_prior(problem.precision, factors));
+    if (gain > best.gain) best = {factor, gain};
+  }
+  return best;
+}
+
 // ---------------------------------------------------------------- converged fits
 
-Effect last_effect(const Hypothesis& hypothesis, const Point& point) {
-  const auto size = hypothesis.back()->coordinates.size();
-  return hypothesis.back()->at({point.data() + point.size() - static_cast<Eigen::Index>(size), size});
+std::span<const double> last_coordinates(const EffectForm& last, const Point& point) {
+  const auto size = last.coordinates.size();
+  return {point.data() + point.size() - static_cast<Eigen::Index>(size), size};
+}
+
+/// In the mean of all runs.
+Effect last_effect(const EffectForm& last, const Point& point) {
+  return last.at(mean_of_parts(last, last_coordinates(last, point)));
 }
 
 Hypothesis with(Hypothesis hypothesis, const EffectForm& form) {
@@ -334,8 +358,9 @@ bool acts(const EffectForm& form, const MapFit& found) {
 }
 
 /// Too small to matter, or no more than what explains a heel, or not told from nothing.
-bool is_trace(const Ship& ship, const EffectForm& form, const MapFit& found, const Effect& effect) {
-  return !is_finding(ship, effect) || !acts(form, found) || !is_told(ship, form, found);
+bool is_trace(const Ship& ship, const EffectForm& form, const MapFit& found) {
+  return !is_finding(ship, form, last_coordinates(form, found.point)) || !acts(form, found) ||
+         !is_told(ship, form, found);
 }
 
 /// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels. What
@@ -368,11 +393,11 @@ std::vector<FittedCandidate> confirmed(const Search& s, const Hypothesis& accept
       LikelyForm likely{candidates[i].sizes, 0.0};
       if (s.on_board) likely = likely_form(trial_with(s, usual_sizes), trial, likely.sizes, hypothesis, found);
       gain += likely.gain;
-      const auto effect = last_effect(hypothesis, found.point);
-      if (ordinary_deviations(trial, form, effect) < beyond_the_ordinary) return;
-      const double without = pruned(form, found).gain, nameless = is_unknown(form) ? worth_of_a_name : 0.0;
-      fits[i] =
-          FittedCandidate{&form, found, gain + without - nameless, effect, is_trace(trial.ship, form, found, effect)};
+      if (ordinary_deviations(trial, form, last_coordinates(form, found.point)) < beyond_the_ordinary) return;
+      gain += pruned(form, found).gain + likely_spread(problem_of(trial, hypothesis), form, found).gain;
+      if (is_unknown(form)) gain -= worth_of_a_name;
+      if (form.id == WaveDrift<>::id) gain -= as_good;  // waves come with a wind, and a wind often without them
+      fits[i] = FittedCandidate{&form, found, gain, last_effect(form, found.point), is_trace(trial.ship, form, found)};
       fits[i]->sizes = likely.sizes;
     } catch (const std::exception&) {}
   });
@@ -383,9 +408,25 @@ std::vector<FittedCandidate> confirmed(const Search& s, const Hypothesis& accept
   return result;
 }
 
+/// The effect with the spread from run to run that the evidence prefers.
+FittedCandidate with_likely_spread(const Trial& trial, const Hypothesis& accepted, FittedCandidate tried,
+                                   std::deque<EffectForm>& forms) {
+  const auto likely = likely_spread(problem_of(trial, with(accepted, *tried.form)), *tried.form, tried.fit);
+  if (likely.factor == 1.0) return tried;
+  forms.push_back(with_spread(*tried.form, likely.factor));
+  auto found = fit(trial, with(accepted, forms.back()), tried.fit.point, tried.fit.noise, nullptr, 3);
+  if (!std::isfinite(found.log_evidence)) return tried;
+  tried.form = &forms.back();
+  tried.effect = last_effect(forms.back(), found.point);
+  tried.trace = is_trace(trial.ship, forms.back(), found);
+  tried.fit = std::move(found);
+  return tried;
+}
+
 /// The effect with those of its terms that the evidence keeps, fitted anew until it keeps all.
 FittedCandidate reduced(const Trial& trial, const Hypothesis& accepted, FittedCandidate tried,
                         std::deque<EffectForm>& forms) {
+  if (!tried.form->parts.empty()) return with_likely_spread(trial, accepted, std::move(tried), forms);
   for (;;) {
     const auto kept = pruned(*tried.form, tried.fit).kept;
     if (kept.size() == tried.form->coordinates.size()) return tried;
@@ -404,8 +445,8 @@ FittedCandidate reduced(const Trial& trial, const Hypothesis& accepted, FittedCa
                          std::max(1.0, std::sqrt(tried.fit.covariance(before, before) / found.covariance(now, now))));
     }
     tried.form = &forms.back();
-    tried.effect = last_effect(hypothesis, found.point);
-    tried.trace = is_trace(trial.ship, forms.back(), found, tried.effect);
+    tried.effect = last_effect(forms.back(), found.point);
+    tried.trace = is_trace(trial.ship, forms.back(), found);
     tried.widening = std::move(widening);
     tried.fit = std::move(found);
   }
@@ -567,6 +608,7 @@ std::optional<MapFit> inflation_instead(const HeldOutRuns& held_out, const Searc
     return std::nullopt;
   auto found = fit(less_sure, hypothesis, s.now.point, s.now.noise, &linear.slopes);
   double gain = found.log_evidence - s.now.log_evidence;
+  if (!std::isfinite(gain)) return std::nullopt;
   if (!held_out.is_empty()) gain += held_out_gain(trial, held_out, hypothesis, s.now, hypothesis, found);
   if (!(gain > whole_gain(best))) return std::nullopt;
   return found;
@@ -613,10 +655,13 @@ Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covarianc
   return inverse(widened_precision(form, covariance));
 }
 
-bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
+namespace {
+
+/// The same of one part of the runs.
+bool is_told_in(const Ship& ship, const EffectForm& form, const MapFit& found, const Eigen::MatrixXd& part) {
   const auto size = std::ssize(form.coordinates);
-  const Point c = found.point.tail(size);
-  const auto parameters = parameters_of(ship, form.at({c.data(), static_cast<std::size_t>(size)}));
+  const Point c = part * found.point.tail(size);
+  const auto parameters = parameters_of(ship, form.at({c.data(), static_cast<std::size_t>(c.size())}));
   std::vector<Eigen::Index> deciding;
   std::vector<double> departures;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
@@ -624,23 +669,35 @@ bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
     if (!std::isfinite(parameters[i].value - parameters[i].null)) return true;
     deciding.push_back(static_cast<Eigen::Index>(i)), departures.push_back(parameters[i].value - parameters[i].null);
   }
-  const Eigen::MatrixXd slopes = parameter_slopes(ship, form, c)(deciding, Eigen::all);
+  const Eigen::MatrixXd slopes = parameter_slopes(ship, form, c)(deciding, Eigen::all) * part;
   const Eigen::MatrixXd C = slopes * widened(form, found.covariance.bottomRightCorner(size, size)) * slopes.transpose();
   const Eigen::Map<const Eigen::VectorXd> z(departures.data(), std::ssize(departures));
   return !(z.dot(least_norm(C, z)) < told_from_nothing);
 }
 
+}  // namespace
+
+bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
+  for (std::size_t part = 0; part < std::max<std::size_t>(1, form.parts.size()); ++part)
+    if (is_told_in(ship, form, found, part_map(form, part))) return true;
+  return false;
+}
+
 ActiveTime active_time(const Trial& trial, const Search& s, std::size_t accepted, double needed) {
-  const auto with = ship_at(trial, s.hypothesis(), s.now.point);
+  const auto with = problem_of(trial, s.hypothesis());
   auto without = with;
-  without.effects.erase(without.effects.end() - std::ssize(s.accepted) + static_cast<std::ptrdiff_t>(accepted));
+  without.ship_in = [&](const Point& point, std::size_t run) {
+    auto ship = with.ship_in(point, run);
+    ship.effects.erase(ship.effects.end() - std::ssize(s.accepted) + static_cast<std::ptrdiff_t>(accepted));
+    return ship;
+  };
   struct Sample {
     double time, gain;
   };
   std::vector<Sample> samples;
   try {
-    const auto a = log_likelihoods(problem_of(trial, with), {}, s.now.noise),
-               b = log_likelihoods(problem_of(trial, without), {}, s.now.noise);
+    const auto a = log_likelihoods(with, s.now.point, s.now.noise),
+               b = log_likelihoods(without, s.now.point, s.now.noise);
     for (std::size_t i = 0; i < a.size(); ++i)
       for (std::size_t k = 0; k < a[i].size(); ++k) samples.push_back({trial.runs[i].run->time[k], a[i][k] - b[i][k]});
   } catch (const std::exception&) {
@@ -696,6 +753,9 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
   auto promising = screened_beside_form(s, before, linear);
   if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale)
     std::erase_if(promising, [](const Screened& c) { return c.predicted_gain.gain < 0.0; });
+  for (auto& c : promising)
+    fmt::print(stderr, "SCR {} parts {} sizes {:.3g} predicted {:.1f} | {}\n", c.form->id, c.form->parts.size(),
+               c.sizes[1], c.predicted_gain.gain, fmt::join(c.predicted_gain.values, " "));
   auto tried = confirmed(s, before, linear, promising, options.confirmed);
   const double needed = s.accepted.empty() ? options.detection : options.further;
   const auto held_out = held_out_runs(unused, before, s.now);
@@ -740,6 +800,7 @@ Search named(Search s, const Trial& unused, std::span<const EffectForm> forms, c
              const std::function<bool(std::string_view)>& goes_on) {
   s.located = located(s.trial, ship_at(s.trial, {}, s.null.point), s.null.noise);
   s.forms.assign(forms.begin(), forms.end());
+  if (s.on_board) std::ranges::move(differing_surroundings(forms, s.trial.runs), std::back_inserter(s.forms));
   begin_where_force_is_missing(s.forms, s.located, length(s.trial.ship) / service_speed(s.trial.ship));
   std::size_t findings = 0, traces = 0;
   bool working = true;
@@ -774,6 +835,30 @@ constexpr double real_walk = 1e-3;
 /// Whether the instruments are of the kind that ships have: the errors of positions have a memory.
 bool has_real_instruments(const Search& s) { return s.null.noise.walk > real_walk; }
 
+/// The baseline beside an inexact form and inexact instruments, and the runs to go with it.
+struct Inexact {
+  Trials trials;
+  Search baseline;
+};
+
+std::optional<Inexact> inexact_baseline(const std::function<Trials()>& on_board, Search& exact) try {
+  auto trials = on_board();
+  auto baseline = with_baseline(trials.used, Noise::on_board());
+  return Inexact{std::move(trials), std::move(baseline)};
+} catch (const std::exception& trouble) {
+  exact.troubles.push_back(fmt::format("the search beside an inexact form ended early: {}", trouble.what()));
+  return std::nullopt;
+}
+
+/// Log evidence of what a search found, from the runs of another.
+double evidence_from(const Search& s, std::span<const PreparedRun> runs) try {
+  auto trial = s.trial;
+  trial.runs.assign(runs.begin(), runs.end());
+  return fit(trial, s.hypothesis(), s.now.point, s.now.noise, nullptr, 3).log_evidence;
+} catch (const std::exception&) {
+  return -HUGE_VAL;
+}
+
 }  // namespace
 
 Search search(const Trials& exact, const std::function<Trials()>& on_board, std::span<const EffectForm> forms,
@@ -781,17 +866,19 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
   bool working = goes_on("fitting the baseline");
   const auto go_on = [&](std::string_view what) { return working = working && goes_on(what); };
   auto s = with_baseline(exact.used, {});
+  std::optional<Inexact> inexact;
   if (s.null.noise.largest_scale() > ordinary_scale &&
-      go_on("fitting the baseline, form and instruments taken for inexact")) {
-    try {
-      const auto inexact = on_board();
-      if (auto other = with_baseline(inexact.used, Noise::on_board()); has_real_instruments(other))
-        return named(std::move(other), inexact.unused, forms, options, go_on);
-    } catch (const std::exception& trouble) {
-      s.troubles.push_back(fmt::format("the search beside an inexact form ended early: {}", trouble.what()));
-    }
-  }
+      go_on("fitting the baseline, form and instruments taken for inexact"))
+    inexact = inexact_baseline(on_board, s);
+  const auto beside_form = [&] {
+    return named(std::move(inexact->baseline), inexact->trials.unused, forms, options, go_on);
+  };
+  if (inexact && has_real_instruments(inexact->baseline)) return beside_form();
   s = named(std::move(s), exact.unused, forms, options, go_on);
+  if (working && inexact && s.named_scale > ordinary_scale) {
+    auto other = beside_form();
+    if (other.now.log_evidence > evidence_from(s, inexact->trials.used.runs)) return other;
+  }
   if (working && s.named_scale > ordinary_scale && go_on("once more, surge, sway and yaw apart")) {
     auto other = named_apart(exact, forms, options, go_on);
     if (other && other->now.log_evidence > s.now.log_evidence) s = *std::move(other);

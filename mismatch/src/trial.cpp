@@ -31,7 +31,7 @@ Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<cons
     if (n.role == Role::coefficient && n.deviation > 0.0) trial.parameters.push_back(n);
   if (auto lift_loss = ordinary_lift_loss(ship)) trial.ordinary.push_back(*std::move(lift_loss));
   put_prior(trial);
-  trial.runs = prepared_runs(ship, runs, channels);
+  trial.runs = thinned_runs(ship, runs, channels);
   return trial;
 }
 
@@ -71,14 +71,14 @@ double gain_by_prior(const EstimationProblem& problem, const MapFit& fit, const 
 
 namespace {
 
-bool is_of_the_ship(const EffectForm& ordinary) { return ordinary.id == form_id || takes_rudder_lift(ordinary.id); }
+bool is_of_the_ship(std::string_view ordinary) { return ordinary == form_id || takes_rudder_lift(ordinary); }
 
 }  // namespace
 
 Eigen::Index ship_size(const Trial& trial) {
   auto size = std::ssize(trial.parameters);
   for (const auto& form : trial.ordinary)
-    if (is_of_the_ship(form)) size += std::ssize(form.coordinates);
+    if (is_of_the_ship(form.id)) size += std::ssize(form.coordinates);
   return size;
 }
 
@@ -198,12 +198,13 @@ EstimationProblem problem_of(const Trial& trial, const Hypothesis& hypothesis) {
     const auto k = base + static_cast<Eigen::Index>(i);
     precision(k, k) = 1.0 / (deviations[i] * deviations[i]);
   }
-  return {
-      .unknowns = std::move(unknowns),
-      .precision = std::move(precision),
-      .runs = trial.runs,
-      .ship_in = [&trial, hypothesis](const Point& point, std::size_t) { return ship_at(trial, hypothesis, point); },
-      .scale = trial.ship};
+  return {.unknowns = std::move(unknowns),
+          .precision = std::move(precision),
+          .runs = trial.runs,
+          .ship_in = [&trial, hypothesis](
+                         const Point& point,
+                         std::size_t run) { return ship_at(trial, hypothesis, point, trial.runs[run].run.get()); },
+          .scale = trial.ship};
 }
 
 EstimationProblem problem_of(const Trial& trial, const Ship& ship) {
@@ -215,6 +216,20 @@ EstimationProblem problem_of(const Trial& trial, const Ship& ship) {
 }
 
 namespace {
+
+double ordinary_deviations(const Trial& trial, const EffectForm& form, const Effect& effect) {
+  for (const auto& o : trial.ordinary) {
+    if (o.id == form_id || !stands_for(form, o) || form.id != o.id) continue;
+    const auto is = parameters_of(trial.ship, effect);
+    std::vector<double> c(o.coordinates.size(), 0.0);
+    c.front() = 1.0;
+    const auto usual = parameters_of(trial.ship, o.at(c));
+    for (std::size_t i = 0; i < is.size(); ++i)
+      if (is[i].decides && usual[i].value != usual[i].null && std::isfinite(usual[i].value))
+        return std::abs((is[i].value - is[i].null) / (usual[i].value - usual[i].null));
+  }
+  return HUGE_VAL;
+}
 
 /// Calls use(form, first coordinate) for everything ordinary that no effect stands for.
 template <class Use>
@@ -234,46 +249,42 @@ Effect ordinary_at(const EffectForm& form, const Point& point, Eigen::Index firs
   return form.at(c);
 }
 
-template <class Wanted>
-Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& point, Wanted&& wanted) {
+}  // namespace
+
+Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const Recording* run,
+               const WantedEffect& wanted) {
   std::vector<double> values;
   for (std::size_t i = 0; i < trial.parameters.size(); ++i)
     values.push_back(value_at(trial.parameters[i], point[static_cast<Eigen::Index>(i)]));
   Ship ship = with_values(trial.ship, trial.parameters, values);
-  for_each_ordinary(trial, hypothesis, [&](const EffectForm& form, Eigen::Index first) {
-    if (wanted(form)) ship.effects.push_back(ordinary_at(form, point, first));
-  });
+  const auto add = [&](Effect effect, bool ordinary) {
+    if (wanted(effect, ordinary)) ship.effects.push_back(std::move(effect));
+  };
+  for_each_ordinary(trial, hypothesis,
+                    [&](const EffectForm& form, Eigen::Index first) { add(ordinary_at(form, point, first), true); });
   Eigen::Index next = trial.baseline_size();
   for (const auto* form : hypothesis) {
-    const auto size = form->coordinates.size();
-    ship.effects.push_back(form->at({point.data() + next, size}));
-    next += static_cast<Eigen::Index>(size);
+    const std::span c{point.data() + next, form->coordinates.size()};
+    add(run ? form->at(form->in_part(c, form->part_of(*run))) : form->at(mean_of_parts(*form, c)), false);
+    next += std::ssize(c);
   }
   return ship;
 }
 
-}  // namespace
-
-Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
-  return ship_with(trial, hypothesis, point, [](const EffectForm&) { return true; });
+Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const Recording* run) {
+  return ship_with(trial, hypothesis, point, run, [](const Effect&, bool) { return true; });
 }
 
 Ship model_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
-  return ship_with(trial, hypothesis, point, is_of_the_ship);
+  return ship_with(trial, hypothesis, point, nullptr,
+                   [](const Effect& e, bool ordinary) { return !ordinary || is_of_the_ship(id_of(e)); });
 }
 
-double ordinary_deviations(const Trial& trial, const EffectForm& form, const Effect& effect) {
-  for (const auto& o : trial.ordinary) {
-    if (o.id == form_id || !stands_for(form, o) || form.id != o.id) continue;
-    const auto is = parameters_of(trial.ship, effect);
-    std::vector<double> c(o.coordinates.size(), 0.0);
-    c.front() = 1.0;
-    const auto usual = parameters_of(trial.ship, o.at(c));
-    for (std::size_t i = 0; i < is.size(); ++i)
-      if (is[i].decides && usual[i].value != usual[i].null && std::isfinite(usual[i].value))
-        return std::abs((is[i].value - is[i].null) / (usual[i].value - usual[i].null));
-  }
-  return HUGE_VAL;
+double ordinary_deviations(const Trial& trial, const EffectForm& form, std::span<const double> coordinates) {
+  double most = 0.0;
+  for (const auto& effect : effects_in_parts(form, coordinates))
+    most = std::max(most, ordinary_deviations(trial, form, effect));
+  return most;
 }
 
 std::vector<OrdinaryEstimate> ordinary_instruments(const Trial& trial, const Hypothesis& hypothesis,

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -81,8 +82,10 @@ std::optional<Effect> in_whose_place(const Trial& trial, const EffectForm& form,
 /// How many coordinates of the baseline come first that are of the ship and not of a day or an instrument.
 Eigen::Index ship_size(const Trial& trial);
 
+inline constexpr int asymmetric_axis = 3;
+
 /// Coordinates of the baseline that are of the form of her forces: along, across, of the moment, and of either that
-/// differs from side to side; −1 for others.
+/// differs from side to side (`asymmetric_axis`); −1 for others.
 std::vector<int> form_axes(const Trial& trial);
 
 /// Unknowns: coordinates of the baseline, then of each effect. The trial must outlive the problem.
@@ -91,14 +94,22 @@ EstimationProblem problem_of(const Trial& trial, const Hypothesis& hypothesis);
 /// The same of a ship in which nothing is unknown, for likelihoods of her.
 EstimationProblem problem_of(const Trial& trial, const Ship& ship);
 
-Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
+/// @param run  that she sails; without one, effects that differ from run to run are as in the mean of all
+Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const Recording* run = nullptr);
+
+/// Which effects a ship is to have, of those that are ordinary and of those of a hypothesis.
+using WantedEffect = std::function<bool(const Effect& effect, bool ordinary)>;
+
+/// The same with some of what is ordinary and of the effects alone.
+Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const Recording* run,
+               const WantedEffect& wanted);
 
 /// The same without what is ordinary of a day or an instrument: what a ship file is to hold.
 Ship model_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
 
-/// How many ordinary deviations an effect is from null that stands in the place of something ordinary; infinity for
-/// others.
-double ordinary_deviations(const Trial& trial, const EffectForm& form, const Effect& effect);
+/// How many ordinary deviations an effect is from null that stands in the place of something ordinary, in the part of
+/// the runs where it is largest; infinity for others.
+double ordinary_deviations(const Trial& trial, const EffectForm& form, std::span<const double> coordinates);
 
 /// Something ordinary as a fit found it.
 struct OrdinaryEstimate {

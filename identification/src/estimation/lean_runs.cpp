@@ -30,22 +30,21 @@ struct Window {
 /// Samples of a window that are there, about a time, in units of half the window.
 Parabola parabola(const std::vector<double>& time, std::span<const double> values, const Window& window, double about,
                   double half) {
-  const auto [first, last] = window;
   Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
-  double squares = 0.0;
+  double squares = 0.0, origin = missing;
   Parabola p;
-  for (std::size_t i = first; i < last; ++i) {
+  for (std::size_t i = window.first; i < window.last; ++i) {
     if (std::isnan(values[i])) continue;
-    const double s = (time[i] - about) / half, y = values[i] - values[(first + last) / 2];
+    if (p.samples == 0) origin = values[i];
+    const double s = (time[i] - about) / half, y = values[i] - origin;
     const Eigen::Vector3d row{1.0, s, s * s};
     A += row * row.transpose(), b += row * y, squares += y * y;
     ++p.samples;
   }
-  const double middle = values[(first + last) / 2];
-  if (p.samples < 5 || std::isnan(middle)) return p;
+  if (p.samples < 5) return p;
   const Eigen::Vector3d c = A.ldlt().solve(b);
-  p.value = c[0] + middle;
+  p.value = c[0] + origin;
   p.residual = std::max(0.0, squares - b.dot(c));
   return p;
 }
@@ -93,7 +92,17 @@ double wave_period(const Recording& run, double time_unit) {
   return *whole > comes_back ? h * static_cast<double>(whole - correlation.begin()) : 0.0;
 }
 
-constexpr double rows_kept = 20.0;  ///< in the time L/U
+/// How many rows of controls and values of a channel are kept in the time L/U.
+struct Density {
+  double rows, values;
+};
+
+/// Values that instruments with errors of a memory tell, and those that tell fast effects of instruments without them.
+constexpr Density beside_memory{.rows = 20.0, .values = 8.0}, beside_white_noise{.rows = 24.0, .values = 24.0};
+
+double rows_in(const Recording& run, double time_unit) {
+  return static_cast<double>(run.samples()) / (run.time.back() - run.time.front()) * time_unit;
+}
 
 /// The true wind at every so many rows, its velocity the mean of the samples nearest to each.
 void average_wind(const Recording& run, std::size_t every, Recording& fewer) {
@@ -112,8 +121,8 @@ void average_wind(const Recording& run, std::size_t every, Recording& fewer) {
 }
 
 /// Every so many rows are kept.
-Recording with_fewer_rows(const Recording& run, double time_unit) {
-  const double rows = static_cast<double>(run.samples()) / (run.time.back() - run.time.front()) * time_unit;
+Recording with_fewer_rows(const Recording& run, double time_unit, double rows_kept) {
+  const double rows = rows_in(run, time_unit);
   const auto every = static_cast<std::size_t>(std::lround(rows / rows_kept));
   if (every < 2) return run;
   const auto thinned = [&](const std::vector<double>& all) {
@@ -142,15 +151,19 @@ std::vector<Channel> own_channels(std::span<const Channel> channels) {
 /// When samples are taken, and over which time.
 struct Sampling {
   double spacing, half;  ///< [s], half of a window
-  bool waves;            ///< whether they move the ship
+  double interval;       ///< of the channel [s]
 };
 
-Sampling sampling_of(const Recording& run, double time_unit) {
-  constexpr double usual_spacing = 0.125, usual_half_window = 0.06;  // of L/U
-  const double duration = run.time.back() - run.time.front(), step = duration / static_cast<double>(run.samples() - 1),
-               wave = wave_period(run, time_unit);
-  return {std::max(usual_spacing * time_unit, 0.75 * wave),
-          std::min(0.5 * duration, std::max(usual_half_window * time_unit, 2.05 * step)), wave > 0.0};
+/// @param wave  period of waves that move the ship [s], or 0
+Sampling sampling_of(const Recording& run, Channel channel, double time_unit, double values, double wave) {
+  constexpr double about_half = 0.48;  // of the spacing: windows hardly overlap
+  const double duration = run.time.back() - run.time.front(),
+               there =
+                   static_cast<double>(std::ranges::count_if(run[channel], [](double x) { return !std::isnan(x); })),
+               interval = duration / std::max(1.0, there - 1.0);
+  return {.spacing = std::max(time_unit / values, 0.75 * wave),
+          .half = std::min(0.5 * duration, std::max(about_half * time_unit / values, 2.05 * interval)),
+          .interval = interval};
 }
 
 /// Few values of a channel at the rows of a run, missing between them, and what tells their noise.
@@ -170,14 +183,21 @@ struct FewSamples {
   }
 };
 
+bool any_there(std::span<const double> values, const Window& window) {
+  return std::ranges::any_of(values.subspan(window.first, window.last - window.first),
+                             [](double x) { return !std::isnan(x); });
+}
+
 FewSamples few_samples(const Recording& full, Channel channel, const std::vector<double>& rows, const Sampling& by) {
   FewSamples few{.values = std::vector(rows.size(), missing)};
   const double begin = full.time.front(), end = full.time.back();
   double next = begin;
-  Window window;
+  Window window, near;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const double now = rows[k];
     if (now < next) continue;
+    near.move(full.time, now - by.interval, now + by.interval);
+    if (!any_there(full[channel], near)) continue;                          // in a gap
     const double middle = std::clamp(now, begin + by.half, end - by.half);  // at either end on one side
     window.move(full.time, middle - by.half, middle + by.half);
     const auto p = parabola(full.time, full[channel], window, now, by.half);
@@ -196,21 +216,20 @@ double noise_of_waves(const Recording& run, Channel channel, double time_unit) {
   return 1.4826 * core::detail::median_size_of(rest_of(run, channel, half_of_the_steady * time_unit));
 }
 
-PreparedRun lean(PreparedRun run, double time_unit) {
+/// @param wave  period of waves that move the ship [s], or 0
+PreparedRun thinned(PreparedRun run, double time_unit, const Density& density, double wave) {
   const auto& full = *run.run;
-  auto few = with_fewer_rows(full, time_unit);
-  const auto by = sampling_of(full, time_unit);
-  run.longest_step = 1.0 / rows_kept;
+  auto fewer = with_fewer_rows(full, time_unit, density.rows);
   run.measurements = 0;
   for (const auto channel : run.channels) {
-    auto samples = few_samples(full, channel, few.time, by);
+    auto samples = few_samples(full, channel, fewer.time, sampling_of(full, channel, time_unit, density.values, wave));
     auto& deviation = run.deviation[index_of(channel)];
     deviation = samples.deviation(deviation);
-    if (by.waves) deviation = std::max(deviation, noise_of_waves(full, channel, time_unit));
+    if (wave > 0.0) deviation = std::max(deviation, noise_of_waves(full, channel, time_unit));
     run.measurements += samples.kept;
-    few.channels[index_of(channel)] = std::move(samples.values);
+    fewer.channels[index_of(channel)] = std::move(samples.values);
   }
-  run.run = std::make_shared<const Recording>(std::move(few));
+  run.run = std::make_shared<const Recording>(std::move(fewer));
   return run;
 }
 
@@ -220,7 +239,21 @@ std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> 
                                    std::span<const Channel> channels) {
   const double time_unit = length(ship) / service_speed(ship);
   auto prepared = prepared_runs(ship, runs, own_channels(channels));
-  for (auto& run : prepared) run = lean(std::move(run), time_unit);
+  for (auto& run : prepared) {
+    const double wave = wave_period(*run.run, time_unit);
+    run.longest_step = 1.0 / beside_memory.rows;
+    run = thinned(std::move(run), time_unit, beside_memory, wave);
+  }
+  return prepared;
+}
+
+std::vector<PreparedRun> thinned_runs(const Ship& ship, std::span<const Recording> runs,
+                                      std::span<const Channel> channels) {
+  const double time_unit = length(ship) / service_speed(ship);
+  auto prepared = prepared_runs(ship, runs, channels);
+  for (auto& run : prepared)
+    if (rows_in(*run.run, time_unit) > 2.0 * beside_white_noise.rows)
+      run = thinned(std::move(run), time_unit, beside_white_noise, 0.0);
   return prepared;
 }
 

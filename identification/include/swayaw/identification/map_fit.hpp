@@ -38,6 +38,11 @@ std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recordi
 std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> runs,
                                    std::span<const Channel> channels);
 
+/// Prepared runs, those of more than 48 rows in L/U thinned to half as many values, each of a parabola through all
+/// samples about it.
+std::vector<PreparedRun> thinned_runs(const Ship& ship, std::span<const Recording> runs,
+                                      std::span<const Channel> channels);
+
 /// One unknown: its value is `mean` where nothing is known, and stays between its bounds.
 struct Unknown {
   std::string name;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -41,12 +42,21 @@ struct ParameterEstimate {
 
 /// An effect that the recordings show.
 struct FoundEffect {
-  Effect effect;
+  Effect effect;  ///< in the mean of the runs, where it differs
+  Scope scope;    ///< that it differs with: group or run; ship where it is the same in all
   double probability;
   std::optional<double> onset;  ///< [s]
   std::optional<double> end;    ///< [s]
   std::vector<ParameterEstimate> parameters;
   std::vector<std::string> indistinguishable_from;  ///< effects that explain the runs as well
+};
+
+/// Wind or stream in a part of the runs.
+struct SurroundingsEstimate {
+  std::string scope;  ///< a group, a run, or "all"
+  std::vector<std::string> runs;
+  std::vector<ParameterEstimate> parameters;  ///< a direction missing where these runs do not tell it
+  std::string cannot_tell{};                  ///< why they do not, and what would, in words
 };
 
 /// An effect that was tried alone.
@@ -95,6 +105,23 @@ struct Discrepancy {
   double given, refitted, after;
 };
 
+/// What a force goes with: the motion, alike on both sides or not; what is fixed to the earth; the past; errors of
+/// instruments; nothing that is known.
+enum class Follows { form, side, earth, past, instruments, nothing };
+
+inline constexpr std::size_t follows_count = 6;
+
+/// "form", "form_asymmetric", "earth_fixed", "delayed", "instruments", "unexplained"
+std::string_view name_of(Follows follows);
+
+/// The force that the given ship lacks, split by what it follows.
+struct ForceBudget {
+  std::string quantity;                     ///< "surge_force", "sway_force", "yaw_moment"
+  std::array<double, follows_count> share;  ///< of its mean square, by Follows; they add up to 1
+  std::array<double, follows_count> standard_error;
+  double size;  ///< its mean square over that of the force on the ship's own hull
+};
+
 /// What to sail next.
 struct Advice {
   std::string advice;                  ///< a manoeuvre in words
@@ -119,12 +146,14 @@ struct Diagnosis {
   std::vector<Candidate> candidates;  ///< best first
   std::vector<BaselineShift> shifts;  ///< largest first
   std::vector<RunErrors> train, holdout;
-  Ship refitted;                                  ///< baseline refitted, without effects
-  Ship improved;                                  ///< with the effects found
-  std::vector<InstrumentEstimate> instruments{};  ///< told from none, beside the effects
-  std::optional<Discrepancy> discrepancy{};       ///< nothing where no run tells a yaw rate
-  double process_noise;                           ///< scale of what stays unexplained; 1 is ordinary
-  double refitted_process_noise;                  ///< the same without any effect
+  Ship refitted;                                     ///< baseline refitted, without effects
+  Ship improved;                                     ///< with the effects found
+  std::vector<InstrumentEstimate> instruments{};     ///< told from none, beside the effects
+  std::vector<SurroundingsEstimate> surroundings{};  ///< where wind or stream was found
+  std::vector<ForceBudget> budget{};
+  std::optional<Discrepancy> discrepancy{};  ///< nothing where no run tells a yaw rate
+  double process_noise;                      ///< scale of what stays unexplained; 1 is ordinary
+  double refitted_process_noise;             ///< the same without any effect
   double prior_inflation =
       1.0;  ///< factor on what the ship file or the reference runs say the parameters of the baseline are known to
   std::optional<Advice> next{};
