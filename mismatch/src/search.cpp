@@ -753,9 +753,6 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
   auto promising = screened_beside_form(s, before, linear);
   if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale)
     std::erase_if(promising, [](const Screened& c) { return c.predicted_gain.gain < 0.0; });
-  for (auto& c : promising)
-    fmt::print(stderr, "SCR {} parts {} sizes {:.3g} predicted {:.1f} | {}\n", c.form->id, c.form->parts.size(),
-               c.sizes[1], c.predicted_gain.gain, fmt::join(c.predicted_gain.values, " "));
   auto tried = confirmed(s, before, linear, promising, options.confirmed);
   const double needed = s.accepted.empty() ? options.detection : options.further;
   const auto held_out = held_out_runs(unused, before, s.now);

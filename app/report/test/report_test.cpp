@@ -168,7 +168,7 @@ void the_diagnosis_page_carries_its_document() {
   const json effect = {{"effect", "steady_wind"},
                        {"probability", 0.98},
                        {"parameters", {{"wind_speed_m_s", {{"value", 11.25}, {"standard_error", 0.4}}}}}};
-  const json document = {{"schema", "swayaw.diagnosis/1"},
+  const json document = {{"schema", "swayaw.diagnosis/2"},
                          {"ship", "<Tanker>"},
                          {"effects", {effect}},
                          {"runs", {run_of("zz10.csv", 40)}}};

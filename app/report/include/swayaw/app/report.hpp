@@ -15,7 +15,7 @@ std::string comparison_page(const nlohmann::json& document);
 /// map of a loop measure over T3b and T3w. Every plot can be saved as SVG.
 std::string loop_page(const nlohmann::json& document);
 
-/// One HTML page that shows a diagnosis document ("swayaw.diagnosis/1") with the series of its runs: the verdict, the
+/// One HTML page that shows a diagnosis document ("swayaw.diagnosis/2") with the series of its runs: the verdict, the
 /// missing force over time and in the drift–yaw plane, the ranking of effects, replays, and what to sail next. The
 /// series are rounded as those of a comparison.
 std::string diagnosis_page(const nlohmann::json& document);
