@@ -48,7 +48,7 @@ void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> refere
 // ---------------------------------------------------------------- answers
 
 /// Parameters of an effect in a part of the runs. To the scatter of the fit, as wide as evidence is in excess, comes
-/// what the law of the effect is worth.
+/// what the law of the effect is worth, and the ordinary error that is in it where it stands in the place of one.
 /// @param widening  of the deviation of each coordinate, or nothing
 std::vector<ParameterEstimate> estimates(const Trial& trial, const EffectForm& form,
                                          const std::vector<double>& widening, const MapFit& found, Eigen::Index from,
@@ -60,15 +60,21 @@ std::vector<ParameterEstimate> estimates(const Trial& trial, const EffectForm& f
   if (!widening.empty()) slopes *= Eigen::Map<const Eigen::VectorXd>(widening.data(), size).asDiagonal();
   const Eigen::MatrixXd covariance =
       slopes * widened(form, found.covariance.block(from, from, size, size)) * slopes.transpose();
+  const double ordinary = ordinary_size(trial, form);
+  const auto size_of_it = std::ranges::find_if(parameters, [](const Parameter& p) { return p.decides; });
   std::vector<ParameterEstimate> result;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const auto place = static_cast<Eigen::Index>(i);
     if (!std::isfinite(parameters[i].value) || !(covariance(place, place) > 0.0)) continue;
+    const double in_it = &parameters[i] == &*size_of_it ? ordinary
+                         : parameters[i].direction      ? ordinary / std::max(ordinary, std::abs(size_of_it->value))
+                                                        : 0.0;
     const double value =
         parameters[i].direction && parameters[i].value < 0.0 ? parameters[i].value + 2.0 * pi : parameters[i].value;
     const double departure = parameters[i].direction ? 1.0 : std::abs(parameters[i].value - parameters[i].null),
                  law = std::isfinite(departure) ? parameters[i].law * departure : 0.0;
-    result.push_back({std::string(parameters[i].key), value, std::hypot(std::sqrt(covariance(place, place)), law)});
+    result.push_back(
+        {std::string(parameters[i].key), value, std::hypot(std::sqrt(covariance(place, place)), law, in_it)});
   }
   return result;
 }
@@ -119,6 +125,25 @@ std::vector<SurroundingsEstimate> surroundings_of(const Trial& trial, const Acce
     result.push_back(std::move(there));
   }
   return result;
+}
+
+/// Where no wind or stream was found, but one would explain the runs better by less than is needed: it cannot be told.
+void put_untold_surroundings(Diagnosis& d, const Search& s, std::span<const Recording> runs, double needed) {
+  if (!d.surroundings.empty() || !s.on_board) return;
+  for (const auto& tried : s.first) {
+    const auto place = place_of(tried.effect);
+    if ((place != EffectPlace::air && place != EffectPlace::water) || acting_time(tried.effect) || !(tried.gain > 0.0))
+      continue;
+    SurroundingsEstimate all{.scope = "all", .runs = {}, .parameters = {}};
+    for (const auto& run : runs) all.runs.push_back(run.name);
+    all.cannot_tell = fmt::format(
+        "{} cannot be told: it explains the runs better by {:.2g} in log evidence, {:.2g} are needed; their courses "
+        "lie "
+        "within {:.0f} deg, a turn through 360 deg or the same manoeuvre on the opposite course would tell it",
+        text_of(tried.effect).phrase, tried.gain, needed, degrees(std::min(2.0 * pi, course_range(runs, all.runs))));
+    d.surroundings.push_back(std::move(all));
+    return;
+  }
 }
 
 /// Nothing where the ship cannot sail the run.
@@ -210,6 +235,18 @@ std::string unknown_words(const Diagnosis& d) {
   return words + fmt::format("; as a map it has the terms {}", listed(terms));
 }
 
+/// Of numbers beyond two deviations; the three that are furthest off.
+std::string shifted_words(std::span<const BaselineShift> shifts) {
+  constexpr std::size_t most = 3;
+  std::vector<std::string> moved;
+  for (const auto& s : shifts.first(std::min(most, shifts.size())))
+    moved.push_back(fmt::format("{} from {:.3g} to {:.3g}, {:.1f} of its deviations", s.key, s.given, s.refitted,
+                                std::abs(s.deviations)));
+  const std::string others = shifts.size() > most ? fmt::format("; and {} more", shifts.size() - most) : "";
+  return fmt::format("Nothing is missing but numbers of the model are further off than was said: {}{}.",
+                     fmt::join(moved, "; "), others);
+}
+
 /// Verdict in words, how well the baseline is known left out.
 std::string verdict_words(const Diagnosis& d) {
   std::vector<std::string> names;
@@ -218,7 +255,9 @@ std::string verdict_words(const Diagnosis& d) {
   const std::string traces =
       d.traces.empty() ? "" : fmt::format(" A trace, too small to matter: {}.", fmt::join(d.traces, ", "));
   if (d.verdict == DiagnosisVerdict::nothing_missing)
-    return "Nothing is missing: the model explains the runs within its confidence and their noise." + traces;
+    return (d.shifts.empty() ? "Nothing is missing: the model explains the runs within its confidence and their noise."
+                             : shifted_words(d.shifts)) +
+           traces;
   if (d.verdict == DiagnosisVerdict::missing_physics)
     return fmt::format("The model leaves out {}.{}", listed(names), traces);
   const auto unknown = unknown_words(d);
@@ -393,14 +432,17 @@ MapFit refitted_alone(const Trial& trial, const Search& s) {
 /// another structure, to which files were fitted, were off by 0.05 to 0.20.
 constexpr double ordinary_form = 0.2;
 
+/// Force that follows one thing over the force on the hull, root mean square.
+double off_by(const ForceBudget& b, Follows follows) {
+  return std::sqrt(std::max(0.0, b.share[static_cast<std::size_t>(follows)] * b.size));
+}
+
 /// The form of her forces as a finding, where it is off by more than an ordinary one, its evidence carries it and runs
 /// that were not used err less with it.
 void put_form(Diagnosis& d, const Trial& trial, const Search& s, const MapFit& alone, double needed) {
   const auto form = std::ranges::find(trial.ordinary, form_id, &EffectForm::id);
   if (form == trial.ordinary.end()) return;
-  const auto is_off = [](const ForceBudget& b) {
-    return b.share[static_cast<std::size_t>(Follows::form)] * b.size > ordinary_form * ordinary_form;
-  };
+  const auto is_off = [](const ForceBudget& b) { return off_by(b, Follows::form) > ordinary_form; };
   const double gain = s.null.log_evidence - alone.log_evidence;
   if (std::ranges::none_of(d.budget, is_off) || !(gain > needed)) return;
   if (!d.holdout.empty() && !(gain_of(d.holdout) > 0.0)) return;
@@ -446,8 +488,18 @@ void attempt(Diagnosis& d, std::string_view what, const Step& step) try {
   d.troubles.push_back(fmt::format("{} could not be told: {}", what, trouble.what()));
 }
 
+/// Whether force or moment across that follows nothing is larger than an ordinary error of the form, and no effect but
+/// the form has a name. Along, a log that is read in coarse steps and a propulsion that is not recorded do as much.
+bool is_unexplained(const Diagnosis& d) {
+  const auto is_large = [](const ForceBudget& b) { return off_by(b, Follows::nothing) > ordinary_form; };
+  const auto is_form = [](const FoundEffect& e) { return id_of(e.effect) == form_id; };
+  return std::ranges::all_of(d.effects, is_form) && std::any_of(d.budget.begin(), d.budget.end(), [&](const auto& b) {
+           return b.quantity != "surge_force" && is_large(b);
+         });
+}
+
 DiagnosisVerdict verdict_of(const Diagnosis& d, bool on_board) {
-  if (std::ranges::any_of(d.effects, is_nameless) || (!on_board && d.process_noise > ordinary_scale))
+  if (std::ranges::any_of(d.effects, is_nameless) || (on_board ? is_unexplained(d) : d.process_noise > ordinary_scale))
     return DiagnosisVerdict::unexplained;
   return d.effects.empty() ? DiagnosisVerdict::nothing_missing : DiagnosisVerdict::missing_physics;
 }
@@ -511,6 +563,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
               .prior_inflation = s.prior_inflation};
   d.troubles = s.troubles;
   put_effects(d, trial, s, options.detection, runs, holdout);
+  put_untold_surroundings(d, s, runs, options.detection);
   const auto refitted = [&](const Recording& run) { return ship_at(trial, {}, alone.point, &run); };
   const auto improved = [&](const Recording& run) { return ship_at(trial, s.hypothesis(), s.now.point, &run); };
   d.train = errors_of(ship, refitted, improved, runs);

@@ -217,18 +217,30 @@ EstimationProblem problem_of(const Trial& trial, const Ship& ship) {
 
 namespace {
 
-double ordinary_deviations(const Trial& trial, const EffectForm& form, const Effect& effect) {
+/// The number of an ordinary error of usual size that decides, and which of its parameters it is.
+struct UsualNumber {
+  std::size_t index;
+  double departure;  ///< from null
+};
+
+std::optional<UsualNumber> usual_number(const Trial& trial, const EffectForm& form) {
   for (const auto& o : trial.ordinary) {
     if (o.id == form_id || !stands_for(form, o) || form.id != o.id) continue;
-    const auto is = parameters_of(trial.ship, effect);
     std::vector<double> c(o.coordinates.size(), 0.0);
     c.front() = 1.0;
     const auto usual = parameters_of(trial.ship, o.at(c));
-    for (std::size_t i = 0; i < is.size(); ++i)
-      if (is[i].decides && usual[i].value != usual[i].null && std::isfinite(usual[i].value))
-        return std::abs((is[i].value - is[i].null) / (usual[i].value - usual[i].null));
+    for (std::size_t i = 0; i < usual.size(); ++i)
+      if (usual[i].decides && usual[i].value != usual[i].null && std::isfinite(usual[i].value))
+        return UsualNumber{i, usual[i].value - usual[i].null};
   }
-  return HUGE_VAL;
+  return std::nullopt;
+}
+
+double ordinary_deviations(const Trial& trial, const EffectForm& form, const Effect& effect) {
+  const auto usual = usual_number(trial, form);
+  if (!usual) return HUGE_VAL;
+  const auto is = parameters_of(trial.ship, effect)[usual->index];
+  return std::abs((is.value - is.null) / usual->departure);
 }
 
 /// Calls use(form, first coordinate) for everything ordinary that no effect stands for.
@@ -278,6 +290,11 @@ Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& poin
 Ship model_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point) {
   return ship_with(trial, hypothesis, point, nullptr,
                    [](const Effect& e, bool ordinary) { return !ordinary || is_of_the_ship(id_of(e)); });
+}
+
+double ordinary_size(const Trial& trial, const EffectForm& form) {
+  const auto usual = usual_number(trial, form);
+  return usual ? std::abs(usual->departure) : 0.0;
 }
 
 double ordinary_deviations(const Trial& trial, const EffectForm& form, std::span<const double> coordinates) {

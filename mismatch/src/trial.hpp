@@ -107,6 +107,10 @@ Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& po
 /// The same without what is ordinary of a day or an instrument: what a ship file is to hold.
 Ship model_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point);
 
+/// How large the ordinary error is in the place of which an effect stands, in its first parameter that decides; 0 where
+/// it stands in the place of none. What was found holds both, and nothing tells them apart.
+double ordinary_size(const Trial& trial, const EffectForm& form);
+
 /// How many ordinary deviations an effect is from null that stands in the place of something ordinary, in the part of
 /// the runs where it is largest; infinity for others.
 double ordinary_deviations(const Trial& trial, const EffectForm& form, std::span<const double> coordinates);
