@@ -4,7 +4,8 @@
     diagnosis.py prepare IN.csv OUT.csv [--every N] [--drop COLUMNS] [--rename OLD:NEW,...] [--from S] [--to S] [--key "KEY = VALUE"]
     diagnosis.py wind IN.csv [--from S] [--to S]            mean of the measured wind: speed and direction of the mean force, JSON
     diagnosis.py found LABEL=FILE.json...                   verdict and effects, one row each
-    diagnosis.py winds LABEL=FILE.json...                   wind found beside FILE.wind.json, the measured one, and the best of FILE.from_*.json
+    diagnosis.py surroundings FILE.json...                  wind found in each part of the runs beside RUN.wind.json, the measured one
+    diagnosis.py budget LABEL=FILE.json...                  the missing force by what it follows
     diagnosis.py track RUN.csv...                           way made good by position over way by the speed columns, run by run and altogether
     diagnosis.py candidates FILE.json [MOST]                the ranking
     diagnosis.py numbers BEFORE.toml AFTER.toml KEY...      values of a ship file and of the one refitted
@@ -12,7 +13,6 @@
     diagnosis.py errors FILE.json                           replays before, refitted and after, used and held-out runs"""
 import argparse
 import csv
-import glob
 import json
 import math
 import sys
@@ -142,40 +142,43 @@ def found(files):
             print(f"{first}| `{e['effect']}` | {e['probability']:.2f} | {effect_words(e, 4)} | {', '.join(e['indistinguishable_from']) or '–'} |")
 
 
-def best_direction(path):
-    """Direction of the wind [rad] with which the replays of `compare` come nearest: least mean of the logarithms of the window errors."""
-    def score(file):
-        errors = [q["window_rms"] for q in load(file)["all_runs"]["quantities"]]
-        return sum(math.log(e) for e in errors) / len(errors)
-
-    files = glob.glob(path.removesuffix(".json") + ".from_*.json")
-    return math.radians(float(min(files, key=score).rsplit("_", 1)[1].removesuffix(".json"))) if files else None
+def pooled_wind(runs):
+    """Measured: mean of V² in both directions over runs, as speed and direction."""
+    winds = [load(run.rsplit(".", 1)[0] + ".wind.json") for run in runs]
+    north = sum(w["wind_speed_m_s"] ** 2 * math.cos(w["wind_from_rad"]) for w in winds) / len(winds)
+    east = sum(w["wind_speed_m_s"] ** 2 * math.sin(w["wind_from_rad"]) for w in winds) / len(winds)
+    return math.sqrt(math.hypot(north, east)), math.atan2(east, north) % (2 * math.pi)
 
 
-def turned(a, b):
-    """Smallest turn from b to a [deg]."""
-    return (math.degrees(a - b) + 180) % 360 - 180
+def surroundings(files):
+    print("| runs | measured | found | speed error | direction error |\n| --- | --- | --- | ---: | ---: |")
+    for path in files:
+        d = load(path)
+        entries = [{"scope": "mean of the runs", "runs": [r["run"] for r in d["fit"]["train"]], **e["parameters"]} for e in d["effects"] if e["effect"] == "steady_wind"]
+        for part in entries + d["surroundings"]:
+            speed, direction = pooled_wind(part["runs"])
+            measured = f"{speed:.2f} m/s from {math.degrees(direction):.0f}°"
+            label = part["scope"].replace("_", " ").removesuffix(".csv")
+            V, a = part.get("wind_speed_m_s"), part.get("wind_from_rad")
+            if not V or a["value"] is None:
+                print(f"| {label} | {measured} | cannot tell: {part.get('cannot_tell', '')} | – | – |")
+                continue
+            off = math.degrees((a["value"] - direction + math.pi) % (2 * math.pi) - math.pi)
+            found = f"{V['value']:.2f} ± {V['standard_error']:.2f} m/s from {math.degrees(a['value']):.0f} ± {math.degrees(a['standard_error']):.0f}°"
+            print(f"| {label} | {measured} | {found} | {100 * (V['value'] / speed - 1):+.0f} % | {off:+.0f}° |")
 
 
-def winds(files):
-    print("| run | measured | found | speed error | direction error | gain of `steady_wind`; first candidate | replays nearest with wind from |\n| --- | --- | --- | ---: | ---: | --- | --- |")
+FOLLOWS = ["form", "form_asymmetric", "earth_fixed", "delayed", "instruments", "unexplained"]
+
+
+def budget(files):
+    print("| runs | force | " + " | ".join(FOLLOWS) + " | size |\n| --- | --- |" + " ---: |" * (len(FOLLOWS) + 1))
     for pair in files:
         label, path = pair.split("=", 1)
-        d, truth = load(path), load(path.removesuffix(".json") + ".wind.json")
-        cells = [f"{truth['wind_speed_m_s']:.2f} m/s from {math.degrees(truth['wind_from_rad']):.0f}°, gusts ± {truth['spread_m_s']:.1f}"]
-        effect = next((e for e in d["effects"] if e["effect"] in ("steady_wind", "gust")), None)
-        if effect:
-            speed, direction = effect["parameters"]["wind_speed_m_s"], effect["parameters"]["wind_from_rad"]
-            cells += [f"{speed['value']:.2f} ± {speed['standard_error']:.2f} m/s from {math.degrees(direction['value']):.0f} ± {math.degrees(direction['standard_error']):.0f}°",
-                      f"{100 * (speed['value'] / truth['wind_speed_m_s'] - 1):+.0f} %", f"{turned(direction['value'], truth['wind_from_rad']):+.0f}°"]
-        else:
-            cells += ["not reported", "–", "–"]
-        gain = next((c["log_evidence_gain"] for c in d["candidates"] if c["effect"] == "steady_wind"), None)
-        first = d["candidates"][0] if d["candidates"] else None
-        cells.append((f"{gain:.0f}" if gain is not None else "not among them") + (f", `{first['effect']}` {first['log_evidence_gain']:.0f}" if first else ""))
-        best = best_direction(path)
-        cells.append(f"{math.degrees(best):.0f}°, {turned(best, truth['wind_from_rad']):+.0f}°" if best is not None else "–")
-        print(f"| {label} | " + " | ".join(cells) + " |")
+        for force, shares in load(path)["budget"].items():
+            cells = [f"{100 * shares[f]:.0f} ± {100 * shares['standard_error'][f]:.0f} %" for f in FOLLOWS]
+            print(f"| {label} | {force.replace('_', ' ')} | " + " | ".join(cells) + f" | {shares['size']:.2g} |")
+            label = ""
 
 
 def numbers(before, after, keys):
@@ -236,7 +239,7 @@ def main():
             sub.add_argument("--key", action="append", default=[])
         sub.add_argument("--from", dest="begin", type=float)
         sub.add_argument("--to", dest="end", type=float)
-    for name in ("found", "winds", "track", "zeros"):
+    for name in ("found", "surroundings", "budget", "track", "zeros"):
         commands.add_parser(name).add_argument("files", nargs="+")
     sub = commands.add_parser("numbers")
     sub.add_argument("before")
@@ -247,7 +250,7 @@ def main():
     sub.add_argument("most", nargs="?", type=int, default=6)
     commands.add_parser("errors").add_argument("file")
     a = parser.parse_args()
-    {"prepare": prepare, "wind": wind, "found": lambda x: found(x.files), "winds": lambda x: winds(x.files), "track": lambda x: track(x.files), "zeros": lambda x: zeros(x.files),
+    {"prepare": prepare, "wind": wind, "found": lambda x: found(x.files), "surroundings": lambda x: surroundings(x.files), "budget": lambda x: budget(x.files), "track": lambda x: track(x.files), "zeros": lambda x: zeros(x.files),
      "numbers": lambda x: numbers(x.before, x.after, x.keys), "candidates": lambda x: candidates(x.file, x.most),
      "errors": lambda x: errors(x.file)}[a.command](a)
 

@@ -26,24 +26,18 @@ zigzag_31-Jul-2020_13_29_19 13 130
 zigzag_31-Jul-2020_13_50_28 18 164
 zigzag_31-Jul-2020_13_57_45 7 112
 zigzag_31-Jul-2020_14_10_05 13 151"
-found=()
 while read -r run begin end; do
-  helper prepare "$recordings/$run.csv" "$run.csv" --every 5 --from "$begin" --to "$end" --drop wind_speed_m_s,wind_from_rad
+  helper prepare "$recordings/$run.csv" "$run.csv" --from "$begin" --to "$end" --drop wind_speed_m_s,wind_from_rad
   helper wind "$recordings/$run.csv" --from "$begin" --to "$end" > "$run.wind.json"
-  "$program" diagnose "$ship" "$run.csv" --json > "$run.json"
-  # second route, without diagnosis: the wind of measured speed from 24 directions, replays compared
-  speed=$(python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["wind_speed_m_s"])' "$run.wind.json")
-  for ((from = 0; from < 360; from += 15)); do
-    { cat "$ship"; printf '\n[[effect]]\nkind = "steady_wind"\nwind_speed_m_s = %s\nwind_from_rad = %s\n' "$speed" "$(python3 -c "import math; print(math.radians($from))")"; } > windy.toml
-    "$program" compare windy.toml "$run.csv" --json > "$run.from_$from.json" 2> /dev/null
-  done
-  found+=("${run//_/ }=$run.json")
 done <<< "$runs"
 
-"$program" diagnose "$ship" zigzag_*.csv --json > zigzags.json
 "$program" diagnose "$ship" turn_*.csv --json > turns.json
-found_together=("seven zigzags of 31 July=zigzags.json" "seven turns of 14 September=turns.json")
-helper found "${found_together[@]}" > tables/together.md
-helper found "${found[@]}" > tables/found.md
-helper winds "${found[@]}" > tables/winds.md
+"$program" diagnose "$ship" zigzag_*.csv --json > zigzags.json
+# every other turn is held out
+"$program" diagnose "$ship" turn_14-Sep-2020_1{3_39,4_16,5_47}_*.csv turn_cut_*.csv --holdout turn_14-Sep-2020_1{3_51,4_50,5_58}_*.csv --json > held_out.json
+helper surroundings turns.json zigzags.json > tables/winds.md
+helper budget "turns=turns.json" "zigzags=zigzags.json" > tables/budget.md
+helper found "seven turns of 14 September=turns.json" "seven zigzags of 31 July=zigzags.json" "four of the turns=held_out.json" > tables/found.md
+helper candidates turns.json 8 > tables/candidates.md
+helper errors held_out.json > tables/errors.md
 "$here/../papers/put_tables.sh" "$here/esso_osaka_diagnosis.md" "$work/tables"

@@ -86,6 +86,51 @@ TEST_CASE("few samples have the noise that is said, and their number does not ha
   CHECK(static_cast<double>(std::ranges::max(numbers)) < 1.15 * static_cast<double>(std::ranges::min(numbers)));
 }
 
+TEST_CASE("a channel with values in every other row keeps as many as one with values in all, and none in a gap",
+          "[identification][limit]") {
+  const Curve curve;
+  std::mt19937_64 engine(9);
+  std::normal_distribution<double> normal;
+  auto run = curve.recorded(2.0, 900.0, [&](Channel, double) { return 0.3 * normal(engine); });
+  const auto full = there(lean_runs(curve.ship, std::span(&run, 1), seen).front(), Channel::x, Curve::position);
+  constexpr double gap_from = 300.0, gap_to = 360.0;
+  const auto x = run.fill(Channel::x);
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (k % 2 == 1 || (run.time[k] > gap_from && run.time[k] < gap_to)) x[k] = missing;
+  const auto lean = lean_runs(curve.ship, std::span(&run, 1), seen).front();
+  const auto half = there(lean, Channel::x, Curve::position);
+  CHECK(static_cast<double>(half.size()) > 0.85 * static_cast<double>(full.size()));
+  CHECK(rms(half) < 1.3 * lean.deviation[index_of(Channel::x)]);
+  for (std::size_t k = 0; k < lean.run->samples(); ++k)
+    if (const double t = lean.run->time[k]; t > gap_from + 1.5 && t < gap_to - 1.5)
+      CHECK(std::isnan((*lean.run)[Channel::x][k]));
+}
+
+TEST_CASE("thinned runs leave slow recordings as they are, and of fast ones keep what they tell",
+          "[identification][limit]") {
+  const Curve curve;
+  for (const double rate : {0.5, 10.0}) {
+    INFO(rate << " samples a second");
+    std::mt19937_64 engine(2);
+    std::normal_distribution<double> normal;
+    const std::vector runs{curve.recorded(
+        rate, 900.0, [&](Channel c, double) { return (c == Channel::x ? 0.5 : 1e-4) * normal(engine); })};
+    const auto whole = prepared_runs(curve.ship, runs, seen).front(),
+               thin = thinned_runs(curve.ship, runs, seen).front();
+    const double rows = static_cast<double>(thin.run->samples()) * curve.unit / 900.0;
+    if (rate * curve.unit < 48.0) CHECK(thin.run->samples() == whole.run->samples());
+    else CHECK((rows > 20.0 && rows < 30.0));
+    const auto errors = there(thin, Channel::x, Curve::position);
+    CHECK(std::abs(rms(errors) / thin.deviation[index_of(Channel::x)] - 1.0) < 0.25);
+    // as much is told: the variance of the mean stays
+    const auto told = [](const PreparedRun& run, std::size_t samples) {
+      return static_cast<double>(samples) / std::pow(run.deviation[index_of(Channel::x)], 2);
+    };
+    const auto all = there(whole, Channel::x, Curve::position);
+    CHECK(std::abs(told(thin, errors.size()) / told(whole, all.size()) - 1.0) < 0.6);
+  }
+}
+
 TEST_CASE("waves that move a ship leave samples most of a period apart, whose noise is theirs",
           "[identification][limit]") {
   const Curve curve;
