@@ -395,6 +395,48 @@ function rankingSection(report) {
       `${withHeldOut ? 'Held out: the same for the likelihood of the held-out runs, without any refit, where it was asked. ' : ''}Probability: among these effects, each alone, and none of them.${beside}`));
 }
 
+// ---- what the missing force follows --------------------------------------------------------
+
+const FOLLOWS = [
+  ['form', 'motion, both sides alike'], ['form_asymmetric', 'motion, sides not alike'], ['earth_fixed', 'earth: wind, stream, waves'],
+  ['delayed', 'past'], ['instruments', 'instruments'], ['unexplained', 'nothing known'],
+];
+
+function budgetRow(axis, shares) {
+  const errors = shares.standard_error || {};
+  return row(el('th', { scope: 'row' }, axis.name),
+    ...FOLLOWS.map(([id]) => el('td', {}, `${percent(shares[id])} ± ${percent(errors[id])}`)), el('td', {}, digits(shares.size)));
+}
+
+function budgetSection({ budget }) {
+  const rows = AXES.filter(({ id }) => budget && budget[id] && isNumber(budget[id].size)).map((axis) => budgetRow(axis, budget[axis.id]));
+  if (rows.length === 0) return null;
+  return el('section', { class: 'part', id: 'budget' }, el('h2', {}, 'What the missing force follows'),
+    el('p', {}, 'The force that the model as given lacks, in shares of its mean square; size: its mean square over that of the force on the hull.'),
+    el('div', { class: 'scroll' }, el('table', { class: 'stages' },
+      el('thead', {}, row(el('th', { scope: 'col' }), ...FOLLOWS.map(([, words]) => el('th', { scope: 'col' }, words)), el('th', { scope: 'col' }, 'size'))),
+      el('tbody', {}, ...rows))));
+}
+
+// ---- wind and stream by run --------------------------------------------------------------
+
+function surroundingsText(part) {
+  const numbers = Object.entries(part).filter(([, v]) => v && isNumber(v.value))
+    .map(([key, v]) => {
+      const { stem, unit, scale } = measured(key);
+      const decimals = decimalsOf(v.standard_error * scale);
+      return `${stem.replaceAll('_', ' ')} ${fixed(v.value * scale, decimals)} ± ${fixed(v.standard_error * scale, decimals)} ${unit}`;
+    });
+  return [numbers.join(', '), part.cannot_tell].filter(Boolean).join('; ');
+}
+
+function surroundingsSection({ surroundings }) {
+  if (!surroundings || surroundings.length === 0) return null;
+  return el('section', { class: 'part', id: 'surroundings' }, el('h2', {}, 'Surroundings'),
+    el('table', { class: 'parameters' }, el('tbody', {}, ...surroundings.map((part) => row(
+      el('th', { scope: 'row' }, part.scope.replace(/\.csv$/, '')), el('td', {}, surroundingsText(part)))))));
+}
+
 // ---- proof by replay ---------------------------------------------------------------------
 
 const STAGES = [{ id: 'before', name: 'given' }, { id: 'refitted', name: 'refitted' }, { id: 'after', name: 'with effects' }];
@@ -616,7 +658,7 @@ function showDiagnosis(report) {
   EFFECTS = report.effect_names || {};
   document.title = `${report.ship || 'Ship'}: what the model leaves out`;
   nameAfter(report.verdict);
-  const sections = [forceSection, planeSection, rankingSection, proofSection, nextSection].map((make) => make(report)).filter(Boolean);
+  const sections = [budgetSection, surroundingsSection, forceSection, planeSection, rankingSection, proofSection, nextSection].map((make) => make(report)).filter(Boolean);
   document.getElementById('report').append(header(report), jumpList(sections), ...sections, footer(report));
   renderWhenSeen();
 }

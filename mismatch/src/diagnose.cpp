@@ -387,7 +387,9 @@ bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted
   constexpr double a_few_per_cent = 0.03;  // of the variation of a quantity
   const auto& effect = s.accepted[accepted].effect;
   const auto kind = follows(effect);
-  const bool could_be_form = kind == Follows::form || (kind == Follows::side && place_of(effect) == EffectPlace::force);
+  // a force that follows the motion a little late is nearly a form
+  const bool could_be_form =
+      place_of(effect) == EffectPlace::force && kind != Follows::earth && kind != Follows::nothing;
   if (!s.on_board || !could_be_form) return true;
   const auto all = s.hypothesis();
   auto without = all;

@@ -874,7 +874,10 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
   s = named(std::move(s), exact.unused, forms, options, go_on);
   if (working && inexact && s.named_scale > ordinary_scale) {
     auto other = beside_form();
-    if (other.now.log_evidence > evidence_from(s, inexact->trials.used.runs)) return other;
+    auto mapped = s;  // its effects are those of s, which stays
+    map_unknown(exact.unused, mapped, options.further);
+    const auto& runs = inexact->trials.used.runs;
+    if (other.now.log_evidence > std::max(evidence_from(s, runs), evidence_from(mapped, runs))) return other;
   }
   if (working && s.named_scale > ordinary_scale && go_on("once more, surge, sway and yaw apart")) {
     auto other = named_apart(exact, forms, options, go_on);
