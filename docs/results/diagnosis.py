@@ -6,6 +6,7 @@
     diagnosis.py found LABEL=FILE.json...                   verdict and effects, one row each
     diagnosis.py surroundings FILE.json...                  wind found in each part of the runs beside RUN.wind.json, the measured one
     diagnosis.py budget LABEL=FILE.json...                  the missing force by what it follows
+    diagnosis.py instruments LABEL=FILE.json...             errors of instruments that were told from none
     diagnosis.py track RUN.csv...                           way made good by position over way by the speed columns, run by run and altogether
     diagnosis.py candidates FILE.json [MOST]                the ranking
     diagnosis.py numbers BEFORE.toml AFTER.toml KEY...      values of a ship file and of the one refitted
@@ -168,6 +169,16 @@ def surroundings(files):
             print(f"| {label} | {measured} | {found} | {100 * (V['value'] / speed - 1):+.0f} % | {off:+.0f}° |")
 
 
+def instruments(files):
+    print("| runs | channel | error | found |\n| --- | --- | --- | --- |")
+    for pair in files:
+        label, path = pair.split("=", 1)
+        for i in load(path)["instruments"]:
+            factor, unit = (180 / math.pi, i["unit"].replace("rad", "deg")) if "rad" in i["unit"] else (1, i["unit"])
+            print(f"| {label} | {i['channel']} | {i['error']} | {factor * i['value']:.3g} ± {factor * i['standard_error']:.2g} {unit} |")
+            label = ""
+
+
 FOLLOWS = ["form", "form_asymmetric", "earth_fixed", "delayed", "instruments", "unexplained"]
 
 
@@ -239,7 +250,7 @@ def main():
             sub.add_argument("--key", action="append", default=[])
         sub.add_argument("--from", dest="begin", type=float)
         sub.add_argument("--to", dest="end", type=float)
-    for name in ("found", "surroundings", "budget", "track", "zeros"):
+    for name in ("found", "instruments", "surroundings", "budget", "track", "zeros"):
         commands.add_parser(name).add_argument("files", nargs="+")
     sub = commands.add_parser("numbers")
     sub.add_argument("before")
@@ -250,7 +261,7 @@ def main():
     sub.add_argument("most", nargs="?", type=int, default=6)
     commands.add_parser("errors").add_argument("file")
     a = parser.parse_args()
-    {"prepare": prepare, "wind": wind, "found": lambda x: found(x.files), "surroundings": lambda x: surroundings(x.files), "budget": lambda x: budget(x.files), "track": lambda x: track(x.files), "zeros": lambda x: zeros(x.files),
+    {"prepare": prepare, "wind": wind, "found": lambda x: found(x.files), "surroundings": lambda x: surroundings(x.files), "budget": lambda x: budget(x.files), "instruments": lambda x: instruments(x.files), "track": lambda x: track(x.files), "zeros": lambda x: zeros(x.files),
      "numbers": lambda x: numbers(x.before, x.after, x.keys), "candidates": lambda x: candidates(x.file, x.most),
      "errors": lambda x: errors(x.file)}[a.command](a)
 

@@ -29,5 +29,6 @@ helper errors hull.json > tables/hull_errors.md
 helper numbers open_wake.toml wake.toml wake_C1 wake_C2_positive wake_C2_negative > tables/wake.md
 helper errors wake.json > tables/wake_errors.md
 helper found "both, four HSVA runs as reference=gyro.json" "10/10 alone=marin_zz10_10_port.json" "20/20 alone=marin_zz20_20_stbd.json" > tables/gyro.md
+helper instruments "both, four HSVA runs as reference=gyro.json" "10/10 alone=marin_zz10_10_port.json" "20/20 alone=marin_zz20_20_stbd.json" > tables/instruments.md
 helper zeros marin_zz10_10_port.csv marin_zz20_20_stbd.csv > tables/zeros.md
 "$here/../papers/put_tables.sh" "$here/kvlcc2_diagnosis.md" "$work/tables"
