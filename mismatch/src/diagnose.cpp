@@ -98,6 +98,14 @@ double course_range(std::span<const Recording> runs, const std::vector<std::stri
   return widest;
 }
 
+/// "their courses lie within 78 deg; a turn through 360 deg, or …"
+std::string what_would_tell(std::span<const Recording> runs, const std::vector<std::string>& names) {
+  return fmt::format(
+      "the courses of these runs lie within {:.0f} deg; a turn through 360 deg, or the same manoeuvre on the opposite "
+      "course, tells it",
+      degrees(std::min(2.0 * pi, course_range(runs, names))));
+}
+
 /// Takes a direction out that the runs do not tell, and says why.
 void take_out_untold(SurroundingsEstimate& there, std::span<const Parameter> all, std::span<const Recording> runs) {
   const auto untold = std::ranges::find_if(there.parameters, [&](const ParameterEstimate& p) {
@@ -105,10 +113,7 @@ void take_out_untold(SurroundingsEstimate& there, std::span<const Parameter> all
   });
   if (untold == there.parameters.end()) return;
   untold->value = missing;
-  there.cannot_tell = fmt::format(
-      "the direction cannot be told: the courses of these runs lie within {:.0f} deg; a turn through 360 deg, or the "
-      "same manoeuvre on the opposite course, tells it",
-      degrees(std::min(2.0 * pi, course_range(runs, there.runs))));
+  there.cannot_tell = "the direction cannot be told: " + what_would_tell(runs, there.runs);
 }
 
 /// Wind or stream as it is in each part of the runs.
@@ -136,11 +141,9 @@ void put_untold_surroundings(Diagnosis& d, const Search& s, std::span<const Reco
       continue;
     SurroundingsEstimate all{.scope = "all", .runs = {}, .parameters = {}};
     for (const auto& run : runs) all.runs.push_back(run.name);
-    all.cannot_tell = fmt::format(
-        "{} cannot be told: it explains the runs better by {:.2g} in log evidence, {:.2g} are needed; their courses "
-        "lie "
-        "within {:.0f} deg, a turn through 360 deg or the same manoeuvre on the opposite course would tell it",
-        text_of(tried.effect).phrase, tried.gain, needed, degrees(std::min(2.0 * pi, course_range(runs, all.runs))));
+    all.cannot_tell =
+        fmt::format("{} cannot be told: it explains the runs better by {:.2g} in log evidence, {:.2g} are needed; {}",
+                    text_of(tried.effect).phrase, tried.gain, needed, what_would_tell(runs, all.runs));
     d.surroundings.push_back(std::move(all));
     return;
   }
@@ -153,15 +156,19 @@ std::vector<QuantityError> errors_of(const Ship& ship, const Recording& run) try
   return {};
 }
 
-/// A ship as she is in a run.
-using ShipInRun = std::function<Ship(const Recording& run)>;
-
 std::vector<RunErrors> errors_of(const Ship& before, const ShipInRun& refitted, const ShipInRun& after,
                                  std::span<const Recording> runs) {
   std::vector<RunErrors> result;
   for (const auto& run : runs)
     result.push_back({run.name, errors_of(before, run), errors_of(refitted(run), run), errors_of(after(run), run)});
   return result;
+}
+
+/// The same errors with another ship at last.
+std::vector<RunErrors> with_after(std::vector<RunErrors> errors, const ShipInRun& after,
+                                  std::span<const Recording> runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i) errors[i].after = errors_of(after(runs[i]), runs[i]);
+  return errors;
 }
 
 /// Mean relative fall of the errors of heading, yaw rate, speed and position over the refitted baseline.
@@ -358,10 +365,8 @@ void put_holdout_gains(Diagnosis& d, const Trial& trial, const Search& s, std::s
   in_parallel(d.candidates.size(), 0, [&](std::size_t i) {
     const auto tried =
         std::ranges::find_if(s.first, [&](const FittedCandidate& t) { return t.form->id == d.candidates[i].effect; });
-    auto errors = baseline;
-    for (std::size_t k = 0; k < errors.size(); ++k)
-      errors[k].after = errors_of(ship_at(trial, {tried->form}, tried->fit.point, &holdout[k]), holdout[k]);
-    const double gain = gain_of(errors);
+    const auto with_it = [&](const Recording& run) { return ship_at(trial, {tried->form}, tried->fit.point, &run); };
+    const double gain = gain_of(with_after(baseline, with_it, holdout));
     if (std::isfinite(gain)) d.candidates[i].holdout_gain = gain;
   });
 }
@@ -382,8 +387,9 @@ FoundEffect found_effect(const Trial& trial, const Accepted& accepted, const Map
 
 /// Whether an effect that follows the motion is more than a form that is wrong by a few per cent: without it, all else
 /// fitted once more, replays of all runs err by more, or she cannot sail them at all.
-bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, std::span<const Recording> runs,
-                       std::span<const Recording> holdout) try {
+/// @param first  coordinate of the effect
+bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, Eigen::Index first,
+                       std::span<const Recording> runs, std::span<const Recording> holdout) try {
   constexpr double a_few_per_cent = 0.03;  // of the variation of a quantity
   const auto& effect = s.accepted[accepted].effect;
   const auto kind = follows(effect);
@@ -394,8 +400,6 @@ bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted
   const auto all = s.hypothesis();
   auto without = all;
   without.erase(without.begin() + static_cast<std::ptrdiff_t>(accepted));
-  Eigen::Index first = trial.baseline_size();
-  for (std::size_t i = 0; i < accepted; ++i) first += std::ssize(all[i]->coordinates);
   const auto size = std::ssize(all[accepted]->coordinates), rest = s.now.point.size() - first - size;
   Point start(s.now.point.size() - size);
   start << s.now.point.head(first), s.now.point.tail(rest);
@@ -456,9 +460,7 @@ void put_form(Diagnosis& d, const Trial& trial, const Search& s, const MapFit& a
   const double gain = s.null.log_evidence - alone.log_evidence;
   if (!(gain > needed)) return;
   const auto with_form = [&](const Recording& run) { return ship_at(trial, {}, s.null.point, &run); };
-  const auto without = [&](const Recording& run) { return ship_at(trial, {}, alone.point, &run); };
-  const auto fall = discrepancy_of(errors_of(trial.ship, without, with_form, runs),
-                                   errors_of(trial.ship, without, with_form, holdout));
+  const auto fall = discrepancy_of(with_after(d.train, with_form, runs), with_after(d.holdout, with_form, holdout));
   if (!fall || !(fall->refitted - fall->after > worth_of_form)) return;
   auto from = std::ssize(trial.parameters);
   for (auto before = trial.ordinary.begin(); before != form; ++before) from += std::ssize(before->coordinates);
@@ -487,10 +489,10 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
     }
     if (const auto place = place_of(found.effect); place == EffectPlace::air || place == EffectPlace::water)
       std::ranges::move(surroundings_of(trial, accepted, s.now, from, runs), std::back_inserter(d.surroundings));
-    from += static_cast<Eigen::Index>(accepted.form->coordinates.size());
-    if (accepted.trace || !is_more_than_form(trial, s, i, runs, holdout))
+    if (accepted.trace || !is_more_than_form(trial, s, i, from, runs, holdout))
       d.traces.emplace_back(phrase(accepted.form->id));
     else d.effects.push_back(std::move(found));
+    from += std::ssize(accepted.form->coordinates);
   }
 }
 
@@ -615,10 +617,8 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
     attempt(d, "pictures of the runs", [&] {
       Noise noise = s.null.noise;
       if (s.on_board) noise = {}, noise.scale = s.null.noise.largest_scale();
-      for (const auto& run : runs)
-        d.train_pictures.push_back(run_picture(ship, refitted(run), improved(run), run, noise));
-      for (const auto& run : holdout)
-        d.holdout_pictures.push_back(run_picture(ship, refitted(run), improved(run), run, noise));
+      d.train_pictures = run_pictures(ship, refitted, improved, runs, noise);
+      d.holdout_pictures = run_pictures(ship, refitted, improved, holdout, noise);
     });
   d.words = words_of(d);
   return d;

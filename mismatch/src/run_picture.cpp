@@ -145,11 +145,12 @@ RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& afte
           .after = replayed(after)};
 }
 
-std::vector<RunPicture> run_pictures(const Ship& given, const Ship& refitted, const Ship& after,
+std::vector<RunPicture> run_pictures(const Ship& given, const ShipInRun& refitted, const ShipInRun& after,
                                      std::span<const Recording> runs, const Noise& noise) {
   std::vector<RunPicture> pictures(runs.size());
-  in_parallel(runs.size(), 0,
-              [&](std::size_t i) { pictures[i] = run_picture(given, refitted, after, runs[i], noise); });
+  in_parallel(runs.size(), 0, [&](std::size_t i) {
+    pictures[i] = run_picture(given, refitted(runs[i]), after(runs[i]), runs[i], noise);
+  });
   return pictures;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -54,7 +55,10 @@ struct RunPicture {
 RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& after, const Recording& run,
                        const Noise& noise);
 
-std::vector<RunPicture> run_pictures(const Ship& given, const Ship& refitted, const Ship& after,
+/// A ship as she was in a run: wind, stream and instruments may differ from run to run.
+using ShipInRun = std::function<Ship(const Recording& run)>;
+
+std::vector<RunPicture> run_pictures(const Ship& given, const ShipInRun& refitted, const ShipInRun& after,
                                      std::span<const Recording> runs, const Noise& noise);
 
 }  // namespace swayaw::mismatch
