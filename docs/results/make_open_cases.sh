@@ -17,5 +17,5 @@ else
   "$score" "$program" "$cases" --json "$work/scores.json" > /dev/null
   "$score" "$program" "$work/wrong" --json "$work/wrong.json" > /dev/null
 fi
-python3 "$here/open_cases.py" "$work/scores.json" "$work/wrong.json" "$work/tables"
+python3 "$here/labelled_cases.py" "$work/tables" "$work/scores.json" "$work/wrong.json"
 "$here/../papers/put_tables.sh" "$here/open_cases.md" "$work/tables"

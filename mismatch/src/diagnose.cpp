@@ -40,6 +40,7 @@ void calibrate(Trial& trial, const Ship& ship, std::span<const Recording> refere
   if (found.point.size() == 0) return;
   const auto of_the_ship = ship_size(trial);
   trial.mean.head(of_the_ship) = found.point.head(of_the_ship);
+  trial.calibrated = true, trial.reference_heel = heel_of(calm.runs);
   // a little wider: no two days are alike
   trial.precision.topLeftCorner(of_the_ship, of_the_ship) =
       core::detail::inverse(2.0 * found.covariance.topLeftCorner(of_the_ship, of_the_ship));
@@ -385,18 +386,46 @@ FoundEffect found_effect(const Trial& trial, const Accepted& accepted, const Map
   return found;
 }
 
+/// How large a force that follows nothing may be over the force on the hull, root mean square: so far the form of
+/// simulated ships of another structure, to which files were fitted, was off.
+constexpr double ordinary_form = 0.2;
+
+/// Force that follows one thing over the force on the hull, root mean square.
+double off_by(const ForceBudget& b, Follows follows) {
+  return std::sqrt(std::max(0.0, b.share[static_cast<std::size_t>(follows)] * b.size));
+}
+
+/// A form alone, without a name, that makes up more than this of the force on the hull, root mean square, explains
+/// nothing: 0.27 for the KVLCC2 in her published form, 0.55 and 0.66 where a state that nobody knows was hidden.
+constexpr double largest_form = 0.4;
+
+/// Across or about the vertical; along, a log that is read in coarse steps and a propulsion that is not recorded do as
+/// much.
+bool is_across(const ForceBudget& b) { return b.quantity != "surge_force"; }
+
+/// Whether the form is larger than any.
+bool has_large_form(std::span<const ForceBudget> budget) {
+  return std::ranges::any_of(
+      budget, [](const ForceBudget& b) { return is_across(b) && off_by(b, Follows::form) > largest_form; });
+}
+
+/// Whether a force might as well be a form of her forces that is a little wrong: it follows the motion at once or a
+/// little late, and not a heel that was recorded.
+bool could_be_form(const EffectForm& form, const Effect& effect, std::span<const Recording> runs) {
+  const auto kind = follows(effect);
+  if (place_of(effect) != EffectPlace::force || !(kind == Follows::form || kind == Follows::past)) return false;
+  const bool follows_heel = std::ranges::any_of(form.coordinates, &Coordinate::acts);
+  return !follows_heel || std::ranges::none_of(runs, [](const Recording& r) { return r.has(Channel::phi); });
+}
+
 /// Whether an effect that follows the motion is more than a form that is wrong by a few per cent: without it, all else
-/// fitted once more, replays of all runs err by more, or she cannot sail them at all.
+/// fitted once more, replays of all runs err by more, the form is larger than any and with it is not, or she cannot
+/// sail them at all.
 /// @param first  coordinate of the effect
 bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, Eigen::Index first,
                        std::span<const Recording> runs, std::span<const Recording> holdout) try {
   constexpr double a_few_per_cent = 0.03;  // of the variation of a quantity
-  const auto& effect = s.accepted[accepted].effect;
-  const auto kind = follows(effect);
-  // a force that follows the motion a little late is nearly a form
-  const bool could_be_form =
-      place_of(effect) == EffectPlace::force && kind != Follows::earth && kind != Follows::nothing;
-  if (!s.on_board || !could_be_form) return true;
+  if (!s.on_board || !could_be_form(*s.accepted[accepted].form, s.accepted[accepted].effect, runs)) return true;
   const auto all = s.hypothesis();
   auto without = all;
   without.erase(without.begin() + static_cast<std::ptrdiff_t>(accepted));
@@ -405,6 +434,7 @@ bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted
   start << s.now.point.head(first), s.now.point.tail(rest);
   const auto found = fit(trial, without, start, s.now.noise, nullptr, 3);
   if (found.point.size() == 0) return true;
+  if (has_large_form(budget_of(trial, without, found)) && !has_large_form(budget_of(trial, all, s.now))) return true;
   std::map<Quantity, std::pair<double, int>> falls;
   for (const auto& some : {runs, holdout})
     for (const auto& run : some) {
@@ -424,7 +454,7 @@ bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted
 // ---------------------------------------------------------------- the form of her forces
 
 /// The coefficients alone refitted, her forces of the form that the model has.
-MapFit refitted_alone(const Trial& trial, const Search& s) {
+MapFit refitted_alone(const Trial& trial, const Search& s) try {
   if (!s.on_board) return s.null;
   FormSizes none;
   none.fill(1e-3);
@@ -435,21 +465,14 @@ MapFit refitted_alone(const Trial& trial, const Search& s) {
     if (axes[i] >= 0) start[static_cast<Eigen::Index>(i)] = 0.0;
   const auto found = fit(exact_form, {}, start, s.null.noise, nullptr, 3);
   return found.point.size() == 0 ? s.null : found;
+} catch (const std::exception&) {  // the ship cannot sail these runs like that
+  return s.null;
 }
 
 /// Fall of the error of the yaw rate in replays, over its variation, by which a form is off by more than any: of
 /// simulated ships of another structure in which nothing was hidden it was 0 to 0.041, of the KVLCC2 in her published
 /// form 0.09, of the 3 m Esso Osaka 0.06 and 0.08.
 constexpr double worth_of_form = 0.05;
-
-/// How large a force that follows nothing may be over the force on the hull, root mean square: so far the form of
-/// simulated ships of another structure, to which files were fitted, was off.
-constexpr double ordinary_form = 0.2;
-
-/// Force that follows one thing over the force on the hull, root mean square.
-double off_by(const ForceBudget& b, Follows follows) {
-  return std::sqrt(std::max(0.0, b.share[static_cast<std::size_t>(follows)] * b.size));
-}
 
 /// The form of her forces as a finding, where its evidence carries it and replays of all runs, those that were not used
 /// among them, err clearly less with it.
@@ -504,22 +527,15 @@ void attempt(Diagnosis& d, std::string_view what, const Step& step) try {
   d.troubles.push_back(fmt::format("{} could not be told: {}", what, trouble.what()));
 }
 
-/// A form alone, without a name, that makes up more than this of the force on the hull, root mean square, explains
-/// nothing: 0.27 for the KVLCC2 in her published form, 0.55 and 0.66 where a state that nobody knows was hidden.
-constexpr double largest_form = 0.4;
-
 /// Whether force or moment across that follows nothing is larger than an ordinary error of the form, or the form itself
-/// is too large to be one, and no effect but the form has a name. Along, a log that is read in coarse steps and a
-/// propulsion that is not recorded do as much.
+/// is too large to be one, and no effect but the form has a name.
 bool is_unexplained(const Diagnosis& d) {
-  const bool with_form = !d.effects.empty();
-  const auto is_large = [&](const ForceBudget& b) {
-    return off_by(b, Follows::nothing) > ordinary_form || (with_form && off_by(b, Follows::form) > largest_form);
-  };
   const auto is_form = [](const FoundEffect& e) { return id_of(e.effect) == form_id; };
-  return std::ranges::all_of(d.effects, is_form) && std::any_of(d.budget.begin(), d.budget.end(), [&](const auto& b) {
-           return b.quantity != "surge_force" && is_large(b);
-         });
+  const auto is_large = [](const ForceBudget& b) {
+    return is_across(b) && off_by(b, Follows::nothing) > ordinary_form;
+  };
+  return std::ranges::all_of(d.effects, is_form) &&
+         (std::ranges::any_of(d.budget, is_large) || (!d.effects.empty() && has_large_form(d.budget)));
 }
 
 DiagnosisVerdict verdict_of(const Diagnosis& d, bool on_board) {

@@ -200,20 +200,17 @@ EffectForm force_form(const Ship& ship, std::span<const Recording> runs) {
     std::string_view key;
     double usual;
   };
+  constexpr double small = 0.05;  // of a force that differs from side to side: about half a degree of rudder
   const double u = 1.0, v = m.v, r = m.r, d = m.delta;
-  const std::array terms{Term{"X_u", X / m.u},         Term{"X_uu", X / m.u},
-                         Term{"X_vv", X / (v * v)},    Term{"X_vr", X / (v * r)},
-                         Term{"X_rr", X / (r * r)},    Term{"X_dd", X / (d * d)},
-                         Term{"Y_v", Y / (u * v)},     Term{"Y_r", Y / (u * r)},
-                         Term{"Y_vv", Y / (v * v)},    Term{"Y_rr", Y / (r * r)},
-                         Term{"Y_vr", Y / (v * r)},    Term{"Y_rv", Y / (v * r)},
-                         Term{"Y_d", Y / (u * d)},     Term{"Y_d15", Y / (u * 0.2)},
-                         Term{"Y_d28", Y / (u * 0.1)}, Term{"Y_u", Y / u},
-                         Term{"N_v", N / (u * v)},     Term{"N_r", N / (u * r)},
-                         Term{"N_vv", N / (v * v)},    Term{"N_rr", N / (r * r)},
-                         Term{"N_vr", N / (v * r)},    Term{"N_rv", N / (v * r)},
-                         Term{"N_d", N / (u * d)},     Term{"N_d15", N / (u * 0.2)},
-                         Term{"N_d28", N / (u * 0.1)}, Term{"N_u", N / u}};
+  const std::array terms{Term{"X_u", X / m.u},         Term{"X_uu", X / m.u},        Term{"X_vv", X / (v * v)},
+                         Term{"X_vr", X / (v * r)},    Term{"X_rr", X / (r * r)},    Term{"X_dd", X / (d * d)},
+                         Term{"Y_v", Y / (u * v)},     Term{"Y_r", Y / (u * r)},     Term{"Y_vv", Y / (v * v)},
+                         Term{"Y_rr", Y / (r * r)},    Term{"Y_vr", Y / (v * r)},    Term{"Y_rv", Y / (v * r)},
+                         Term{"Y_d", Y / (u * d)},     Term{"Y_d15", Y / (u * 0.2)}, Term{"Y_d28", Y / (u * 0.1)},
+                         Term{"Y_u", small * Y / u},   Term{"N_v", N / (u * v)},     Term{"N_r", N / (u * r)},
+                         Term{"N_vv", N / (v * v)},    Term{"N_rr", N / (r * r)},    Term{"N_vr", N / (v * r)},
+                         Term{"N_rv", N / (v * r)},    Term{"N_d", N / (u * d)},     Term{"N_d15", N / (u * 0.2)},
+                         Term{"N_d28", N / (u * 0.1)}, Term{"N_u", small * N / u}};
   EffectForm form{.id = std::string(form_id), .coordinates = {}, .at = {}, .starts = {}};
   const auto parameters = parameters_of(ship, ModelForm<>{});
   std::vector<std::pair<std::size_t, double>> moves;
@@ -229,6 +226,9 @@ EffectForm force_form(const Ship& ship, std::span<const Recording> runs) {
   return form;
 }
 
+/// How many times its usual size an ordinary error may be; what is larger is a finding, and not taken in silence.
+constexpr double most_ordinary = 3.0;
+
 /// One effect with a parameter of usual size, each coordinate counted in it.
 template <class Kind>
 void add_ordinary(std::vector<EffectForm>& forms, const Ship& ship, Kind null, std::string_view key, double usual) {
@@ -238,7 +238,8 @@ void add_ordinary(std::vector<EffectForm>& forms, const Ship& ship, Kind null, s
   const bool signless = p->range.low >= 0.0 && p->null == 0.0;
   forms.push_back(
       {.id = std::string(Kind::id),
-       .coordinates = {{.name = std::string(key), .step = 0.1, .low = signless ? 0.0 : -20.0, .high = 20.0}},
+       .coordinates =
+           {{.name = std::string(key), .step = 0.1, .low = signless ? 0.0 : -most_ordinary, .high = most_ordinary}},
        .at =
            [null, index = p->index, about = p->null, usual](std::span<const double> c) {
              Kind effect = null;
@@ -277,6 +278,7 @@ std::vector<EffectForm> ordinary_forms(const Ship& ship, std::span<const Recordi
   const auto seen = [&](std::initializer_list<Channel> some) {
     return std::ranges::any_of(some, [&](Channel c) { return std::ranges::count(channels, c) > 0; });
   };
+  constexpr double receiver_delay = 0.4;  // [s], of a receiver of positions, however long the ship
   std::vector<EffectForm> forms{force_form(ship, runs)};
   if (seen({Channel::r})) {
     add_ordinary(forms, ship, GyroBias<>{}, "bias_rad_s", 3e-4);
@@ -286,7 +288,7 @@ std::vector<EffectForm> ordinary_forms(const Ship& ship, std::span<const Recordi
   if (seen({Channel::u, Channel::speed_through_water})) add_ordinary(forms, ship, LogScale<>{}, "scale", 0.01);
   if (seen({Channel::x})) {
     add_ordinary(forms, ship, HeadingBias<>{}, "bias_rad", radians(0.2));
-    add_ordinary(forms, ship, ChannelDelay<>{Channel::x, {}}, "delay_s", 0.03 * L / U);
+    add_ordinary(forms, ship, ChannelDelay<>{Channel::x, {}}, "delay_s", std::max(receiver_delay, 0.03 * L / U));
   }
   if (seen({Channel::psi})) add_ordinary(forms, ship, ChannelDelay<>{Channel::psi, {}}, "delay_s", 0.02 * L / U);
   add_ordinary(forms, ship, RudderOffset<>{}, "offset_rad", radians(0.2));

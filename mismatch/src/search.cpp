@@ -20,7 +20,10 @@ constexpr double as_good = 5.0;           ///< log evidence: a smaller differenc
 constexpr double worth_of_a_term = 5.0;   ///< log evidence by which a further term of an effect must gain
 constexpr double worth_of_a_name = 20.0;  ///< log evidence by which a force without a name must beat an effect that has
                                           ///< one: what a further effect must bring, for it has terms as many
-constexpr double stopped_early = 15.0;    ///< log evidence below that without the effect, of a fit that is begun anew
+constexpr double worth_of_waves =
+    10.0;  ///< log evidence by which waves must beat a wind: they come with one, and a wind
+           ///< often without them; where waves were hidden they gained 58 to 104 more
+constexpr double stopped_early = 15.0;  ///< log evidence below that without the effect, of a fit that is begun anew
 
 /// Candidates below this share of the best gain are not asked for held-out runs; chosen on gains used and held out of
 /// all candidates of 400 concealed cases.
@@ -57,8 +60,6 @@ constexpr std::size_t most_of_one_kind = 2;  ///< forms of one effect that are f
 
 // ---------------------------------------------------------------- all candidates
 
-constexpr FormSizes usual_sizes{1.0, 1.0, 1.0, 1.0};
-
 /// The trial as the search knows it, beside a form of these sizes.
 Trial trial_with(const Search& s, const FormSizes& sizes) {
   return with_form_sizes(with_inflated_prior(s.usual, s.prior_inflation), sizes);
@@ -76,7 +77,7 @@ bool is_unknown(const EffectForm& form) { return form.id == UnknownForce<>::id; 
 struct Screened {
   const EffectForm* form;
   PredictedGain predicted_gain;
-  FormSizes sizes{1.0, 1.0, 1.0, 1.0};  ///< of the form beside it
+  FormSizes sizes = usual_sizes;  ///< of the form beside it
 };
 
 /// A form and where its search begins.
@@ -178,7 +179,7 @@ std::vector<Screened> screened(const Trial& trial, const Hypothesis& accepted, c
 std::vector<Screened> screened_beside_form(const Search& s, const Hypothesis& accepted, const LinearizedFit& linear) {
   auto candidates = screened(s.trial, accepted, linear, s.forms);
   for (auto& c : candidates) c.sizes = s.sizes;
-  if (!s.on_board) return candidates;
+  if (!s.on_board || s.usual.calibrated) return candidates;
   constexpr double smaller = 0.125;
   auto sizes = s.sizes;
   for (double& size : sizes) size *= smaller;
@@ -346,21 +347,31 @@ MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, MapFit now, 
   return likelier(found, fit(trial, hypothesis, with_start(now.point, other), now.noise));
 }
 
+/// Whether she heels no more than in the reference runs, which hold what her heel does to her: other manoeuvres heel
+/// her by up to so many times more, and where a smaller stability was hidden it was 2.5 and 9 times.
+bool heels_as_before(const Trial& trial) {
+  constexpr double other_manoeuvres = 1.5;
+  return heel_of(trial.runs) < other_manoeuvres * trial.reference_heel;
+}
+
 /// Whether an effect acts, which some can be seen without: a heel that is recorded is explained by rolling alone.
-bool acts(const EffectForm& form, const MapFit& found) {
+bool acts(const Trial& trial, const EffectForm& form, const MapFit& found) {
   if (std::ranges::none_of(form.coordinates, &Coordinate::acts)) return true;
+  if (heels_as_before(trial)) return false;
   const auto from = found.point.size() - static_cast<Eigen::Index>(form.coordinates.size());
   for (std::size_t i = 0; i < form.coordinates.size(); ++i) {
     const auto k = from + static_cast<Eigen::Index>(i);
-    if (form.coordinates[i].acts && std::abs(found.point[k]) > 2.0 * std::sqrt(found.covariance(k, k))) return true;
+    if (form.coordinates[i].acts &&
+        std::pow(found.point[k], 2) > told_from_nothing * evidence_excess * found.covariance(k, k))
+      return true;
   }
   return false;
 }
 
 /// Too small to matter, or no more than what explains a heel, or not told from nothing.
-bool is_trace(const Ship& ship, const EffectForm& form, const MapFit& found) {
-  return !is_finding(ship, form, last_coordinates(form, found.point)) || !acts(form, found) ||
-         !is_told(ship, form, found);
+bool is_trace(const Trial& trial, const EffectForm& form, const MapFit& found) {
+  return !is_finding(trial.ship, form, last_coordinates(form, found.point)) || !acts(trial, form, found) ||
+         !is_told(trial.ship, form, found);
 }
 
 /// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels. What
@@ -396,8 +407,8 @@ std::vector<FittedCandidate> confirmed(const Search& s, const Hypothesis& accept
       if (ordinary_deviations(trial, form, last_coordinates(form, found.point)) < beyond_the_ordinary) return;
       gain += pruned(form, found).gain + likely_spread(problem_of(trial, hypothesis), form, found).gain;
       if (is_unknown(form)) gain -= worth_of_a_name;
-      if (form.id == WaveDrift<>::id) gain -= as_good;  // waves come with a wind, and a wind often without them
-      fits[i] = FittedCandidate{&form, found, gain, last_effect(form, found.point), is_trace(trial.ship, form, found)};
+      if (form.id == WaveDrift<>::id) gain -= worth_of_waves;
+      fits[i] = FittedCandidate{&form, found, gain, last_effect(form, found.point), is_trace(trial, form, found)};
       fits[i]->sizes = likely.sizes;
     } catch (const std::exception&) {}
   });
@@ -418,7 +429,7 @@ FittedCandidate with_likely_spread(const Trial& trial, const Hypothesis& accepte
   if (!std::isfinite(found.log_evidence)) return tried;
   tried.form = &forms.back();
   tried.effect = last_effect(forms.back(), found.point);
-  tried.trace = is_trace(trial.ship, forms.back(), found);
+  tried.trace = is_trace(trial, forms.back(), found);
   tried.fit = std::move(found);
   return tried;
 }
@@ -446,7 +457,7 @@ FittedCandidate reduced(const Trial& trial, const Hypothesis& accepted, FittedCa
     }
     tried.form = &forms.back();
     tried.effect = last_effect(forms.back(), found.point);
-    tried.trace = is_trace(trial.ship, forms.back(), found);
+    tried.trace = is_trace(trial, forms.back(), found);
     tried.widening = std::move(widening);
     tried.fit = std::move(found);
   }
@@ -744,9 +755,23 @@ void fit_form(Search& s, const FormSizes& sizes) {
   if (found.point.size() > 0) s.now = std::move(found);
 }
 
+/// Where an effect is taken out again and all else fitted once more from there, what comes out without it, if that is
+/// likelier than what was had: a fit may have stopped where it need not.
+std::optional<MapFit> likelier_without(const Search& s, const Hypothesis& before, const FittedCandidate& best) {
+  const auto base = best.fit.point.size() - std::ssize(best.form->coordinates);
+  auto found = fit(trial_with(s, best.sizes), before, best.fit.point.head(base), best.fit.noise, nullptr, 3);
+  if (!(found.log_evidence > s.now.log_evidence + as_good)) return std::nullopt;
+  return found;
+}
+
+/// Effects that were accepted, and how often the search was begun anew beside them.
+struct Progress {
+  std::size_t findings = 0, traces = 0;
+  std::optional<std::size_t> anew_beside{};  ///< how many effects the last time
+};
+
 /// One effect more, if one is told. @return whether another may follow
-bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& options, std::size_t& findings,
-                  std::size_t& traces) {
+bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& options, Progress& progress) {
   const auto before = s.hypothesis();
   const auto linear = linearized(s.trial, before, s.now);
   if (s.accepted.empty()) s.baseline = linear;
@@ -756,10 +781,22 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
   auto tried = confirmed(s, before, linear, promising, options.confirmed);
   const double needed = s.accepted.empty() ? options.detection : options.further;
   const auto held_out = held_out_runs(unused, before, s.now);
-  const auto best = chosen(held_out, s, tried, needed, traces < most_traces);
+  auto best = chosen(held_out, s, tried, needed, progress.traces < most_traces);
   std::ranges::stable_sort(tried, std::greater{}, whole_gain);
   if (s.accepted.empty()) s.first = tried;
   if (!best) return false;
+  if (const auto without = likelier_without(s, before, *best)) {
+    const double less = without->log_evidence - s.now.log_evidence;
+    for (auto& t : tried) t.gain -= less;
+    best->gain -= less;
+    if (s.accepted.empty()) s.null = *without, s.first = tried;
+    if (!(whole_gain(*best) > needed)) {
+      if (std::exchange(progress.anew_beside, before.size()) == before.size()) return false;
+      take_sizes(s, best->sizes);
+      s.now = *without;
+      return true;
+    }
+  }
   if (s.prior_inflation * inflation_step < most_inflation)
     if (auto instead = inflation_instead(held_out, s, linear, *best)) {
       s.prior_inflation *= inflation_step;
@@ -771,7 +808,7 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
   s.accepted.push_back(accepted_as(*best, tried, needed));
   s.now = best->fit;
   if (s.on_board) fit_form(s, best->sizes);
-  ++(best->trace ? traces : findings);
+  ++(best->trace ? progress.traces : progress.findings);
   return true;
 }
 
@@ -799,13 +836,13 @@ Search named(Search s, const Trial& unused, std::span<const EffectForm> forms, c
   s.forms.assign(forms.begin(), forms.end());
   if (s.on_board) std::ranges::move(differing_surroundings(forms, s.trial.runs), std::back_inserter(s.forms));
   begin_where_force_is_missing(s.forms, s.located, length(s.trial.ship) / service_speed(s.trial.ship));
-  std::size_t findings = 0, traces = 0;
+  Progress progress;
   bool working = true;
   try {
-    while (working && findings < options.most_effects &&
-           (findings == 0 || s.now.noise.largest_scale() > adequate_scale)) {
+    while (working && progress.findings < options.most_effects &&
+           (progress.findings == 0 || s.now.noise.largest_scale() > adequate_scale)) {
       working = goes_on(s.accepted.empty() ? "trying every effect" : "trying a further effect");
-      if (!find_another(unused, s, options, findings, traces)) break;
+      if (!find_another(unused, s, options, progress)) break;
     }
   } catch (const std::exception& trouble) {
     s.troubles.push_back(fmt::format("the search for effects ended early: {}", trouble.what()));
@@ -828,6 +865,10 @@ std::optional<Search> named_apart(const Trials& trials, std::span<const EffectFo
 /// What errors of positions wander in L/U, over L, from which on instruments are of the kind that ships have: cases on
 /// board that were looked at had 1.6e-3 to 3.8e-3, white noise 4e-5 to 2e-4, and 7e-4 where a strong force had no name.
 constexpr double real_walk = 1e-3;
+
+/// Of the process noise beside an exact form, from which on nothing but an inexact one is tried: it allows forces as
+/// large as those on the hull.
+constexpr double hopeless_scale = 100.0;
 
 /// Whether the instruments are of the kind that ships have: the errors of positions have a memory.
 bool has_real_instruments(const Search& s) { return s.null.noise.walk > real_walk; }
@@ -870,7 +911,8 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
   const auto beside_form = [&] {
     return named(std::move(inexact->baseline), inexact->trials.unused, forms, options, go_on);
   };
-  if (inexact && has_real_instruments(inexact->baseline)) return beside_form();
+  if (inexact && (has_real_instruments(inexact->baseline) || s.null.noise.largest_scale() > hopeless_scale))
+    return beside_form();
   s = named(std::move(s), exact.unused, forms, options, go_on);
   if (working && inexact && s.named_scale > ordinary_scale) {
     auto other = beside_form();

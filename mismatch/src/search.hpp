@@ -20,11 +20,11 @@ struct FittedCandidate {
   MapFit fit;
   double gain;  ///< in log evidence, the terms that it does better without left out; less where it has no name
   Effect effect;
-  bool trace;                           ///< too small to matter, or not told from nothing
-  std::optional<double> held_out{};     ///< gain in log likelihood of held-out runs, where they were asked
-  bool refuted = false;                 ///< by runs that were not used
-  bool leads = false;                   ///< a trace that is accepted before all others
-  FormSizes sizes{1.0, 1.0, 1.0, 1.0};  ///< of the form beside it
+  bool trace;                        ///< too small to matter, or not told from nothing
+  std::optional<double> held_out{};  ///< gain in log likelihood of held-out runs, where they were asked
+  bool refuted = false;              ///< by runs that were not used
+  bool leads = false;                ///< a trace that is accepted before all others
+  FormSizes sizes = usual_sizes;     ///< of the form beside it
   std::vector<double>
       widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
 };
@@ -36,10 +36,10 @@ struct Accepted : FittedCandidate {
 };
 
 struct Search {
-  Trial usual;                          ///< with the prior that was said, and a form of usual size
-  Trial trial;                          ///< with the prior that it ended with
-  bool on_board = false;                ///< whether form and instruments are taken for inexact
-  FormSizes sizes{1.0, 1.0, 1.0, 1.0};  ///< of the form, where it is
+  Trial usual;                    ///< with the prior that was said, and a form of usual size
+  Trial trial;                    ///< with the prior that it ended with
+  bool on_board = false;          ///< whether form and instruments are taken for inexact
+  FormSizes sizes = usual_sizes;  ///< of the form, where it is
   MapFit null{}, now{};
   double prior_inflation =
       1.0;  ///< factor on what the coefficients of the baseline are known to, where the runs speak against it

@@ -25,6 +25,14 @@ void put_prior(Trial& trial) {
 
 }  // namespace
 
+double heel_of(std::span<const PreparedRun> runs) {
+  double squares = 0.0, count = 0.0;
+  for (const auto& run : runs)
+    for (const double phi : (*run.run)[Channel::phi])
+      if (!std::isnan(phi)) squares += phi * phi, ++count;
+  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+}
+
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
   Trial trial{.ship = ship, .parameters = {}, .ordinary = {}, .mean = {}, .precision = {}, .runs = {}};
   for (const auto& n : parameters_of(ship))
@@ -61,7 +69,7 @@ double gain_by_prior(const EstimationProblem& problem, const MapFit& fit, const 
   // from the mean, where d̂ is p̂
   Eigen::MatrixXd other = problem.precision;
   other.topLeftCorner(precision.rows(), precision.cols()) = precision;
-  const Eigen::MatrixXd A = core::detail::inverse(fit.covariance), A_other = A - problem.precision + other;
+  const Eigen::MatrixXd A = fit.information + problem.precision, A_other = fit.information + other;
   const Eigen::VectorXd d = fit.point - problem.mean(), Ad = A * d;
   const double cost = d.dot(Ad) - Ad.dot(core::detail::solve_symmetric(A_other, Ad));
   using core::detail::log_determinant;
@@ -108,13 +116,15 @@ Trial with_form_sizes(Trial usual, const FormSizes& sizes) {
 
 LikelyForm likely_form(const Trial& usual, const Trial& now, const FormSizes& sizes, const Hypothesis& hypothesis,
                        const MapFit& fit) {
-  constexpr double least = 1.0 / 64.0, most = 8.0;  // of the usual size
+  // of the usual size; of simulated ships of another structure in which nothing was hidden the likeliest were 0.5 to 2
+  constexpr double least = 1.0 / 64.0, most = 2.0;
   const auto problem = problem_of(now, hypothesis);
   LikelyForm best{sizes, 0.0};
+  if (now.calibrated) return best;
   const auto try_size = [&](std::size_t axis, double factor) {
     auto other = best.sizes;
     other[axis] *= factor;
-    if (other[axis] < least || other[axis] > most) return false;
+    if (other[axis] < least || other[axis] > (axis == asymmetric_axis ? 1.0 : most)) return false;
     const double gain = gain_by_prior(problem, fit, with_wider_prior(usual.precision, form_factors(usual, other)));
     if (!(gain > best.gain)) return false;
     best = {other, gain};

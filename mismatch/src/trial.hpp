@@ -23,6 +23,8 @@ struct Trial {
   Eigen::VectorXd mean;               ///< of the baseline's coordinates
   Eigen::MatrixXd precision;
   std::vector<PreparedRun> runs;
+  bool calibrated = false;      ///< on reference runs, which tell the form: then its size is no question
+  double reference_heel = 0.0;  ///< root mean square heel of the reference runs [rad], 0 where none is recorded
 
   Eigen::Index baseline_size() const {
     auto size = std::ssize(parameters);
@@ -44,7 +46,9 @@ Eigen::MatrixXd with_wider_prior(const Eigen::MatrixXd& precision, const Eigen::
 /// linear about the point.
 double gain_by_prior(const EstimationProblem& problem, const MapFit& fit, const Eigen::MatrixXd& precision);
 
-/// @param runs  must outlive the trial
+/// Root mean square of the heel that runs record [rad], 0 where they record none.
+double heel_of(std::span<const PreparedRun> runs);
+
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels);
 
 /// The trial of a ship on board of whom nothing is exact: the form of her forces, her instruments, and the light air
@@ -54,6 +58,7 @@ Trial as_on_board(Trial trial, std::span<const Recording> runs, std::span<const 
 /// How large the form of her forces may be wrong, over its usual size: along, across, of the moment, and where it
 /// differs from side to side.
 using FormSizes = std::array<double, 4>;
+inline constexpr FormSizes usual_sizes{1.0, 1.0, 1.0, 1.0};
 
 /// The trial with a form of these sizes in place of the usual ones.
 Trial with_form_sizes(Trial usual, const FormSizes& sizes);

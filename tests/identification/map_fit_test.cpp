@@ -111,6 +111,30 @@ TEST_CASE("under the filter coefficients come out as on trajectories where no ra
   }
 }
 
+TEST_CASE("the likelihood of a sample of real instruments falls with its error, and not with the square of it",
+          "[identification][law]") {
+  const Tanker tanker;
+  auto runs = tanker.clean;
+  unsigned seed = 1;
+  for (auto& run : runs) test::add_noise(run, tanker.ship, seed++);
+  const auto prepared = prepared_runs(tanker.ship, runs, test::usual_channels);
+  const Coefficients truth{tanker.ship, tanker.names};
+  // how much less likely the runs are with one heading that many standard deviations off
+  const auto loss = [&](double deviations, const Noise& noise) {
+    auto moved = prepared;
+    auto run = *moved.front().run;
+    run.fill(Channel::psi)[run.samples() / 2] += deviations * moved.front().deviation[index_of(Channel::psi)];
+    moved.front().run = std::make_shared<const Recording>(std::move(run));
+    const auto as_is = truth.problem(prepared), off = truth.problem(moved);
+    return log_likelihood(as_is, as_is.mean(), noise) - log_likelihood(off, off.mean(), noise);
+  };
+  const auto real = Noise::on_board();
+  CHECK(loss(0.5, real) == Approx(loss(0.5, {})).margin(0.5));
+  CHECK(loss(80.0, {}) > 3.5 * loss(40.0, {}));
+  CHECK(loss(80.0, real) < 2.3 * loss(40.0, real));
+  CHECK(loss(80.0, real) > loss(40.0, real));
+}
+
 TEST_CASE("process noise makes coefficients from runs with random forces better, and their intervals hold",
           "[identification][second-route]") {
   const Tanker tanker;

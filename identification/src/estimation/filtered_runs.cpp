@@ -33,6 +33,9 @@ void for_each_run(const EstimationProblem& problem, const Point& point, const No
   });
 }
 
+/// Standard deviations beyond which a measurement of real instruments is an outlier: of normal ones 1 in 370 is.
+constexpr double outlying = 3.0;
+
 /// The first row of each run, and the number of all.
 std::vector<Eigen::Index> first_rows(const EstimationProblem& problem) {
   std::vector<Eigen::Index> first{0};
@@ -63,6 +66,7 @@ std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, c
   auto result = std::make_shared<FilteredRuns>();
   result->runs.resize(problem.runs.size());
   for_each_run(problem, point, noise, nullptr, [&](std::size_t i, RunFilter<9>& filter) {
+    if (noise.with_memory) result->runs[i].outlying = outlying;
     filter.forward(variances(problem.scale, problem.runs[i], noise), result->runs[i]);
   });
   return result;

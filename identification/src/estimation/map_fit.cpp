@@ -77,12 +77,14 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
     descend(
         here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *passes); }, cost);
     const auto [log_likelihood, found] = best_noise(problem, here.point, noise, problem.size() == fixed);
-    const Eigen::MatrixXd A = slopes.transpose() * slopes + problem.precision;
+    Eigen::MatrixXd information = slopes.transpose() * slopes;
+    const Eigen::MatrixXd A = information + problem.precision;
     const double now = log_likelihood - 0.5 * problem.prior(here.point), gain = now - density;
     // the last round is the one whose slopes belong to the noise that was found, so it stands unless it is clearly
     // worse
     if (gain > -worth_a_round)
-      best = {here.point, now + 0.5 * (log_determinant(problem.precision) - log_determinant(A)), found, inverse(A)};
+      best = {here.point, now + 0.5 * (log_determinant(problem.precision) - log_determinant(A)), found, inverse(A),
+              std::move(information)};
     if (!(gain > worth_a_round) && found == noise) break;
     if (!std::isfinite(now)) break;  // the filter cannot follow
     density = std::max(density, now), noise = found;

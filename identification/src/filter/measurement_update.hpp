@@ -22,19 +22,35 @@ struct Innovation {
   int state;  ///< that the channel shows alone, or −1
   double error;
   double variance;
+  double widening = 1.0;  ///< of the variance, where the measurement is an outlier
   FilterVector<N> K;
 };
+
+/// Variance of the prediction of a measurement, widened where it errs by more than so many standard deviations c:
+///
+///     S' = S |e|/(c √S)   for   |e| > c √S
+///
+/// so that the squared error over it grows as |e| and not as e²: the likelihood of an outlier falls as that of Laplace,
+/// and the gain of the filter with it. Source: [Huber1981]
+inline double widened(double S, double error, double c, double& widening) {
+  widening = std::max(1.0, std::abs(error) / (c * std::sqrt(S)));
+  return S * widening;
+}
 
 /// Measurement update by a channel that shows one state alone.
 ///
 ///     S = h P hᵀ + R,   K = P hᵀ/S,   x⁺ = x + K e,   P⁺ = P − K S Kᵀ
 ///
 /// of one scalar, P⁺ is symmetric by construction, and positive since R is not below rounding of h P hᵀ.
+/// @param outlying  standard deviations beyond which a measurement is an outlier
 template <int N>
-Innovation<N> updated(Gaussian<N>& estimate, Channel channel, int state, double measured, double R) {
-  const double error = compared(channel, measured, estimate.mean[state]), S = estimate.P(state, state) + R;
-  const Innovation<N> innovation{
-      .channel = channel, .state = state, .error = error, .variance = S, .K = estimate.P.col(state) / S};
+Innovation<N> updated(Gaussian<N>& estimate, Channel channel, int state, double measured, double R,
+                      double outlying = HUGE_VAL) {
+  Innovation<N> innovation{
+      .channel = channel, .state = state, .error = compared(channel, measured, estimate.mean[state])};
+  const double error = innovation.error,
+               S = widened(estimate.P(state, state) + R, error, outlying, innovation.widening);
+  innovation.variance = S, innovation.K = estimate.P.col(state) / S;
   estimate.mean += innovation.K * error;
   estimate.P.noalias() -= (S * innovation.K) * innovation.K.transpose();
   return innovation;
@@ -44,15 +60,16 @@ Innovation<N> updated(Gaussian<N>& estimate, Channel channel, int state, double 
 /// @param expected  double expected(const FilterVector<N>& x, ChannelSlope& slope)
 template <int N, class Expected>
 Innovation<N> updated(Gaussian<N>& estimate, Channel channel, Expected&& expected, bool linear, double measured,
-                      double R, ChannelSlope& slope) {
+                      double R, ChannelSlope& slope, double outlying = HUGE_VAL) {
   Innovation<N> innovation{.channel = channel, .state = -1};
   FilterVector<N> x = estimate.mean;
   for (int pass = 0; pass < (linear ? 1 : 2); ++pass) {
     const double h = expected(x, slope);
     const FilterVector<N> Ph = estimate.P.template leftCols<6>() * slope;
-    innovation.variance = slope.dot(Ph.template head<6>()) + R;
-    innovation.K = Ph / innovation.variance;
     innovation.error = compared(channel, measured, h) - slope.dot((estimate.mean - x).template head<6>());
+    innovation.variance =
+        widened(slope.dot(Ph.template head<6>()) + R, innovation.error, outlying, innovation.widening);
+    innovation.K = Ph / innovation.variance;
     x = estimate.mean + innovation.K * innovation.error;
   }
   estimate.mean = x;

@@ -63,7 +63,8 @@ struct RunControls {
 /// A filtered run, with what the smoother and residuals with the same gains need, unless it is not kept.
 template <int N>
 struct FilteredRun {
-  bool kept = true;  ///< steps and innovations
+  bool kept = true;            ///< steps and innovations
+  double outlying = HUGE_VAL;  ///< standard deviations beyond which a measurement is an outlier
   std::vector<Passed> passed;
   std::vector<Transition<N>> steps;
   std::vector<Innovation<N>> innovations;

@@ -52,8 +52,10 @@ class RunFilterOf final : public RunFilter<N> {
       for (std::size_t i = pass.passed[k].innovations; i-- > before.innovations;) {
         const auto& now = pass.innovations[i];
         const int place = place_of(now.channel);
-        slope[place] +=
-            noise[place] * smoother.step_back(now, now.state >= 0 ? ChannelSlope() : pass.slopes[--slope_count]);
+        // S' = |e| √S/c of an outlier grows with R half as fast as its widening says
+        const double share = now.widening > 1.0 ? 0.5 * now.widening : 1.0;
+        slope[place] += share * noise[place] *
+                        smoother.step_back(now, now.state >= 0 ? ChannelSlope() : pass.slopes[--slope_count]);
       }
       for (std::size_t i = pass.passed[k].steps; i-- > before.steps;) {
         slope[place_of_walk] += noise[place_of_walk] * pass.steps[i].h * (smoother.slope(0) + smoother.slope(1));
@@ -215,11 +217,12 @@ class RunFilterOf final : public RunFilter<N> {
                        FilteredRun<N>& pass) {
     const double value = run_[channel][k];
     if (const auto state = observer_.state_alone(channel))
-      return updated<N>(estimate, channel, *state, value - observer_.bias(channel), R);
+      return updated<N>(estimate, channel, *state, value - observer_.bias(channel), R, pass.outlying);
     const auto expected = [&](const FilterVector<N>& x, ChannelSlope& slope) {
       return observer_.value(channel, {ship_state<N>(x), before.acceleration, before.phi}, slope);
     };
-    return updated<N>(estimate, channel, expected, observer_.linear(channel), value, R, pass.slopes.emplace_back());
+    return updated<N>(estimate, channel, expected, observer_.linear(channel), value, R, pass.slopes.emplace_back(),
+                      pass.outlying);
   }
 
   double expected(Channel channel, const FilterVector<N>& x, const Sight& sight) const {

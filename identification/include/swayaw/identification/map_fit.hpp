@@ -84,7 +84,8 @@ struct MapFit {
   Point point;
   double log_evidence = -HUGE_VAL;  ///< Laplace: ln p(runs | point) + ln prior + ½ ln det of the posterior covariance
   Noise noise;
-  Eigen::MatrixXd covariance;  ///< of the point
+  Eigen::MatrixXd covariance;   ///< of the point
+  Eigen::MatrixXd information;  ///< of the runs alone: the inverse of the covariance less the precision before them
 };
 
 /// Converged fit, the gains of the filter and the noise renewed as often as they change.

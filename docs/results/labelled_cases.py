@@ -1,10 +1,13 @@
-"""Tables of docs/results/open_cases.md from the scores of labelled cases: open_cases.py SCORES.json WRONG_SCORES.json FOLDER"""
+"""Tables of labelled cases from their scores: labelled_cases.py FOLDER SCORES.json [WRONG_SCORES.json]
+
+The second scores are those of the same cases with ship files that are wrong.
+"""
 import json
 import pathlib
 import statistics
 import sys
 
-rows, wrong, folder = json.load(open(sys.argv[1])), json.load(open(sys.argv[2])), pathlib.Path(sys.argv[3])
+folder, rows = pathlib.Path(sys.argv[1]), json.load(open(sys.argv[2]))
 
 
 def level(row):
@@ -41,9 +44,11 @@ def scores(name, rows):
 
 
 scores("scores", rows)
-scores("wrong", wrong)
-write("missed", ["case", "hidden", "verdict", "found"],
-      [[r["case"], ", ".join(t.replace(":", " ") for t in r["truth"]), r["verdict"], ", ".join(r["got"]) or "-"] for r in wrong if not r["top1"]])
+for path in sys.argv[3:]:
+    wrong = json.load(open(path))
+    scores("wrong", wrong)
+    write("missed", ["case", "hidden", "verdict", "found"],
+          [[r["case"], ", ".join(t.replace(":", " ") for t in r["truth"]), r["verdict"], ", ".join(r["got"]) or "-"] for r in wrong if not r["top1"]])
 
 write("cases", ["case", "hidden", "verdict", "found", "errors of its numbers", "first"],
       [[r["case"], ", ".join(t.replace(":", " ") for t in r["truth"]), r["verdict"], ", ".join(r["got"]) or "-",
