@@ -12,24 +12,10 @@ cd "$work"
 helper() { python3 "$here/diagnosis.py" "$@"; }
 
 # run, begin and end [s]: propeller turning ahead and u above 0.08 m/s throughout
-runs="turn_14-Sep-2020_13_39_32 16 360
-turn_14-Sep-2020_13_51_45 15 405
-turn_14-Sep-2020_14_16_04 15 330
-turn_14-Sep-2020_14_50_41 21 223
-turn_14-Sep-2020_15_47_33 45 216
-turn_14-Sep-2020_15_58_08 13 430
-turn_cut_14-Sep-2020_16_09_02 14 269
-zigzag_31-Jul-2020_13_04_24 27 127
-zigzag_31-Jul-2020_13_14_21 5 113
-zigzag_31-Jul-2020_13_22_52 18 170
-zigzag_31-Jul-2020_13_29_19 13 130
-zigzag_31-Jul-2020_13_50_28 18 164
-zigzag_31-Jul-2020_13_57_45 7 112
-zigzag_31-Jul-2020_14_10_05 13 151"
 while read -r run begin end; do
   helper prepare "$recordings/$run.csv" "$run.csv" --from "$begin" --to "$end" --drop wind_speed_m_s,wind_from_rad
   helper wind "$recordings/$run.csv" --from "$begin" --to "$end" > "$run.wind.json"
-done <<< "$runs"
+done < "$here/esso_osaka_runs.txt"
 
 "$program" diagnose "$ship" turn_*.csv --json > turns.json
 "$program" diagnose "$ship" zigzag_*.csv --json > zigzags.json

@@ -70,12 +70,24 @@ std::vector<Manoeuvre> menu(const Ship& ship) {
 
 // ---------------------------------------------------------------- separation
 
+/// Variance of the noise of a channel, the mean of the runs that have it; nothing where none has.
+std::optional<double> variance_of(std::span<const PreparedRun> runs, Channel channel) {
+  double sum = 0.0, count = 0.0;
+  for (const auto& run : runs)
+    if (std::ranges::count(run.channels, channel) > 0) sum += std::pow(run.deviation[index_of(channel)], 2), ++count;
+  return count > 0.0 ? std::optional(sum / count) : std::nullopt;
+}
+
 /// The trial with another run, seen by the same instruments.
 Trial trial_with(const Trial& trial, const Recording& run) {
-  const auto& known = trial.runs.front();
+  std::vector<Channel> channels;
+  std::array<double, channel_count> deviation{};
+  for (const auto channel : motion_channels())
+    if (const auto variance = variance_of(trial.runs, channel))
+      channels.push_back(channel), deviation[index_of(channel)] = std::sqrt(*variance);
   Trial other = trial;
-  other.runs = prepared_runs(trial.ship, {&run, 1}, known.channels);
-  other.runs.front().deviation = known.deviation;
+  other.runs = prepared_runs(trial.ship, {&run, 1}, channels);
+  other.runs.front().deviation = deviation;
   return other;
 }
 

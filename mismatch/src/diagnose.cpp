@@ -24,10 +24,16 @@ namespace swayaw::inline mismatch {
 using namespace detail;
 namespace {
 
-double duration_of(std::span<const Recording> runs) {
-  double longest = 0.0;
-  for (const auto& run : runs) longest = std::max(longest, run.time.back());
-  return longest;
+/// From when to when the runs were recorded, on the clock of their files [s].
+struct TimeOfRuns {
+  double begin = HUGE_VAL, end = -HUGE_VAL;
+};
+
+TimeOfRuns time_of(std::span<const Recording> runs) {
+  TimeOfRuns time;
+  for (const auto& run : runs)
+    time.begin = std::min(time.begin, run.time.front()), time.end = std::max(time.end, run.time.back());
+  return time;
 }
 
 /// Runs in which nothing is hidden tell the baseline.
@@ -580,7 +586,8 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
     both.unused.runs = on_board ? lean_runs(ship, holdout, channels) : thinned_runs(ship, holdout, channels);
     return both;
   };
-  const auto forms = effect_forms(ship, channels, duration_of(runs));
+  const auto time = time_of(runs);
+  const auto forms = effect_forms(ship, channels, time.end - time.begin, time.begin);
   const auto s = search(
       trials(false), [&] { return trials(true); }, forms, options, goes_on);
   const auto& trial = s.trial;

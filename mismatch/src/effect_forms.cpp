@@ -31,6 +31,21 @@ EffectForm form_of(const Kind& null, const SearchContext& context) {
   else return as_effect(usual_form(null, context));
 }
 
+/// The same where the clock of the runs does not begin at 0.
+EffectForm counted_from(EffectForm form, double begin) {
+  form.begin = begin;
+  form.at = [at = std::move(form.at), begin](std::span<const double> c) {
+    auto effect = at(c);
+    std::visit(
+        [begin]<class Kind>(Kind& e) {
+          if constexpr (BeginsAndEnds<Kind>) e.onset += begin, e.end += begin;
+        },
+        effect);
+    return effect;
+  };
+  return form;
+}
+
 /// One of each channel: of the rudder, and of those seen, where a position has one receiver.
 template <class Kind>
 void add_forms_by_channel(std::vector<EffectForm>& forms, Kind null, const SearchContext& context,
@@ -326,7 +341,8 @@ EffectForm unknown_map(const Ship& ship) {
   return as_effect(by_parameters(null, std::span<const Parameter>(terms)));
 }
 
-std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> channels, double duration) {
+std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> channels, double duration,
+                                     double begin) {
   std::vector<EffectForm> forms;
   for_each_kind([&]<class Kind>() {
     const Kind null{};
@@ -337,6 +353,7 @@ std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> 
                                 .duration = duration,
                                 .rudder_rate = steering_gear(ship).rate};
     if constexpr (requires { null.channel; }) add_forms_by_channel(forms, null, context, channels);
+    else if constexpr (BeginsAndEnds<Kind>) forms.push_back(counted_from(form_of(null, context), begin));
     else forms.push_back(form_of(null, context));
   });
   return forms;

@@ -24,6 +24,7 @@ struct EffectForm {
   std::function<Effect(std::span<const double>)> at;  ///< of the coordinates in common; others are not looked at
   std::vector<std::vector<double>> starts;
   std::vector<double> window{};
+  double begin = 0.0;  ///< [s], from which onset and end among the coordinates count
   std::function<EffectForm(std::span<const std::size_t>)> with_terms{};
   Scope scope = Scope::ship;         ///< of the parts: group or run; of the ship where there are none
   std::vector<std::string> parts{};  ///< names of groups or runs
@@ -88,9 +89,10 @@ std::optional<std::vector<double>> coordinates_of(const Ship& ship, const Effect
 /// d(parameters)/d(coordinates) of an effect, parameters as `parameters_of` gives them; directions turn the short way.
 Eigen::MatrixXd parameter_slopes(const Ship& ship, const EffectForm& form, const Eigen::VectorXd& coordinates);
 
-/// All candidates for a ship, the channels of her runs and their longest duration [s]; the last is a constant force
-/// without a name that begins and ends.
-std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> channels, double duration);
+/// All candidates for a ship, the channels of her runs, their longest duration and when they begin on their clock [s];
+/// the last is a constant force without a name that begins and ends.
+std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> channels, double duration,
+                                     double begin = 0.0);
 
 /// A force that no candidate explains, as a map of the motion and the heading, term by term.
 EffectForm unknown_map(const Ship& ship);

@@ -70,9 +70,11 @@ std::vector<double> energy_of(const Traced& t, std::size_t axis) {
 
 double sum_of(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-std::size_t main_axis(const Traced& t) {
+/// In which most force is missing.
+std::size_t main_axis(std::span<const Traced> runs) {
   std::array<double, 3> size{};
-  for (std::size_t axis = 0; axis < 3; ++axis) size[axis] = sum_of(energy_of(t, axis));
+  for (const auto& t : runs)
+    for (std::size_t axis = 0; axis < 3; ++axis) size[axis] += sum_of(energy_of(t, axis));
   return static_cast<std::size_t>(std::ranges::max_element(size) - size.begin());
 }
 
@@ -156,7 +158,7 @@ std::string where(const Traced& t, const std::vector<double>& energy) {
 }
 
 MismatchPlace place_of(const Traced& t) {
-  const auto axis = main_axis(t);
+  const auto axis = main_axis({&t, 1});
   const auto energy = energy_of(t, axis);
   const auto [first, last] = main_part(energy);
   const double inside = std::accumulate(energy.begin() + static_cast<std::ptrdiff_t>(first),
@@ -204,7 +206,7 @@ Eigen::MatrixXd beside(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 std::string symmetry_of(std::span<const Traced> runs) {
   if (runs.empty()) return {};
-  const auto axis = main_axis(runs.front());
+  const auto axis = main_axis(runs);
   const auto b = basis_of(runs, axis);
   Eigen::VectorXd force(b.motion.rows());
   Eigen::Index row = 0;

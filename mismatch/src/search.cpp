@@ -206,7 +206,7 @@ void begin_where_force_is_missing(std::vector<EffectForm>& forms, const Located&
   for (auto& form : forms) {
     if (std::ranges::none_of(form.coordinates, [](const Coordinate& c) { return c.name.starts_with("onset"); }))
       continue;
-    form.window = {interval->first / time_unit, interval->second / time_unit};
+    form.window = {(interval->first - form.begin) / time_unit, (interval->second - form.begin) / time_unit};
     for (auto start : std::vector(form.starts)) {
       std::ranges::copy(form.window, start.end() - 2);
       if (std::ranges::count(form.starts, start) == 0) form.starts.push_back(std::move(start));

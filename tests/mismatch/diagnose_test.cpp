@@ -6,30 +6,19 @@
 #include <functional>
 #include <random>
 
-#include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
+#include "symmetric_ship.hpp"
 #include "tank_instruments.hpp"
 
 /// What a ship hides from her model is named, with its size, wherever the runs come from.
 namespace swayaw {
 namespace {
 
-/// A model tank ship that shows the wind an area, with parameters that are known to 2 %.
-Ship test_ship() {
-  Ship ship = test::kvlcc2_l7();
-  auto& model = std::get<MmgShip<double>>(ship.model);
-  model.propeller.C_2_negative = model.propeller.C_2_positive;
-  model.rudder.gamma_R_negative = model.rudder.gamma_R_positive;
-  const double L = length(ship);
-  ship.surroundings.windage = *windage_from({.frontal = 0.02 * L * L, .lateral = 0.08 * L * L, .length = L});
-  ship.confidence.coefficients = 0.02;
-  return ship;
-}
+using test::symmetric_ship;
 
 /// White noise of a tank's instruments.
 Recording measured(Recording run, std::string name, unsigned seed) {
@@ -81,7 +70,7 @@ double error_of(const Diagnosis& d, std::string_view key, double truth) {
 }
 
 TEST_CASE("an effect that is hidden is named, with its size", "[mismatch][round-trip]") {
-  const Ship ship = test_ship();
+  const Ship ship = symmetric_ship();
   SECTION("an offset of the rudder") {
     const auto d = of(ship, RudderOffset<double>{radians(1.5)});
     finds(d, RudderOffset<double>{});
@@ -109,7 +98,7 @@ TEST_CASE("an effect that is hidden is named, with its size", "[mismatch][round-
 
 TEST_CASE("the improved ship predicts runs that were not used better than the refitted one",
           "[mismatch][second-route]") {
-  const Ship ship = test_ship();
+  const Ship ship = symmetric_ship();
   const auto d = of(ship, RudderStall<double>{.angle = 0.2, .depth = 0.6, .width = 0.04});
   const auto error = [&](const std::vector<QuantityError>& list, Quantity q) {
     return std::ranges::find(list, q, &QuantityError::quantity)->window_rms;
@@ -124,7 +113,7 @@ TEST_CASE("the improved ship predicts runs that were not used better than the re
 }
 
 TEST_CASE("nothing is missing in runs of the ship herself", "[mismatch][limit]") {
-  const Ship ship = test_ship();
+  const Ship ship = symmetric_ship();
   for (const unsigned seed : {21u, 22u, 23u}) {
     const auto d = diagnose(ship, trials(ship, seed), {}, held_out(ship, seed + 10), quick());
     INFO(d.words);
@@ -139,7 +128,7 @@ TEST_CASE("nothing is missing in runs of the ship herself", "[mismatch][limit]")
 }
 
 TEST_CASE("numbers that are less well known than the ship file says are no missing physics", "[mismatch][limit]") {
-  Ship ship = test_ship();
+  Ship ship = symmetric_ship();
   for (const unsigned seed : {31u, 32u, 33u}) {
     std::mt19937_64 engine(seed);
     std::normal_distribution normal;
@@ -158,7 +147,7 @@ TEST_CASE("numbers that are less well known than the ship file says are no missi
 // At one shaft speed a side force of the propeller is the twin of a rudder offset, and noise decides which of both
 // gains more; where the shaft is slowed they differ.
 TEST_CASE("held-out runs tell twins apart that the runs used cannot", "[mismatch][second-route]") {
-  const Ship ship = test_ship();
+  const Ship ship = symmetric_ship();
   int misled = 0;
   for (const Effect& hidden :
        {Effect(RudderOffset<double>{radians(1.5)}), Effect(PropellerSideForce<double>{.share = 0.1})}) {
@@ -187,7 +176,7 @@ TEST_CASE("held-out runs tell twins apart that the runs used cannot", "[mismatch
 }
 
 TEST_CASE("what held-out runs do not have is not a finding", "[mismatch][second-route]") {
-  const Ship ship = test_ship(), real = with_effect(ship, RudderOffset<double>{radians(1.5)});
+  const Ship ship = symmetric_ship(), real = with_effect(ship, RudderOffset<double>{radians(1.5)});
   const auto d = diagnose(ship, trials(real), {}, held_out(ship), quick());
   CHECK(std::ranges::none_of(
       d.effects, [](const FoundEffect& e) { return std::holds_alternative<RudderOffset<double>>(e.effect); }));
@@ -251,7 +240,7 @@ void is_same_wherever_it_comes_from(const Ship& ship, const Hidden& hidden) {
 
 TEST_CASE("names and order of the runs, the heading they were sailed on and a mirror do not change the answer",
           "[mismatch][symmetry]") {
-  const Ship ship = test_ship();
+  const Ship ship = symmetric_ship();
   const auto with_the_earth = [](std::string_view key, double value, double angle) {
     return is_of_earth(key) ? value + angle : value;
   };
@@ -279,7 +268,7 @@ TEST_CASE("names and order of the runs, the heading they were sailed on and a mi
 // A force of the map alone, which no effect with a name explains.
 TEST_CASE("a force without a name is said to be unknown, and its map predicts runs that were not used",
           "[mismatch][second-route]") {
-  const Ship ship = test_ship();
+  const Ship ship = symmetric_ship();
   UnknownForce<double> strange;
   strange.N_cos = 6e-4, strange.Y_cos = -3e-3;
   const auto real = with_effect(ship, strange);
@@ -296,7 +285,7 @@ TEST_CASE("a force without a name is said to be unknown, and its map predicts ru
 }
 
 TEST_CASE("a push that comes and goes is told by its time, and is no gust", "[mismatch][round-trip]") {
-  const Ship ship = test_ship();
+  const Ship ship = symmetric_ship();
   const auto real = with_effect(ship, UnknownForce<double>{.Y_0 = 1.5e-3, .N_0 = 4e-4, .onset = 40.0, .end = 75.0});
   const auto d = diagnose(ship, trials(real), {}, held_out(real), quick());
   INFO(d.words);
@@ -312,7 +301,7 @@ TEST_CASE("a push that comes and goes is told by its time, and is no gust", "[mi
 }
 
 TEST_CASE("an effect that begins during a run has an onset", "[mismatch][second-route]") {
-  const Ship ship = test_ship();
+  const Ship ship = symmetric_ship();
   const auto steady = zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, sampled).run;
   auto late = measured(steady, "zigzag.csv", 5);
   constexpr double begins = 60.0;
@@ -331,11 +320,11 @@ TEST_CASE("an effect that begins during a run has an onset", "[mismatch][second-
 // ---------------------------------------------------------------- questions that have no answer
 
 TEST_CASE("a diagnosis needs a run", "[mismatch][refusal]") {
-  CHECK_THROWS_WITH(diagnose(test_ship(), {}, {}, {}), ContainsSubstring("there is no run to diagnose"));
+  CHECK_THROWS_WITH(diagnose(symmetric_ship(), {}, {}, {}), ContainsSubstring("there is no run to diagnose"));
 }
 
 TEST_CASE("a diagnosis that is stopped tells what is known", "[mismatch][refusal]") {
-  const Ship ship = test_ship(), real = with_effect(ship, RudderOffset<double>{radians(1.5)});
+  const Ship ship = symmetric_ship(), real = with_effect(ship, RudderOffset<double>{radians(1.5)});
   auto options = quick();
   options.progress = [](std::string_view what) { return what.find("trying") == std::string_view::npos; };
   const auto d = diagnose(ship, trials(real), {}, held_out(real), options);

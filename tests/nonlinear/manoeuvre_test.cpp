@@ -3,6 +3,7 @@
 #include <array>
 #include <catch.hpp>
 
+#include "froude_scaled.hpp"
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -12,6 +13,7 @@
 namespace swayaw {
 namespace {
 
+using test::froude_scaled;
 using test::RandomShips;
 
 const ZigzagOrder ten_ten{.rudder = radians(10), .heading = radians(10), .first = Side::starboard};
@@ -127,18 +129,6 @@ TEST_CASE("a mirrored ship makes the mirrored zigzag", "[nonlinear][symmetry]") 
       CHECK_THAT(port.reversals[k].time, WithinAbs(starboard.reversals[k].time, 1e-7));
     CHECK_THAT(port.run[Channel::y].back(), WithinAbs(-starboard.run[Channel::y].back(), 1e-7));
   }
-}
-
-/// The same ship n times as long: times grow with the square root of n.
-MmgShip<double> froude_scaled(MmgShip<double> ship, double n) {
-  const double root = std::sqrt(n);
-  auto& p = ship.particulars;
-  for (double* length : {&p.L, &p.B, &p.d, &p.x_G, &p.k_zz, &ship.propeller.D, &ship.rudder.H_R}) *length *= n;
-  p.nabla *= n * n * n;
-  ship.rudder.A_R *= n * n;
-  p.U_0 *= root;
-  ship.steering_gear.rate /= root;
-  return ship;
 }
 
 TEST_CASE("a ship scaled by Froude makes the same zigzag in scaled time", "[nonlinear][limit]") {

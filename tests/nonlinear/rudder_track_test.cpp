@@ -53,6 +53,20 @@ TEST_CASE("a slow rudder keeps its rate until it has caught up", "[nonlinear][li
   CHECK_THAT(rudder.at(20.0), WithinAbs(0.4, 1e-12));
 }
 
+TEST_CASE("a rudder on a clock of many seconds moves in as many pieces as on one that begins at 0",
+          "[nonlinear][limit]") {
+  const std::vector<double> angle{0.0, 0.3, -0.2, -0.2, 0.25};
+  const auto pieces = [&](double begin) {
+    std::vector<double> time{begin};
+    while (time.size() < angle.size()) time.push_back(time.back() + 3.1);
+    return behind_lag(lines(time, angle), 0.5, 0.05, 0.0);
+  };
+  const auto now = pieces(0.0), since_1970 = pieces(1.7e9);
+  REQUIRE(since_1970.size() == now.size());
+  for (std::size_t i = 0; i < now.size(); ++i)
+    CHECK_THAT(since_1970[i].start() - 1.7e9, WithinAbs(now[i].start(), 1e-5));
+}
+
 TEST_CASE("behind a play the rudder rests until the angle has come the width back", "[nonlinear][limit]") {
   const RudderTrack rudder({.width = 0.1}, lines({0.0, 10.0, 20.0}, {0.0, 1.0, 0.0}));
   CHECK_THAT(rudder.at(0.4), WithinAbs(0.0, 1e-12));

@@ -74,8 +74,11 @@ class LagFollower {
     const bool arrives = time + needed < end;
     put(RudderMotion<>::moving(time, y_, way * rate_));
     if (!arrives && end == never) return end;
-    y_ = arrives ? along(x, time + needed) - way * reach : y_ + way * rate_ * (end - time);
-    return arrives ? std::max(time + needed, std::nextafter(time, never)) : end;
+    // at the time that is returned, however coarse the clock: else the rudder arrives again and again, one rounding
+    // later
+    const double until = arrives ? std::max(time + needed, std::nextafter(time, never)) : end;
+    y_ = arrives ? along(x, until) - way * reach : y_ + way * rate_ * (end - time);
+    return until;
   }
 
   /// e(t) = b T + (e_0 − b T) exp(−t/T), until it reaches the largest rate. @return when that is
