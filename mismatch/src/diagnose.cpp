@@ -415,13 +415,20 @@ bool has_large_form(std::span<const ForceBudget> budget) {
       budget, [](const ForceBudget& b) { return is_across(b) && off_by(b, Follows::form) > largest_form; });
 }
 
+/// Whether a force grows faster than the motion: reference runs, which are gentler than the hardest of the others, tell
+/// little of it, and ships of another structure have all of these by themselves.
+bool is_of_hard_motion(const Effect& effect) {
+  constexpr std::array ids{RudderStall<>::id, CrossFlowDrag<>::id, HullNonlinearDamping<>::id, SpeedLossInTurn<>::id};
+  return std::ranges::count(ids, id_of(effect)) > 0;
+}
+
 /// Whether a force might as well be a form of her forces that is a little wrong: it follows the motion at once or a
-/// little late, and not a heel that was recorded.
-bool could_be_form(const EffectForm& form, const Effect& effect, std::span<const Recording> runs) {
+/// little late, not a heel that was recorded, and reference runs have not told it.
+bool could_be_form(const Trial& trial, const EffectForm& form, const Effect& effect) {
   const auto kind = follows(effect);
   if (place_of(effect) != EffectPlace::force || !(kind == Follows::form || kind == Follows::past)) return false;
-  const bool follows_heel = std::ranges::any_of(form.coordinates, &Coordinate::acts);
-  return !follows_heel || std::ranges::none_of(runs, [](const Recording& r) { return r.has(Channel::phi); });
+  if (trial.calibrated && kind == Follows::form && !is_of_hard_motion(effect)) return false;
+  return std::ranges::none_of(form.coordinates, &Coordinate::acts) || !(heel_of(trial.runs) > 0.0);
 }
 
 /// Whether an effect that follows the motion is more than a form that is wrong by a few per cent: without it, all else
@@ -431,7 +438,7 @@ bool could_be_form(const EffectForm& form, const Effect& effect, std::span<const
 bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, Eigen::Index first,
                        std::span<const Recording> runs, std::span<const Recording> holdout) try {
   constexpr double a_few_per_cent = 0.03;  // of the variation of a quantity
-  if (!s.on_board || !could_be_form(*s.accepted[accepted].form, s.accepted[accepted].effect, runs)) return true;
+  if (!s.on_board || !could_be_form(trial, *s.accepted[accepted].form, s.accepted[accepted].effect)) return true;
   const auto all = s.hypothesis();
   auto without = all;
   without.erase(without.begin() + static_cast<std::ptrdiff_t>(accepted));
@@ -468,7 +475,7 @@ MapFit refitted_alone(const Trial& trial, const Search& s) try {
   auto start = s.null.point;
   const auto axes = form_axes(trial);
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (axes[i] >= 0) start[static_cast<Eigen::Index>(i)] = 0.0;
+    if (const auto k = static_cast<Eigen::Index>(i); axes[i] >= 0) start[k] = trial.mean[k];
   const auto found = fit(exact_form, {}, start, s.null.noise, nullptr, 3);
   return found.point.size() == 0 ? s.null : found;
 } catch (const std::exception&) {  // the ship cannot sail these runs like that
