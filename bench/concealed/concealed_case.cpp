@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "on_board_case.hpp"
 #include "random_source.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
@@ -98,11 +99,15 @@ std::vector<CasePlan> plan_named(std::string_view name, std::size_t count, std::
   else if (name == "pairs") add(40, [&](std::size_t) { return pair(random); });
   else if (name == "unknown") add(unknowns, [](std::size_t i) { return single(i, unknown_kinds()); });
   else if (name == "all") add(200, of_mix);
-  else throw std::domain_error(fmt::format("no plan \"{}\"; there are clean, singles, pairs, unknown and all", name));
+  else if (name == "on_board_clean" || name == "on_board") return on_board_plans(name == "on_board", count, seed);
+  else
+    throw std::domain_error(fmt::format(
+        "no plan \"{}\"; there are clean, singles, pairs, unknown, all, on_board_clean and on_board", name));
   return plans;
 }
 
 ConcealedCase made(const CasePlan& plan) {
+  if (plan.on_board) return made_on_board(plan);
   RandomSource random(plan.seed);
   const auto truth = true_ship(plan.ship_kind, random.bits());
   const auto fair = fair_ship(truth, confidence);
@@ -123,6 +128,12 @@ ConcealedCase made(const CasePlan& plan) {
     c.reference = simulated(
         truth, {}, {zigzag(15, 10, true, heading), turn(30, true, heading + 2.2), zigzag(20, 15, false, heading + 4.4)},
         plan.noise, random.bits());
+  c.truth = {{"ship", c.plan.ship_kind},
+             {"noise", c.plan.noise},
+             {"set", std::string(1, letter_of(c.plan.set))},
+             {"reference", c.plan.reference},
+             {"baseline_error", c.plan.wrong_baseline ? confidence : 0.0},
+             {"seed", c.plan.seed}};
   return c;
 }
 
@@ -136,14 +147,10 @@ void write_case(const ConcealedCase& c, const std::filesystem::path& folder) {
     if (!label.channel.empty()) parameters["channel"] = label.channel;
     effects.push_back(
         {{"effect", label.effect}, {"level", name_of(label.severity)}, {"parameters", std::move(parameters)}});
+    if (label.detectability) effects.back()["detectability"] = *label.detectability;
   }
-  const Json truth{{"effects", effects},
-                   {"ship", c.plan.ship_kind},
-                   {"noise", c.plan.noise},
-                   {"set", std::string(1, letter_of(c.plan.set))},
-                   {"reference", c.plan.reference},
-                   {"baseline_error", c.plan.wrong_baseline ? confidence : 0.0},
-                   {"seed", c.plan.seed}};
+  Json truth{{"effects", effects}};
+  truth.update(c.truth);
   const auto write_runs = [&](const char* part, const std::vector<Recording>& runs) {
     if (!runs.empty()) std::filesystem::create_directories(home / part);
     for (const auto& run : runs) write_recording(run, home / part / (run.name + ".csv"));

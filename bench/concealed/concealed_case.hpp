@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,16 +31,26 @@ struct Label {
   std::string effect;
   Severity severity;
   std::vector<LabelNumber> parameters;
-  std::string channel;  ///< of a delay
+  std::string channel;                       ///< of a delay
+  std::optional<double> detectability = {};  ///< on board: see detectability()
 };
 
 /// Every effect of swayaw that is made here, and the kinds that it does not know, "unknown_…".
 std::span<const std::string_view> known_kinds();
 std::span<const std::string_view> unknown_kinds();
 
+/// Those of them that are hidden from instruments as on board.
+std::span<const std::string_view> on_board_kinds();
+std::span<const std::string_view> on_board_unknown_kinds();
+
 /// Hides an effect in a ship. Parameters that replace coefficients are counted from those of the ship file.
 /// @throws std::domain_error  for a kind that is not made here
 Label conceal(Concealment& hidden, std::string_view kind, Severity severity, const TrueShip& truth,
+              const MmgShip<double>& file, RandomSource& random);
+
+/// The same with any size: level 0 is weak, 1 moderate, 2 strong, sizes between and beyond go in equal ratios. The
+/// severity of the label is left to the caller.
+Label conceal(Concealment& hidden, std::string_view kind, double level, const TrueShip& truth,
               const MmgShip<double>& file, RandomSource& random);
 
 /// What is sailed to find it.
@@ -60,10 +71,12 @@ struct CasePlan {
   bool reference = false;       ///< three calm runs of the same ship are given
   bool wrong_baseline = false;  ///< the ship file is wrong by its confidence
   std::uint64_t seed = 1;
+  std::optional<FileForm> on_board = {};  ///< instruments as on board and a file in that form; see on_board_case.hpp
 };
 
-/// `clean`, `singles`, `pairs`, `unknown` or `all` (a quarter clean, 55 % singles, 10 % pairs, 10 % unknown); so many
-/// cases, or as many as the plan has by itself.
+/// `clean`, `singles`, `pairs`, `unknown` or `all` (a quarter clean, 55 % singles, 10 % pairs, 10 % unknown); with
+/// instruments as on board `on_board_clean`, or `on_board` (60 % singles, 20 % pairs, 20 % unknown). So many cases, or
+/// as many as the plan has by itself.
 /// @throws std::domain_error  if there is no plan of that name
 std::vector<CasePlan> plan_named(std::string_view name, std::size_t count, std::uint64_t seed);
 
@@ -74,6 +87,7 @@ struct ConcealedCase {
   std::vector<Recording> train, holdout, reference;
   std::vector<Recording> true_holdout;  ///< the runs held out as instruments without noise would have recorded them
   std::vector<Label> labels;
+  nlohmann::ordered_json truth = {};  ///< of truth.json, besides the effects
 };
 ConcealedCase made(const CasePlan& plan);
 

@@ -1,14 +1,18 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "catch.hpp"
 #include "concealed_case.hpp"
 #include "files.hpp"
+#include "on_board_case.hpp"
 #include "random_source.hpp"
+#include "rivals.hpp"
 #include "score.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/recording_csv.hpp"
+#include "swayaw/mismatch/compare.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 
 using namespace swayaw;
@@ -28,6 +32,28 @@ std::string table_named(const std::vector<Json>& lines, const std::string& name)
   for (const auto& [key, text] : tables_of(lines))
     if (key == name) return text;
   return {};
+}
+
+/// Without any error, twice a second.
+const OnBoardInstruments perfect = faultless({.rate = 2.0});
+
+Recording on_board(const TrueShip& ship, const Manoeuvre& manoeuvre, const OnBoardInstruments& board,
+                   const Concealment& hidden = {}, bool wild_fix = false) {
+  auto longer = manoeuvre;
+  longer.lengths += 0.8;
+  RandomSource random(4);
+  return recorded_on_board(ship, hidden, manoeuvre, board, true_track(ship, hidden, longer, {.disturbance = 0.0}),
+                           random, wild_fix);
+}
+
+/// The ship with what a label tells.
+Ship with_label(Ship ship, const Label& label) {
+  Effect effect = make_effect(label.effect);
+  for (const auto& n : parameters_of(ship, effect))
+    for (const auto& told : label.parameters)
+      if (n.key == told.key) parameter_value(effect, n.index) = told.value;
+  ship.effects.push_back(effect);
+  return ship;
 }
 
 /// A line of answers with one hidden effect, or none, and the name that was given.
@@ -113,7 +139,7 @@ TEST_CASE("every kind of hidden effect shows in the recording, under the keys of
   const auto ship = true_ship("training", 4);
   const auto file = fair_ship(ship, 0.02).ship;
   const auto clean = recording_text(simulate(ship, {}, zigzag(20, 20, true, 0.3), still));
-  const auto kinds = {known_kinds(), unknown_kinds()};
+  const auto kinds = {known_kinds(), unknown_kinds(), on_board_unknown_kinds()};
   for (const auto list : kinds)
     for (const auto kind : list) {
       INFO(kind);
@@ -172,6 +198,250 @@ TEST_CASE("a seed makes the same files again", "[bench][regression]") {
   CHECK(recording_text(made(plan).train.front()) != recording_text(made(other).train.front()));
 }
 
+TEST_CASE("ships of every structure sail like ships, alike to both sides, and files of every form are near them",
+          "[bench][on_board][symmetry]") {
+  constexpr std::array forms{FileForm::mmg, FileForm::pi, FileForm::abkowitz, FileForm::pi, FileForm::mmg};
+  for (std::size_t i = 0; i < forms.size(); ++i) {
+    const auto kind = ship_structures()[i];
+    INFO(kind << " " << name_of(forms[i]));
+    const auto ship = symmetric(true_ship(kind, 3));
+    const auto port = simulate(ship, {}, zigzag(20, 10, true, 0.0), still),
+               starboard = simulate(ship, {}, zigzag(20, 10, false, 0.0), still);
+    CHECK(largest_difference(port, starboard, Channel::x) < 1e-6 * ship.L);
+    CHECK(largest_difference(port, starboard, Channel::psi, -1.0) < 1e-5);
+    const auto c = character_of(ship);
+    CHECK(degrees(c.overshoot_20) > 3.0);
+    CHECK(degrees(c.overshoot_20) < 30.0);
+    CHECK(c.tactical_diameter > 2.0);
+    CHECK(c.tactical_diameter < 6.0);
+    const auto residue = fair_ship(ship, forms[i], 0.05).residue;
+    CHECK(residue.X < 0.15);
+    CHECK(residue.Y < 0.15);
+    CHECK(residue.N < 0.20);
+    CHECK(std::max({residue.X, residue.Y, residue.N}) > 0.01);  // none is of the form of its file
+  }
+}
+
+TEST_CASE("sizes between two severities go in equal ratios", "[bench][on_board][limit]") {
+  const auto ship = true_ship("twin_screw", 1);
+  const auto lag = [&](double level) {
+    Concealment hidden;
+    RandomSource random(1);
+    return conceal(hidden, "steering_gear_lag", level, ship, {}, random).parameters.front().value;
+  };
+  CHECK_THAT(lag(0.5) * lag(0.5), WithinRel(lag(0.0) * lag(1.0), 1e-12));
+  CHECK_THAT(lag(2.5) / lag(2.0), WithinRel(std::sqrt(lag(2.0) / lag(1.0)), 1e-12));
+}
+
+TEST_CASE("fixes err slowly with their memory and a little besides", "[bench][on_board][limit]") {
+  RandomSource random(11);
+  const FixErrors e{.slow = 0.6, .memory = 50.0, .white = 0.1};
+  const auto errors = fix_errors(e, 400000, random);
+  const auto covariance = [&](std::size_t lag) {
+    double sum = 0.0;
+    for (std::size_t i = lag; i < errors.size(); ++i) sum += errors[i] * errors[i - lag];
+    return sum / static_cast<double>(errors.size() - lag);
+  };
+  // over 8000 memories a variance is known to 2 %
+  CHECK_THAT(covariance(0), WithinRel(0.36 + 0.01, 0.06));
+  CHECK_THAT(covariance(50), WithinRel(0.36 * std::exp(-1.0), 0.10));
+  CHECK_THAT(covariance(0) - covariance(1), WithinRel(0.01 + 0.36 * -std::expm1(-1.0 / 50.0), 0.02));
+}
+
+TEST_CASE("positions between fixes lie on straight lines", "[bench][on_board][limit]") {
+  auto board = perfect;
+  board.rate = 4.0, board.fix = {.slow = 0.5, .memory = 60.0, .white = 0.1};
+  const auto run = on_board(true_ship("podded", 1), turn(35, true, 0.0), board);
+  const auto x = run[Channel::x];
+  double on_line = 0.0, at_fixes = 0.0;
+  for (std::size_t i = 1; i + 1 < x.size(); ++i) {
+    const double bend = std::abs(x[i - 1] - 2.0 * x[i] + x[i + 1]);
+    auto& most = i % 4 == 0 ? at_fixes : on_line;
+    most = std::max(most, bend);
+  }
+  CHECK(on_line < 5e-3);  // four times the last of seven digits
+  CHECK(at_fixes > 0.02);
+}
+
+TEST_CASE("compass and rudder show steps of a tenth of a degree", "[bench][on_board][limit]") {
+  auto board = perfect;
+  board.compass_step = board.rudder_step = radians(0.1);
+  const auto run = on_board(true_ship("rolling", 1), zigzag(20, 20, true, 0.4), board);
+  for (const auto channel : {Channel::psi, Channel::delta})
+    for (const double value : run[channel]) {
+      const double steps = value / radians(0.1);
+      CHECK(std::abs(steps - std::round(steps)) < 1e-2);
+    }
+}
+
+TEST_CASE("a late clock shows where she was, an early one where she will be", "[bench][on_board][limit]") {
+  const auto ship = true_ship("cross_flow", 1);
+  const auto prompt = on_board(ship, turn(35, false, 1.0), perfect);
+  for (const double seconds : {1.0, -1.0}) {
+    auto board = perfect;
+    board.clock = seconds;
+    const auto shifted = on_board(ship, turn(35, false, 1.0), board);
+    const auto later = static_cast<std::ptrdiff_t>(seconds * board.rate);
+    for (std::ptrdiff_t i = 2; i + 2 < std::ssize(prompt.time); ++i) {
+      const auto here = static_cast<std::size_t>(i), there = static_cast<std::size_t>(i - later);
+      CHECK(std::abs(shifted[Channel::x][here] - prompt[Channel::x][there]) < 1e-2);
+    }
+  }
+}
+
+TEST_CASE("a filter leaves a steady value, a symmetric one a slope too, a causal one is late by its time constant",
+          "[bench][on_board][limit]") {
+  std::vector<double> flat(2000, 3.0), slope;
+  for (int i = 0; i < 2000; ++i) slope.push_back(0.1 * i);
+  for (const auto kind : {Smoothing::symmetric, Smoothing::causal})
+    CHECK_THAT(smoothed(flat, 0.1, kind, 1.5)[1000], WithinRel(3.0, 1e-12));
+  CHECK_THAT(smoothed(slope, 0.1, Smoothing::symmetric, 1.5)[1000], WithinRel(slope[1000], 1e-12));
+  CHECK(std::abs(slope[1000] - smoothed(slope, 0.1, Smoothing::causal, 1.5)[1000] - 1.5) < 0.06);  // half a step
+}
+
+TEST_CASE("a yaw rate made from headings is that of the ship, and that of a gyro has its factor and zero",
+          "[bench][on_board][limit]") {
+  const auto ship = true_ship("twin_screw", 1);
+  const auto manoeuvre = turn(35, true, 0.0);
+  const auto truth = on_board(ship, manoeuvre, perfect);
+  auto from_heading = perfect, by_gyro = perfect;
+  from_heading.gyro = false, by_gyro.gyro_scale = 1.012, by_gyro.gyro_zero = 3e-5;
+  const auto slope = on_board(ship, manoeuvre, from_heading), gyro = on_board(ship, manoeuvre, by_gyro);
+  for (std::size_t i = truth.samples() / 2; i < truth.samples(); ++i) {  // she turns steadily
+    CHECK(std::abs(slope[Channel::r][i] / truth[Channel::r][i] - 1.0) < 0.01);
+    CHECK_THAT(gyro[Channel::r][i], WithinAbs(1.012 * truth[Channel::r][i] + 3e-5, 1e-7));
+  }
+}
+
+TEST_CASE("every run has a gap in its fixes where losses happen, and one fix is wild where asked for",
+          "[bench][on_board][limit]") {
+  const auto ship = true_ship("polynomial", 1);
+  auto board = perfect;
+  board.gaps = true;
+  const auto run = on_board(ship, zigzag(10, 10, true, 0.0), board);
+  CHECK(std::ranges::count_if(run[Channel::x], [](double x) { return std::isnan(x); }) >= 6);
+  CHECK(std::ranges::none_of(run[Channel::psi], [](double psi) { return std::isnan(psi); }));
+  const auto quiet = on_board(ship, zigzag(10, 10, true, 0.0), perfect),
+             wild = on_board(ship, zigzag(10, 10, true, 0.0), perfect, {}, true);
+  CHECK(largest_difference(quiet, wild, Channel::x) > 0.1 * ship.L);
+}
+
+TEST_CASE("nuisances lie below the practical floors, but for log and clock, which keep their bounds",
+          "[bench][on_board][limit]") {
+  const auto truth = true_ship("podded", 1);
+  const auto file = fair_ship(truth, FileForm::mmg, 0.05).ship;
+  const auto floor = [&](std::string_view id) { return parameters_of(file, make_effect(id)).front().floor; };
+  int late = 0, without_sway = 0;
+  for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+    RandomSource random(seed);
+    const auto i = instruments_by_chance(random, truth, {});
+    CHECK(std::abs(i.gyro_scale - 1.0) < floor("gyro_scale"));
+    CHECK(std::abs(i.gyro_zero) < floor("gyro_bias"));
+    CHECK(std::abs(i.compass_zero) < floor("heading_bias"));
+    CHECK(std::abs(i.rudder_zero) < floor("rudder_offset"));
+    CHECK(std::abs(i.log_scale - 1.0) <= 0.02);
+    CHECK(std::abs(i.clock) <= 1.0);
+    late += i.clock != 0.0, without_sway += i.sway != SwayRecord::through_water;
+  }
+  // 100 ± 9 of 400 and 267 ± 9
+  CHECK(std::abs(late - 100) < 35);
+  CHECK(std::abs(without_sway - 267) < 38);
+}
+
+TEST_CASE("an effect has no second error of its kind beside it", "[bench][on_board][limit]") {
+  const auto ship = true_ship("podded", 1);
+  RandomSource a(3), b(3), c(3), d(3);
+  CHECK(instruments_by_chance(a, ship, {.gyro_bias = 1e-3}).gyro_zero == 0.0);
+  CHECK(instruments_by_chance(b, ship, {.heading_bias = 0.05}).compass_zero == 0.0);
+  CHECK(instruments_by_chance(c, ship, {.log_scale = 0.05}).log_scale == 1.0);
+  CHECK(instruments_by_chance(d, ship, {.delay = 5.0, .late = Channel::x}).clock == 0.0);
+}
+
+TEST_CASE("a case as on board is made again by its seed, and another by another", "[bench][on_board][regression]") {
+  auto plan = plan_named("on_board_clean", 1, 7).front();
+  const auto one = made(plan), again = made(plan);
+  CHECK(recording_text(one.train.front()) == recording_text(again.train.front()));
+  CHECK(one.truth.dump() == again.truth.dump());
+  plan.seed += 1;
+  CHECK(recording_text(one.train.front()) != recording_text(made(plan).train.front()));
+  CHECK(one.labels.empty());
+  CHECK(one.truth.at("air").at("mean_m_s").get<double>() < 0.15 * one.truth.at("speed_m_s").get<double>());
+  CHECK(one.truth.at("air").at("current_m_s").get<double>() <= 0.015 * one.truth.at("speed_m_s").get<double>());
+  const auto runs = one.train.size() + one.holdout.size();
+  CHECK(runs >= 3);
+  CHECK(runs <= 8);
+}
+
+TEST_CASE("a file replays a clean ship, and one with a hidden effect once it has that effect",
+          "[bench][on_board][second-route]") {
+  const auto truth = true_ship("twin_screw", 1);
+  const auto file = fair_ship(truth, FileForm::mmg, 0.05).ship;
+  const Concealment hidden{.rudder_offset = radians(2.5)};
+  const auto manoeuvre = zigzag(20, 10, true, 0.3);
+  const auto calm = on_board(truth, manoeuvre, perfect), run = on_board(truth, manoeuvre, perfect, hidden);
+  const Label label{.effect = "rudder_offset",
+                    .severity = Severity::strong,
+                    .parameters = {{"offset_rad", radians(2.5)}},
+                    .channel = {}};
+  CHECK(detectability(file, {calm}, {calm}) == 1.0);
+  CHECK(detectability(file, {run}, {calm}) > strongly);
+  CHECK(detectability(with_label(file, label), {run}, {calm}) < 1.2);
+}
+
+TEST_CASE("what is hidden from instruments as on board can be noticed, and the file alone keeps near the ship",
+          "[bench][on_board][limit]") {
+  auto plan = plan_named("on_board", 1, 5).front();
+  plan.ship_kind = "twin_screw", plan.on_board = FileForm::mmg;
+  plan.effects = {{"rudder_offset", Severity::moderate}};
+  const auto c = made(plan);
+  REQUIRE(c.labels.size() == 1);
+  CHECK(c.labels.front().detectability.value() >= noticeable);
+  CHECK(c.truth.at("replay_floor").at("heading_rad").get<double>() < radians(8.0));
+}
+
+TEST_CASE("as many cases of a plan are as many structures, and none is clean where something is hidden",
+          "[bench][on_board][limit]") {
+  std::set<std::string> ships;
+  for (const auto& plan : plan_named("on_board", 30, 1)) {
+    CHECK(!plan.effects.empty());
+    CHECK(plan.on_board.has_value());
+    ships.insert(plan.ship_kind);
+  }
+  CHECK(ships.size() == ship_structures().size());
+  for (const auto& plan : plan_named("on_board_clean", 10, 1)) CHECK(plan.effects.empty());
+}
+
+TEST_CASE("tables of cases as on board tell strong from moderate, and every case", "[bench][on_board][limit]") {
+  std::vector<Json> lines;
+  for (const auto* level : {"strong", "moderate"}) {
+    auto line = line_of("rudder_offset", level[0] == 's' ? "rudder_offset" : "gust");
+    line.erase("ship"), line["case"] = "001", line["family"] = "podded", line["form"] = "pi", line["seconds"] = 12.0;
+    line["effects"][0]["level"] = level, line["effects"][0]["detectability"] = 2.5;
+    line["instruments"] = {{"drift", "none"}, {"filter", "causal"}, {"clock", 0.0}, {"gyro", true}};
+    line["rivals"]["pooled"] = {"rudder_offset"};
+    lines.push_back(line);
+  }
+  const auto overview = table_named(lines, "overview");
+  CHECK_THAT(overview, ContainsSubstring("| strong: named first | 1/1 (100 %)"));
+  CHECK_THAT(overview, ContainsSubstring("| moderate: named first | 0/1 (0 %)"));
+  CHECK_THAT(overview, ContainsSubstring("| expected calibration error, ten bins | 0.400 |"));
+  CHECK_THAT(overview, ContainsSubstring("12.0, 12.0"));
+  CHECK_THAT(table_named(lines, "cases"), ContainsSubstring("| podded | pi | rudder_offset (2.50) | gust (0.90) |"));
+  CHECK_THAT(table_named(lines, "rivals"), ContainsSubstring("| pooled | – | 2/2 (100 %) | 2/2 (100 %)"));
+  CHECK_THAT(table_named(lines, "factors"), ContainsSubstring("| filter: causal | 2 |"));
+}
+
+TEST_CASE("one regression of all runs finds a strong wind on four headings in a file of the right form",
+          "[bench][on_board][second-route]") {
+  const auto ship = true_ship("training", 2);
+  Riddle riddle{.ship = fair_ship(ship, 0.02).ship, .train = {}, .holdout = {}, .reference = {}, .true_holdout = {}};
+  for (int i = 0; i < 4; ++i)
+    riddle.train.push_back(simulate(ship, {.wind_speed = 2.0 * ship.U_0, .wind_from = 0.7},
+                                    turn(35, i % 2 == 0, 1.6 * i), {.noise = 0.0, .seed = 3}));
+  for (const auto& [rival, names] : rivals_on(riddle, 1))
+    if (rival == "pooled") CHECK(std::ranges::count(names, "steady_wind") == 1);
+}
+
 TEST_CASE("marks count names, classes and false alarms", "[bench][limit]") {
   const std::vector<Json> lines{line_of("rudder_offset", "rudder_offset"),
                                 line_of("propeller_side_force", "rudder_offset"),
@@ -192,6 +462,7 @@ TEST_CASE("marks count names, classes and false alarms", "[bench][limit]") {
 
 TEST_CASE("a plan or an effect that is not there is refused in words", "[bench][refusal]") {
   CHECK_THROWS_WITH(plan_named("many", 3, 1), ContainsSubstring("no plan \"many\""));
+  CHECK_THROWS_WITH(plan_named("many", 3, 1), ContainsSubstring("on_board_clean"));
   CHECK_THROWS_WITH(true_ship("barge", 1), ContainsSubstring("\"barge\""));
   Concealment hidden;
   RandomSource random(1);

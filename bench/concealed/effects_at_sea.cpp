@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -14,17 +15,26 @@ namespace {
 using Three = std::array<double, 3>;  ///< weak, moderate, strong
 using Numbers = std::vector<LabelNumber>;
 
-/// What a recipe works with.
+/// What a recipe works with. Level 0 is weak, 1 moderate, 2 strong; between and beyond them sizes go in equal ratios.
 struct Kitchen {
   Concealment& h;
-  std::size_t level;
+  double level;
   const TrueShip& s;
   const MmgShip<double>& file;
   RandomSource& random;
   Label& label;
 
-  double size(const Three& sizes) const { return sizes[level]; }
-  double either_way(const Three& sizes) { return random.sign() * sizes[level]; }
+  double size(const Three& sizes) const {
+    const auto below = static_cast<std::size_t>(std::clamp(std::floor(level), 0.0, 1.0));
+    const double on = level - static_cast<double>(below);
+    return on == 0.0   ? sizes[below]
+           : on == 1.0 ? sizes[below + 1]
+                       : sizes[below] * std::pow(sizes[below + 1] / sizes[below], on);
+  }
+  double either_way(const Three& sizes) {
+    const double sign = random.sign();
+    return sign * size(sizes);
+  }
   double direction() { return random.uniform(0.0, 2.0 * pi); }
 };
 
@@ -253,9 +263,17 @@ Numbers tow_line(Kitchen& k) {
   return grown<&Concealment::tow_line>(k, {0.003, 0.006, 0.012});
 }
 
+Numbers tug(Kitchen& k) {
+  k.h.tug_onset = k.random.uniform(5.0, 11.0) * k.s.time_unit();
+  k.h.tug_end = k.h.tug_onset + k.random.uniform(4.0, 9.0) * k.s.time_unit();
+  k.h.tug_place = 0.35 * k.random.sign();
+  k.h.tug = k.either_way({0.004, 0.008, 0.016});
+  return {{"onset_s", k.h.tug_onset}, {"end_s", k.h.tug_end}};
+}
+
 using Recipe = Numbers (*)(Kitchen&);
 
-constexpr std::array<std::pair<std::string_view, Recipe>, 37> recipes{{
+constexpr std::array<std::pair<std::string_view, Recipe>, 38> recipes{{
     {"steady_wind", wind},
     {"gust", gust},
     {"steady_current", current},
@@ -293,9 +311,34 @@ constexpr std::array<std::pair<std::string_view, Recipe>, 37> recipes{{
     {"unknown_compass", compass},
     {"unknown_blade", blade},
     {"unknown_bank", bank},
+    {"unknown_tug", tug},
 }};
 
-constexpr std::size_t known_count = 30;
+constexpr std::size_t known_count = 30, unknown_count = 7;
+
+/// What makes sense to hide from instruments as on board: kinds whose numbers are not those of a ship file, which has
+/// terms of another form, and the three that no effect is like and that harbours know.
+constexpr std::array<std::string_view, 20> on_board_names{"steady_wind",
+                                                          "rudder_effectiveness",
+                                                          "gyro_bias",
+                                                          "added_resistance",
+                                                          "steady_current",
+                                                          "propeller_side_force",
+                                                          "wave_drift",
+                                                          "rudder_offset",
+                                                          "cross_flow_drag",
+                                                          "channel_delay",
+                                                          "steering_gear_lag",
+                                                          "shallow_water",
+                                                          "gust",
+                                                          "heading_bias",
+                                                          "roll_coupling",
+                                                          "shaft_speed_drop",
+                                                          "log_scale",
+                                                          "fluid_memory",
+                                                          "antenna_lever_arm",
+                                                          "rudder_stall"};
+constexpr std::array<std::string_view, 3> on_board_unknown_names{"unknown_tug", "unknown_kelp", "unknown_bank"};
 
 constexpr auto kind_names = [] {
   std::array<std::string_view, recipes.size()> names;
@@ -311,14 +354,23 @@ std::string_view name_of(Severity severity) {
 }
 
 std::span<const std::string_view> known_kinds() { return std::span(kind_names).first(known_count); }
-std::span<const std::string_view> unknown_kinds() { return std::span(kind_names).subspan(known_count); }
+std::span<const std::string_view> unknown_kinds() { return std::span(kind_names).subspan(known_count, unknown_count); }
+std::span<const std::string_view> on_board_kinds() { return on_board_names; }
+std::span<const std::string_view> on_board_unknown_kinds() { return on_board_unknown_names; }
 
 Label conceal(Concealment& hidden, std::string_view kind, Severity severity, const TrueShip& truth,
               const MmgShip<double>& file, RandomSource& random) {
+  auto label = conceal(hidden, kind, static_cast<double>(severity), truth, file, random);
+  label.severity = severity;
+  return label;
+}
+
+Label conceal(Concealment& hidden, std::string_view kind, double level, const TrueShip& truth,
+              const MmgShip<double>& file, RandomSource& random) {
   for (const auto& [name, recipe] : recipes) {
     if (name != kind) continue;
-    Label label{std::string(kind), severity, {}, {}};
-    Kitchen kitchen{hidden, static_cast<std::size_t>(severity), truth, file, random, label};
+    Label label{.effect = std::string(kind), .severity = Severity::moderate, .parameters = {}, .channel = {}};
+    Kitchen kitchen{hidden, level, truth, file, random, label};
     label.parameters = recipe(kitchen);
     return label;
   }

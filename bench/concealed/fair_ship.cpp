@@ -18,11 +18,7 @@ namespace {
 using Mmg = MmgShip<double>;
 using Number = std::function<double&(Mmg&)>;
 
-/// A state that ships pass through.
-struct Point {
-  States state;
-  Moment moment;
-};
+using Point = TruePoint;
 
 /// Drift, yaw rate and rudder about those of turning ships, at two speeds.
 std::vector<Point> grid(const TrueShip& truth) {
@@ -36,6 +32,7 @@ std::vector<Point> grid(const TrueShip& truth) {
         States q{};
         q[State::u] = U * std::cos(beta), q[State::v] = -U * std::sin(beta), q[State::r] = r_prime * U / truth.L,
         q[State::shaft] = order.rev * (1.0 - 0.03 * std::abs(r_prime));
+        q[State::phi] = steady_heel(truth, q[State::u], q[State::r]);
         points.push_back(
             {q, {.time = 0.0, .delta = radians(delta), .order = order, .disturbance = {}, .turbulence = 0.0}});
       }
@@ -111,6 +108,8 @@ std::vector<Number> parameters(Part Mmg::*part, std::vector<double Part::*> memb
 
 /// What a ship file can take over as it is.
 Mmg particulars_of(const TrueShip& t) {
+  // two propellers are one of the same thrust: n²D⁴ twice, J over the wider D
+  const double wider = std::pow(t.screws(), 0.25);
   Mmg ship{};
   ship.water.rho = 1025.0;
   ship.particulars = {.L = t.L,
@@ -124,21 +123,21 @@ Mmg particulars_of(const TrueShip& t) {
                       .A_lateral = t.A_lateral};
   ship.added_mass = {.m_x = t.m_x, .m_y = t.m_y, .J_z = t.J_z, .surge_coupling = {}};
   ship.hull = {};
-  ship.propeller = {.D = t.D,
+  ship.propeller = {.D = t.D * wider,
                     .x_P = -0.48,
                     .t_P = t.t_P,
                     .w_P0 = t.w_0,
                     .k_0 = t.K_T[0],
-                    .k_1 = t.K_T[1],
-                    .k_2 = t.K_T[2],
+                    .k_1 = t.K_T[1] * wider,
+                    .k_2 = t.K_T[2] * wider * wider,
                     .C_1 = t.wake_rate,
                     .C_2_positive = t.wake_gain,
                     .C_2_negative = t.wake_gain,
                     .q_0 = 0.0,
                     .q_1 = 0.0,
                     .q_2 = 0.0};
-  ship.rudder = {.A_R = t.A_R,
-                 .H_R = t.H_R,
+  ship.rudder = {.A_R = t.A_R * t.screws(),
+                 .H_R = t.H_R * wider,
                  .x_R = -0.5,
                  .t_R = t.t_R,
                  .a_H = t.a_H,
@@ -199,14 +198,14 @@ void fit_parts(Mmg& ship, const TrueShip& truth, const std::vector<Point>& point
 /// What some 200 lengths of trials tell of a number, with accelerations of 2.4 % that no model has.
 constexpr double known_by_trials = 0.0017;
 
-/// A fit knows a force, not each of its terms: a term that is small in a turn with v' = 0.25 and r' = 0.5 is trusted to
-/// the same share of the largest one of its force.
+}  // namespace
+
 Confidence confidence_of(const Ship& ship, double least) {
   Confidence confidence{.coefficients = least, .named = {}};
   const auto terms = coefficients_of(ship, "hull");
   const auto size = [](const Parameter& n) {  // "Y_vvr" stands before v'²r'
     double product = std::abs(n.value);
-    for (const char c : n.key.substr(2)) product *= c == 'v' ? 0.25 : c == 'r' ? 0.5 : 0.0;
+    for (const char c : n.key.substr(2)) product *= c == 'v' ? 0.25 : c == 'r' ? 0.5 : c == 'u' ? 0.3 : 0.0;
     return product;
   };
   for (const char force : {'X', 'Y', 'N'}) {
@@ -214,22 +213,25 @@ Confidence confidence_of(const Ship& ship, double least) {
     for (const auto& n : terms)
       if (n.key.front() == force) largest = std::max(largest, size(n));
     for (const auto& n : terms)
-      if (n.key.front() == force && size(n) < largest)
+      if (n.key.front() == force && n.key != "X_u" && n.value != 0.0 && size(n) < largest)
         confidence.named.emplace_back(n.key, std::min(1.0, least * largest / size(n)));
   }
   return confidence;
 }
 
-}  // namespace
+std::vector<TruePoint> trial_points(const TrueShip& truth) {
+  std::vector<TruePoint> points;
+  for (const bool to_port : {true, false})
+    add_trials(
+        points, truth,
+        {zigzag(10, 10, to_port, 0.0), zigzag(20, 20, to_port, 0.0), turn(20, to_port, 0.0), turn(35, to_port, 0.0)});
+  return points;
+}
 
 FairShip fair_ship(const TrueShip& truth, double confidence) {
   Mmg model = particulars_of(truth);
   fit_parts(model, truth, grid(truth), 0.0);
-  std::vector<Point> trials;
-  for (const bool to_port : {true, false})
-    add_trials(
-        trials, truth,
-        {zigzag(10, 10, to_port, 0.0), zigzag(20, 20, to_port, 0.0), turn(20, to_port, 0.0), turn(35, to_port, 0.0)});
+  const auto trials = trial_points(truth);
   fit_parts(model, truth, trials, known_by_trials);
   Ship ship{.name = truth.kind,
             .model = model,

@@ -31,6 +31,20 @@ class RandomSource {
   std::uint64_t state_;
 };
 
+/// A first-order Gauss–Markov process: standard deviation 1, memory in steps.
+class Wandering {
+ public:
+  Wandering(double memory, RandomSource& random)
+      : stays_(std::exp(-1.0 / memory)), random_(random), value_(random.normal()) {}
+
+  double next() { return value_ = stays_ * value_ + std::sqrt(1.0 - stays_ * stays_) * random_.normal(); }
+
+ private:
+  double stays_;
+  RandomSource& random_;
+  double value_;
+};
+
 /// A seed of its own for part `index` of what has that seed.
 inline std::uint64_t seed_of(std::uint64_t seed, std::uint64_t index) {
   return RandomSource(seed * 0x2545f4914f6cdd1dull + index).bits();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <mutex>
 #include <set>
@@ -91,6 +92,9 @@ Json diagnosis_of(const Riddle& riddle) {
           {"holdout", holdout_errors(d)}};
 }
 
+/// Time that the program has worked on one core, whatever else the machine does; of all threads together.
+double work_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 /// The answers to one case beside its truth. What cannot be diagnosed is a wrong answer.
 Json answered(const fs::path& folder, bool rivals_only) {
   Json line = Json::parse(read_text(folder / "truth.json"));
@@ -100,6 +104,7 @@ Json answered(const fs::path& folder, bool rivals_only) {
   for (const auto& [rival, effects] : rivals_on(riddle, line.value("seed", std::uint64_t{0})))
     line["rivals"][rival] = effects;
   if (rivals_only) return line;
+  const double begun = work_seconds();
   try {
     line["answer"] = diagnosis_of(riddle);
   } catch (const std::exception& trouble) {
@@ -109,6 +114,7 @@ Json answered(const fs::path& folder, bool rivals_only) {
                       {"candidates", Json::array()},
                       {"holdout_ratio", nullptr}};
   }
+  line["seconds"] = work_seconds() - begun;
   return line;
 }
 

@@ -14,20 +14,6 @@ namespace {
 
 constexpr double settling = 12.0;  ///< [L/U] before the record begins
 
-/// A process that forgets: standard deviation 1, memory in steps.
-class Wandering {
- public:
-  Wandering(double memory, RandomSource& random)
-      : stays_(std::exp(-1.0 / memory)), random_(random), value_(random.normal()) {}
-
-  double next() { return value_ = stays_ * value_ + std::sqrt(1.0 - stays_ * stays_) * random_.normal(); }
-
- private:
-  double stays_;
-  RandomSource& random_;
-  double value_;
-};
-
 // ---------------------------------------------------------------- helm
 
 /// Who stands at the wheel: rudder orders, positive to port.
@@ -106,16 +92,6 @@ States stepped(const TrueShip& ship, const Concealment& hidden, const States& q,
 
 // ---------------------------------------------------------------- instruments
 
-/// A channel of a track at a time: what is late is read off earlier.
-double at(const TrueTrack& track, const std::vector<double>& values, double time) {
-  const double place = std::clamp((time - track.from) / track.step, 0.0, static_cast<double>(values.size() - 1));
-  const auto i = std::min(static_cast<std::size_t>(place), values.size() - 2);
-  return values[i] + (place - static_cast<double>(i)) * (values[i + 1] - values[i]);
-}
-
-/// Seven digits, as instruments give.
-double rounded(double value) { return std::stod(fmt::format("{:.7g}", value)); }
-
 double deviation(Channel channel, const TrueShip& s) {
   switch (channel) {
     case Channel::x:
@@ -128,39 +104,21 @@ double deviation(Channel channel, const TrueShip& s) {
   }
 }
 
-/// What a faultless instrument would show.
-std::vector<double> shown(Channel channel, const TrueTrack& track, const Concealment& h) {
-  if (channel == Channel::delta) return track.delta;
-  std::vector<double> values;
-  for (const auto& q : track.states) {
-    const double c = std::cos(q[State::psi]), e = std::sin(q[State::psi]);
-    switch (channel) {
-      case Channel::x: values.push_back(q[State::x] + h.antenna_x * c - h.antenna_y * e); break;
-      case Channel::y: values.push_back(q[State::y] + h.antenna_x * e + h.antenna_y * c); break;
-      case Channel::psi: values.push_back(q[State::psi] + h.heading_bias + h.compass_cosine * c); break;
-      case Channel::r: values.push_back(q[State::r] + h.gyro_bias); break;
-      case Channel::speed_through_water: values.push_back(q[State::u] * (1.0 + h.log_scale)); break;
-      default: values.push_back(q[State::shaft]);
-    }
-  }
-  return values;
-}
-
 Recording recorded(const TrueShip& s, const Concealment& h, const Manoeuvre& m, const TrialOptions& o,
                    const TrueTrack& track, RandomSource& random) {
   Recording run{.name = m.name, .facts = {}, .time = {}, .channels = {}, .extra = {}};
   run.facts.manoeuvre = m.name;
-  run.facts.execute = rounded(s.time_unit());
-  const double dt = rounded(o.sample * s.time_unit());
-  for (int i = 0; i * o.sample <= m.lengths; ++i) run.time.push_back(rounded(i * dt));
+  run.facts.execute = seven_digits(s.time_unit());
+  const double dt = seven_digits(o.sample * s.time_unit());
+  for (int i = 0; i * o.sample <= m.lengths; ++i) run.time.push_back(seven_digits(i * dt));
   for (const auto channel :
        {Channel::x, Channel::y, Channel::psi, Channel::r, Channel::speed_through_water, Channel::delta, Channel::rev}) {
     const auto truth = shown(channel, track, h);
     const bool late = channel == h.late || (channel == Channel::y && h.late == Channel::x);
     const auto values = run.fill(channel);
     for (std::size_t i = 0; i < values.size(); ++i)
-      values[i] = rounded(at(track, truth, run.time[i] - (late ? h.delay : 0.0)) +
-                          o.noise * deviation(channel, s) * random.normal());
+      values[i] = seven_digits(value_at(track, truth, run.time[i] - (late ? h.delay : 0.0)) +
+                               o.noise * deviation(channel, s) * random.normal());
   }
   return run;
 }
@@ -168,10 +126,10 @@ Recording recorded(const TrueShip& s, const Concealment& h, const Manoeuvre& m, 
 /// The true track from the settled approach to the end.
 TrueTrack simulated(const TrueShip& s, const Concealment& h, const Manoeuvre& m, const TrialOptions& o,
                     RandomSource& random) {
-  const double T = s.time_unit(), step = rounded(o.sample * T) / o.steps,
+  const double T = s.time_unit(), step = seven_digits(o.sample * T) / o.steps,
                unit = 0.0012 * o.disturbance * s.U_0 * s.U_0 / s.L;
   const double memory = 0.7 * T / step;
-  Wandering d_u(memory, random), d_v(memory, random), d_r(memory, random), gusts(2.0 * T / step, random);
+  Wandering d_u(memory, random), d_v(memory, random), d_r(memory, random), gusts(o.gust_memory * T / step, random);
   Moment now{.time = 0.0, .delta = 0.0, .order = self_propulsion(s, s.U_0), .disturbance = {}, .turbulence = 0.0};
   States q{};
   q[State::psi] = m.approach, q[State::u] = s.U_0, q[State::shaft] = now.order.rev,
@@ -189,7 +147,7 @@ TrueTrack simulated(const TrueShip& s, const Concealment& h, const Manoeuvre& m,
     if (i >= -kept) track.states.push_back(q), track.delta.push_back(gear.shown());
     now.time = static_cast<double>(i) * step;
     now.disturbance = {0.3 * unit * d_u.next(), unit * d_v.next(), 1.5 * unit / s.L * d_r.next()};
-    now.turbulence = 0.08 * o.disturbance * gusts.next();
+    now.turbulence = o.turbulence * o.disturbance * gusts.next();
     const double order = helm.order(now.time, q);
     std::array<double, 3> delta{gear.rudder()};
     for (std::size_t half = 1; half < 3; ++half) gear.move(order, 0.5 * step), delta[half] = gear.rudder();
@@ -223,6 +181,39 @@ Manoeuvre passage(double approach, double first_change) {
           .heading = first_change,
           .approach = approach,
           .lengths = 28.0};
+}
+
+double seven_digits(double value) { return std::stod(fmt::format("{:.7g}", value)); }
+
+double value_at(const TrueTrack& track, std::span<const double> values, double time) {
+  const double place = std::clamp((time - track.from) / track.step, 0.0, static_cast<double>(values.size() - 1));
+  const auto i = std::min(static_cast<std::size_t>(place), values.size() - 2);
+  return values[i] + (place - static_cast<double>(i)) * (values[i + 1] - values[i]);
+}
+
+std::vector<double> shown(Channel channel, const TrueTrack& track, const Concealment& h) {
+  if (channel == Channel::delta) return track.delta;
+  std::vector<double> values;
+  for (const auto& q : track.states) {
+    const double c = std::cos(q[State::psi]), e = std::sin(q[State::psi]), drift = h.current_to - q[State::psi];
+    const double u_ground = q[State::u] + h.current_speed * std::cos(drift) - h.antenna_y * q[State::r],
+                 v_ground = q[State::v] + h.current_speed * std::sin(drift) + h.antenna_x * q[State::r];
+    switch (channel) {
+      case Channel::x: values.push_back(q[State::x] + h.antenna_x * c - h.antenna_y * e); break;
+      case Channel::y: values.push_back(q[State::y] + h.antenna_x * e + h.antenna_y * c); break;
+      case Channel::psi: values.push_back(q[State::psi] + h.heading_bias + h.compass_cosine * c); break;
+      case Channel::r: values.push_back(q[State::r] + h.gyro_bias); break;
+      case Channel::u:
+      case Channel::speed_through_water: values.push_back(q[State::u] * (1.0 + h.log_scale)); break;
+      case Channel::v: values.push_back(q[State::v]); break;
+      case Channel::u_ground: values.push_back(u_ground); break;
+      case Channel::v_ground: values.push_back(v_ground); break;
+      case Channel::speed_over_ground: values.push_back(std::hypot(u_ground, v_ground)); break;
+      case Channel::phi: values.push_back(q[State::phi]); break;
+      default: values.push_back(q[State::shaft]);
+    }
+  }
+  return values;
 }
 
 TrueTrack true_track(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,

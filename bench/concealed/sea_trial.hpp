@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct TrialOptions {
   double noise = 1.0;        ///< times that
   double disturbance = 1.0;  ///< times accelerations of 0.0012 U²/L sway, with a memory of 0.7 L/U
   double sample = 0.04;      ///< time between samples [L/U]
+  double turbulence = 0.08;  ///< standard deviation over mean of the wind speed
+  double gust_memory = 2.0;  ///< of the wind [L/U]
   int steps = 4;             ///< of the integration between samples
   std::uint64_t seed = 1;
 };
@@ -45,6 +48,15 @@ struct TrueTrack {
 };
 TrueTrack true_track(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,
                      const TrialOptions& options = {});
+
+/// A channel at every step of a track, as an instrument without noise shows it: with what is hidden, but no delay.
+std::vector<double> shown(Channel channel, const TrueTrack& track, const Concealment& hidden);
+
+/// A value of a track at a time of the run, by a straight line between steps.
+double value_at(const TrueTrack& track, std::span<const double> values, double time);
+
+/// Rounded to as many digits as instruments give.
+double seven_digits(double value);
 
 /// The recording of a manoeuvre.
 Recording simulate(const TrueShip& ship, const Concealment& hidden, const Manoeuvre& manoeuvre,

@@ -190,15 +190,27 @@ std::string grouped(const std::string& title, const Lines& lines, auto&& name_of
   return text;
 }
 
+bool is_on_board(const Json& line) { return line.contains("form"); }
+
 std::string factor(const Json& line, const std::string& name) {
   if (name == "noise") return fmt::format("noise x{:g}", line.at("noise").get<double>());
   if (name == "set") return "set " + line.at("set").get<std::string>();
-  if (name == "reference") return line.at("reference").get<bool>() ? "with reference" : "without reference";
+  if (name == "reference") return line.value("reference", false) ? "with reference" : "without reference";
   if (name == "baseline") return line.at("baseline_error").get<double>() > 0.0 ? "baseline wrong" : "baseline right";
-  return line.at("ship");
+  if (name == "form") return "file in form " + line.at("form").get<std::string>();
+  if (name == "sway") return "sway: " + line.at("instruments").at("drift").get<std::string>();
+  if (name == "filter") return "filter: " + line.at("instruments").at("filter").get<std::string>();
+  if (name == "clock")
+    return line.at("instruments").at("clock") == 0.0 ? "positions in time" : "positions late or early";
+  if (name == "gyro") return line.at("instruments").at("gyro") ? "yaw rate of a gyro" : "yaw rate from headings";
+  return line.contains("ship") ? line.at("ship") : line.at("family");
 }
 
-constexpr std::array factors{"noise", "set", "reference", "baseline", "ship"};
+/// What cases differ in besides what is hidden.
+std::vector<std::string> factors_of(const Json& line) {
+  if (is_on_board(line)) return {"ship", "form", "reference", "sway", "gyro", "filter", "clock"};
+  return {"noise", "set", "reference", "baseline", "ship"};
+}
 
 // ---------------------------------------------------------------- tables
 
@@ -247,7 +259,8 @@ std::string alarms(const std::vector<Json>& lines) {
   for (const auto* line : where(lines, [](const Names& t) { return t.empty(); })) {
     const auto& a = line->at("answer");
     const bool alarm = mark_of(*line).found;
-    for (const auto* name : factors) ++groups[factor(*line, name)].second, groups[factor(*line, name)].first += alarm;
+    for (const auto& name : factors_of(*line))
+      ++groups[factor(*line, name)].second, groups[factor(*line, name)].first += alarm;
     if (alarm)
       ++blamed[a.at("effects").empty() ? a.at("verdict").get<std::string>()
                                        : a["effects"][0].at("effect").get<std::string>()];
@@ -266,7 +279,7 @@ std::string by_factor(const std::vector<Json>& lines) {
   std::map<std::string, Group> levels;
   for (const auto* line : singles) levels[level(*line)].add(*line);
   for (const auto& [name, group] : levels) text += row(name, group);
-  for (const auto* name : factors) {
+  for (const auto& name : singles.empty() ? std::vector<std::string>{} : factors_of(*singles.front())) {
     std::map<std::string, Group> groups;
     for (const auto* line : singles) groups[factor(*line, name)].add(*line);
     for (const auto& [value, group] : groups) text += row(value, group);
@@ -291,45 +304,59 @@ std::string confusions(const std::vector<Json>& lines) {
   return text;
 }
 
-/// What probabilities are worth: that of the first effect where one is named, else that of nothing.
-std::string calibration(const std::vector<Json>& lines) {
+/// Probabilities that were said, in bins of the same width, beside how often they were right.
+struct Reliability {
   struct Bin {
     int cases = 0, right = 0;
     double sum = 0.0;
   };
-  std::array<Bin, 5> bins;
-  double error = 0.0;
+  std::vector<Bin> bins;
+  double error = 0.0;  ///< expected calibration error: mean over the cases of |mean probability − share that is right|
+};
+
+/// The probability of the first effect where one is named, else that of nothing.
+double probability_said(const Json& answer) {
+  if (!answer.at("effects").empty()) return answer["effects"][0].at("probability").get<double>();
+  double p = 1.0;
+  for (const auto& c : answer.at("candidates"))
+    p -= c.at("probability").is_null() ? 0.0 : c["probability"].get<double>();
+  return p;
+}
+
+Reliability reliability(const std::vector<Json>& lines, std::size_t bins) {
+  Reliability r{.bins = std::vector<Reliability::Bin>(bins)};
   int cases = 0;
+  const double width = static_cast<double>(bins);
   for (const auto& line : lines) {
     if (!line.contains("answer") || line["answer"].at("verdict") == "failed") continue;
-    const auto& a = line["answer"];
-    double p = 1.0;
-    if (!a.at("effects").empty()) p = a["effects"][0].at("probability").get<double>();
-    else
-      for (const auto& c : a.at("candidates"))
-        p -= c.at("probability").is_null() ? 0.0 : c["probability"].get<double>();
-    auto& bin = bins[static_cast<std::size_t>(std::clamp(p * 5.0, 0.0, 4.0))];
+    const double p = probability_said(line["answer"]);
+    auto& bin = r.bins[static_cast<std::size_t>(std::clamp(p * width, 0.0, width - 1.0))];
     ++bin.cases, ++cases, bin.sum += p, bin.right += mark_of(line).covered;
   }
+  for (const auto& b : r.bins)
+    if (b.cases > 0) r.error += std::abs(b.sum - b.right) / cases;
+  return r;
+}
+
+std::string calibration(const std::vector<Json>& lines, std::size_t bins) {
+  const auto r = reliability(lines, bins);
   std::string text = "| said | cases | mean probability | right |\n| --- | ---: | ---: | ---: |\n";
-  for (std::size_t i = 0; i < bins.size(); ++i) {
-    const auto& b = bins[i];
-    if (b.cases == 0) continue;
-    text += fmt::format("| {:.1f} to {:.1f} | {} | {:.3f} | {} |\n", 0.2 * static_cast<double>(i),
-                        0.2 * static_cast<double>(i + 1), b.cases, b.sum / b.cases, share(b.right, b.cases));
-    error += std::abs(b.sum - b.right) / cases;
-  }
-  return text + fmt::format("\nExpected calibration error {:.3f} (wanted: at most 0.10).\n", error);
+  const double width = 1.0 / static_cast<double>(bins);
+  for (std::size_t i = 0; i < bins; ++i)
+    if (const auto& b = r.bins[i]; b.cases > 0)
+      text += fmt::format("| {:.1f} to {:.1f} | {} | {:.3f} | {} |\n", width * static_cast<double>(i),
+                          width * static_cast<double>(i + 1), b.cases, b.sum / b.cases, share(b.right, b.cases));
+  return text + fmt::format("\nExpected calibration error {:.3f} (wanted: at most 0.10).\n", r.error);
 }
 
 std::string rivals(const std::vector<Json>& lines) {
   std::string text =
       "| answer | false alarms | detected | first | among three | class | both of two | unknown called unknown |\n| "
       "--- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
-  for (const std::string who : {"diagnose", "nothing", "random", "ols_bic", "sparse"}) {
+  for (const std::string who : {"diagnose", "nothing", "random", "ols_bic", "sparse", "pooled"}) {
     Group none, single, two, unknown;
     for (const auto& line : lines) {
-      if (who == "diagnose" && !line.contains("answer")) continue;
+      if (who == "diagnose" ? !line.contains("answer") : !line.at("rivals").contains(who)) continue;
       const auto truth = truth_of(line);
       (truth.empty()       ? none
        : is_unknown(truth) ? unknown
@@ -337,6 +364,7 @@ std::string rivals(const std::vector<Json>& lines) {
                            : single)
           .add(who == "diagnose" ? mark_of(line) : mark_of_rival(line, who));
     }
+    if (none.cases + single.cases + two.cases + unknown.cases == 0) continue;
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", who, share(none.found, none.cases),
                         share(single.found, single.cases), share(single.first, single.cases),
                         share(single.third, single.cases), share(single.covered, single.cases),
@@ -345,18 +373,101 @@ std::string rivals(const std::vector<Json>& lines) {
   return text;
 }
 
+// ---------------------------------------------------------------- on board
+
+constexpr std::size_t bins_on_board = 10;
+
+bool is_misnamed(const Json& line) {
+  const auto& a = line.at("answer");
+  return a.at("verdict") == "missing_physics" && !a["effects"].empty() && a["effects"][0].at("effect") != "unknown" &&
+         a["effects"][0].at("probability").get<double>() > 0.8;
+}
+
+Group group_of(const Lines& lines) {
+  Group group;
+  for (const auto* line : lines) group.add(*line);
+  return group;
+}
+
+std::string overview_on_board(const std::vector<Json>& lines) {
+  const auto none = where(lines, [](const Names&t) { return t.empty(); }), one = where(lines, is_single),
+             two = where(lines, [](const Names&t) { return t.size() > 1; }), strange = where(lines, is_unknown);
+  Lines strong, moderate;
+  for (const auto* line : one) (line->at("effects")[0].at("level") == "strong" ? strong : moderate).push_back(line);
+  Group known;
+  std::vector<double> work;
+  int failed = 0;
+  for (const auto& line : lines) {
+    if (!line.contains("answer")) continue;
+    if (line.contains("seconds")) work.push_back(line["seconds"].get<double>());
+    failed += line["answer"].at("verdict") == "failed";
+    if (!truth_of(line).empty() && !is_unknown(truth_of(line))) known.add(line);
+  }
+  const auto s = group_of(strong), m = group_of(moderate), pairs = group_of(two), alarms = group_of(none),
+             unknown = group_of(strange);
+  const int misnamed = static_cast<int>(std::ranges::count_if(strange, [](const Json* l) { return is_misnamed(*l); }));
+  std::string text = "| what | found |\n| --- | ---: |\n";
+  const auto add = [&](const char* what, const std::string& found) {
+    text += fmt::format("| {} | {} |\n", what, found);
+  };
+  add("cases: nothing hidden, one strong effect, one moderate, two, unknown",
+      fmt::format("{}, {}, {}, {}, {}", none.size(), strong.size(), moderate.size(), two.size(), strange.size()));
+  add("false alarms with nothing hidden", share(alarms.found, alarms.cases));
+  add("strong: named first", share(s.first, s.cases));
+  add("moderate: named first", share(m.first, m.cases));
+  add("strong or moderate: something detected", share(s.found + m.found, s.cases + m.cases));
+  add("strong or moderate: among three", share(s.third + m.third, s.cases + m.cases));
+  add("two effects: one of them first", share(pairs.first, pairs.cases));
+  add("two effects: both", share(pairs.all, pairs.cases));
+  add("unknown: called unknown or unexplained", share(unknown.first, unknown.cases));
+  add("unknown: misnamed with more than 0.8", share(misnamed, unknown.cases));
+  add("without an answer", share(failed, static_cast<int>(work.size())));
+  add("median error of numbers", per_cent(median(known.parameters.errors)));
+  add("numbers in their 95 % interval", inside(known.parameters));
+  add("median held-out ratio to the refitted baseline, effects of instruments left out", plain(median(known.ratios)));
+  add("expected calibration error, ten bins", fmt::format("{:.3f}", reliability(lines, bins_on_board).error));
+  if (!work.empty())
+    add("work of one core for a case: median, most [s]",
+        fmt::format("{:.1f}, {:.1f}", *median(work), *std::ranges::max_element(work)));
+  return text;
+}
+
+/// Every case with its answer.
+std::string cases_on_board(const std::vector<Json>& lines) {
+  std::string text =
+      "| case | ship | file | hidden (detectability) | answered (probability) |\n| --- | --- | --- | --- | --- |\n";
+  for (const auto& line : lines) {
+    if (!line.contains("answer")) continue;
+    std::vector<std::string> hidden, found;
+    for (const auto& e : line.at("effects"))
+      hidden.push_back(fmt::format("{} ({:.2f})", e.at("effect").get<std::string>(), e.value("detectability", 0.0)));
+    for (const auto& e : line["answer"].at("effects"))
+      found.push_back(fmt::format("{} ({:.2f})", e.at("effect").get<std::string>(), e.at("probability").get<double>()));
+    text += fmt::format(
+        "| {}{} | {} | {} | {} | {} |\n", hidden.empty() ? "clean " : "", line.at("case").get<std::string>(),
+        line.at("family").get<std::string>(), line.at("form").get<std::string>(),
+        hidden.empty() ? "–" : fmt::format("{}", fmt::join(hidden, ", ")),
+        found.empty() ? line["answer"].at("verdict").get<std::string>() : fmt::format("{}", fmt::join(found, ", ")));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> tables_of(const std::vector<Json>& lines) {
   const auto first_effect = [](const Json& line) { return line.at("effects")[0].at("effect").get<std::string>(); };
-  return {{"overview", overview(lines)},
-          {"effects", grouped("hidden", where(lines, is_single), first_effect)},
-          {"unknown", grouped("hidden", where(lines, is_unknown), first_effect)},
-          {"factors", by_factor(lines)},
-          {"alarms", alarms(lines)},
-          {"confusions", confusions(lines)},
-          {"calibration", calibration(lines)},
-          {"rivals", rivals(lines)}};
+  const bool on_board = !lines.empty() && std::ranges::all_of(lines, is_on_board);
+  std::vector<std::pair<std::string, std::string>> tables{
+      {"overview", on_board ? overview_on_board(lines) : overview(lines)},
+      {"effects", grouped("hidden", where(lines, is_single), first_effect)},
+      {"unknown", grouped("hidden", where(lines, is_unknown), first_effect)},
+      {"factors", by_factor(lines)},
+      {"alarms", alarms(lines)},
+      {"confusions", confusions(lines)},
+      {"calibration", calibration(lines, on_board ? bins_on_board : 5)},
+      {"rivals", rivals(lines)}};
+  if (on_board) tables.emplace_back("cases", cases_on_board(lines));
+  return tables;
 }
 
 }  // namespace swayaw::concealed

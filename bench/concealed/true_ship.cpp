@@ -56,6 +56,20 @@ Force linear_damping(const TrueShip& s, const Concealment& h, double u, double v
   return {0.0, q * (Y_v * v + Y_r * s.L * r), q * s.L * (N_v * v + N_r * s.L * r)};
 }
 
+/// Cubic terms of a Taylor polynomial about U_0, in v and rL.
+Force taylor_hull(const TrueShip& s, const TaylorTerms& c, double v, double r) {
+  const double unit = 0.5 * rho * s.L * s.d / s.U_0, a = v, b = r * s.L;
+  return {0.0, unit * (c.Y_vvv * a * a * a + c.Y_vvr * a * a * b + c.Y_vrr * a * b * b + c.Y_rrr * b * b * b),
+          unit * s.L * (c.N_vvv * a * a * a + c.N_vvr * a * a * b + c.N_vrr * a * b * b + c.N_rrr * b * b * b)};
+}
+
+/// ½ρLdU² (Y_φ, L N_φ) sin φ
+Force heeled(const TrueShip& s, const States& q, double Y_phi, double N_phi) {
+  const double dynamic = 0.5 * rho * s.L * s.d * (square(q[State::u]) + square(q[State::v])),
+               lean = std::sin(q[State::phi]);
+  return {0.0, dynamic * Y_phi * lean, dynamic * s.L * N_phi * lean};
+}
+
 Force hull(const TrueShip& s, const Concealment& h, const States& q) {
   const double u = q[State::u], v = q[State::v], r = q[State::r], U = std::hypot(u, v);
   const double v_prime = v / U, r_prime = r * s.L / U, x = h.draught_over_depth,
@@ -72,6 +86,8 @@ Force hull(const TrueShip& s, const Concealment& h, const States& q) {
               cross_flow(s, s.C_D * (1.0 + 2.0 * x * x * x), s.taper, v, r, s.onset * u) + cubic +
               Force{dynamic * surge - R, 0.0, 0.0};
   if (h.cross_flow != 0.0) sum = sum + cross_flow(s, h.cross_flow, 0.1, v, r, 0.02 * u);
+  if (s.taylor) sum = sum + (1.0 + 2.0 * x * x * x) * taylor_hull(s, *s.taylor, v, r);
+  if (s.GM > 0.0) sum = sum + heeled(s, q, s.Y_phi, s.N_phi);
   if (h.fouled_side != 0.0) sum = sum + cross_flow(s, h.fouled_side, 0.0, v, r, 0.02 * u, true);
   if (h.memory_share != 0.0) {
     const Force late = linear_damping(s, h, u, q[State::slow_v], q[State::slow_r]), now = linear_damping(s, h, u, v, r);
@@ -117,7 +133,25 @@ double after_stall(double angle, double stall) {
 
 double through_gap(double delta, const Concealment& h) { return kept_through_gap(delta, h.gap_angle, h.gap_strength); }
 
+/// Every term of a Taylor polynomial with the rudder angle.
+Force taylor_rudder(const TrueShip& s, const Concealment& h, const States& q, double delta) {
+  const auto& c = *s.taylor;
+  const double u = q[State::u] / s.U_0, v = q[State::v] / s.U_0, d = delta;
+  const double unit =
+      0.5 * rho * s.L * s.d * s.U_0 * s.U_0 * (1.0 + h.lift) * after_stall(d, h.stall_angle) * through_gap(d, h);
+  return {unit * (c.X_dd * d * d + c.X_vd * v * d),
+          unit * (u * u * c.Y_d * d + c.Y_ddd * d * d * d + c.Y_vvd * v * v * d + c.Y_vdd * v * d * d),
+          unit * s.L * (u * u * c.N_d * d + c.N_ddd * d * d * d + c.N_vvd * v * v * d + c.N_vdd * v * d * d)};
+}
+
+/// What a pod changes by turning its thrust, without the lift of its strut.
+Force turned_thrust(const TrueShip& s, const Concealment& h, double delta, double T) {
+  const double Y = (1.0 + h.lift) * T * std::sin(delta);
+  return {-(1.0 - s.t_P) * T * (1.0 - std::cos(delta)), Y, -0.48 * s.L * Y};
+}
+
 Force rudder(const TrueShip& s, const Concealment& h, const States& q, double delta_to_port, double u_P, double T) {
+  if (s.taylor) return taylor_rudder(s, h, q, delta_to_port);
   const double U = std::hypot(q[State::u], q[State::v]), delta = -delta_to_port;
   // drift at the rudder; the hull turns the flow into its own direction, less so where it is steep
   const double beta_R = -(q[State::v] + s.l_R * s.L * q[State::r]) / U;
@@ -129,10 +163,12 @@ Force rudder(const TrueShip& s, const Concealment& h, const States& q, double de
   const double u_R = s.epsilon * std::sqrt(eta * behind * behind + (1.0 - eta) * u_P * u_P);
   const double alpha = delta - std::atan2(v_R, u_R);
   const double F_N = 0.5 * rho * s.A_R * s.f_alpha * (1.0 + h.lift) * (u_R * u_R + v_R * v_R) * s.softness *
-                     std::tanh(alpha / s.softness) * after_stall(alpha, h.stall_angle) * through_gap(delta, h);
+                     std::tanh(alpha / s.softness) * after_stall(alpha, h.stall_angle) * after_stall(alpha, s.stall) *
+                     through_gap(delta, h);
   const double a_H = s.a_H + h.a_H;
-  return {-(1.0 - s.t_R) * F_N * std::sin(delta), -(1.0 + a_H) * F_N * std::cos(delta),
-          -(-0.5 + a_H * s.x_H) * s.L * F_N * std::cos(delta)};
+  const Force lift{-(1.0 - s.t_R) * F_N * std::sin(delta), -(1.0 + a_H) * F_N * std::cos(delta),
+                   -(-0.5 + a_H * s.x_H) * s.L * F_N * std::cos(delta)};
+  return s.pods ? lift + turned_thrust(s, h, delta_to_port, T) : lift;
 }
 
 // ---------------------------------------------------------------- air, waves, and the rest
@@ -167,12 +203,6 @@ Force waves(const TrueShip& s, const Concealment& h, const States& q) {
                               -0.05 * s.L * std::sin(2.0 * a)};
 }
 
-Force heel(const TrueShip& s, const Concealment& h, const States& q) {
-  const double dynamic = 0.5 * rho * s.L * s.d * (square(q[State::u]) + square(q[State::v])),
-               lean = std::sin(q[State::phi]);
-  return {0.0, dynamic * h.Y_phi * lean, dynamic * s.L * h.N_phi * lean};
-}
-
 /// Forces that no effect of swayaw is like.
 Force unknown(const TrueShip& s, const Concealment& h, const States& q, const Moment& now) {
   const double unit = 0.5 * rho * s.L * s.d * s.U_0 * s.U_0, u = q[State::u], v = q[State::v], r = q[State::r];
@@ -191,6 +221,8 @@ Force unknown(const TrueShip& s, const Concealment& h, const States& q, const Mo
                  pull = h.bank * unit * (u * u + v * v) / square(s.U_0) * std::exp(-away * away);
     sum = sum + at(0.0, pull * std::cos(q[State::psi]), -0.25 * s.L);
   }
+  if (h.tug != 0.0 && now.time >= h.tug_onset && now.time < h.tug_end)
+    sum = sum + at(0.0, h.tug * unit, h.tug_place * s.L);
   if (h.sloshing != 0.0)
     sum = sum +
           at(0.0, h.sloshing * rho * s.volume() * square(2.0 * pi / (1.5 * s.time_unit())) * q[State::tank], 0.1 * s.L);
@@ -203,14 +235,29 @@ double kept_through_gap(double delta, double from, double strength) {
   return strength < 0.0 ? 1.0 / (1.0 - strength * square(std::max(0.0, std::abs(delta) - from))) : 1.0;
 }
 
+double steady_heel(const TrueShip& s, double u, double r) {
+  return s.GM > 0.0 ? -std::asin(std::clamp(0.5 * s.d * u * r / (gravity * s.GM), -0.5, 0.5)) : 0.0;
+}
+
 TrueForces forces(const TrueShip& s, const Concealment& h, const States& q, const Moment& now) {
-  const double u_P = inflow(s, h, q), T = thrust(s, u_P, true_rev(s, h, q)),
-               t_P = s.t_P * (1.0 + 0.3 * h.draught_over_depth);
+  const double t_P = s.t_P * (1.0 + 0.3 * h.draught_over_depth), rev = true_rev(s, h, q);
+  double T = 0.0;
+  Force propeller{}, rudders{};
+  for (int screw = 0; screw < s.screws(); ++screw) {
+    const double y = (2 * screw - s.screws() + 1) * s.y_P;
+    States here = q;
+    here[State::u] -= y * q[State::r];  // of the water that meets it
+    const double u_P = inflow(s, h, here), T_P = thrust(s, u_P, rev);
+    const Force steering = rudder(s, h, here, now.delta, u_P, T_P);
+    T += T_P;
+    propeller = propeller + at((1.0 - t_P) * T_P, 0.0, 0.0, y);
+    rudders = rudders + steering + Force{0.0, 0.0, -y * steering.X};
+  }
   const Force side = at(0.0, h.side_force * T, -0.48 * s.L);
   return {.hull = hull(s, h, q),
-          .propeller = {(1.0 - t_P) * T, 0.0, 0.0},
-          .rudder = rudder(s, h, q, now.delta, u_P, T),
-          .other = air(s, h, q, now) + waves(s, h, q) + heel(s, h, q) + side + unknown(s, h, q, now)};
+          .propeller = propeller,
+          .rudder = rudders,
+          .other = air(s, h, q, now) + waves(s, h, q) + heeled(s, q, h.Y_phi, h.N_phi) + side + unknown(s, h, q, now)};
 }
 
 States rates(const TrueShip& s, const Concealment& h, const States& q, const Moment& now) {
@@ -239,8 +286,8 @@ States rates(const TrueShip& s, const Concealment& h, const States& q, const Mom
   d[State::shaft] = (q[State::engine_torque] - torque(s, inflow(s, h, q), q[State::shaft])) * ordered.rev /
                     (s.inertia * s.time_unit() * ordered.torque);
   // roll about a metacentric height, damped at a tenth of critical
-  if (h.GM > 0.0) {
-    const double k = 0.4 * s.B, omega2 = gravity * h.GM / (k * k);
+  if (const double GM = h.GM > 0.0 ? h.GM : s.GM; GM > 0.0) {
+    const double k = 0.4 * s.B, omega2 = gravity * GM / (k * k);
     d[State::phi] = q[State::roll_rate];
     d[State::roll_rate] =
         -0.2 * std::sqrt(omega2) * q[State::roll_rate] - omega2 * std::sin(q[State::phi]) - 0.5 * s.d * u * r / (k * k);
@@ -263,7 +310,7 @@ ShaftPoint self_propulsion(const TrueShip& s, double speed) {
   double low = 0.3 * u_P / s.D, high = 20.0 * u_P / s.D;
   for (int i = 0; i < 60; ++i) {
     const double rev = 0.5 * (low + high);
-    ((1.0 - s.t_P) * thrust(s, u_P, rev) < R ? low : high) = rev;
+    (s.screws() * (1.0 - s.t_P) * thrust(s, u_P, rev) < R ? low : high) = rev;
   }
   return {low, torque(s, u_P, low)};
 }
@@ -430,17 +477,112 @@ TrueShip training() {
           .inertia = 0.08};
 }
 
+/// A full tanker whose cross flow separates at once and whose rudder stalls.
+TrueShip cross_flow_ship() {
+  TrueShip s = tanker();
+  s.kind = "cross_flow";
+  s.L = 240.0, s.B = 42.0, s.d = 14.9, s.C_B = 0.83, s.U_0 = 7.4, s.D = 7.2, s.H_R = 10.6, s.A_R = 56.0;
+  s.A_front = 820.0, s.A_lateral = 2600.0;
+  s.C_D = 1.05, s.taper = -0.5, s.onset = 0.03, s.Y_v = -0.34, s.N_r = -0.052;
+  s.stall = radians(24.0), s.softness = 1.6, s.wake_sides = 0.10;
+  return s;
+}
+
+/// A cargo liner by the numbers of planar motion tests, from ½ρL² to ½ρLd and without the centrifugal force that they
+/// hold; propeller, engine and windage are usual ones. Source: [Chislett1965]
+TrueShip polynomial_ship() {
+  TrueShip s = training();
+  constexpr double L = 160.93, d = 7.47, k = 1e-5 * L / d;
+  s.kind = "polynomial";
+  s.L = L, s.B = 23.17, s.d = d, s.C_B = 0.597, s.x_G = -0.023, s.k_zz = 0.2205, s.U_0 = 7.7175;
+  s.A_front = 420.0, s.A_lateral = 2100.0;
+  s.m_x = 42.0 * k, s.m_y = 748.0 * k, s.J_z = 43.8 * k, s.R_0 = 0.0165;
+  s.Y_v = -1160.0 * k, s.Y_r = 341.0 * k, s.N_v = -264.0 * k, s.N_r = -184.0 * k;
+  s.X_vv = -899.0 * k, s.X_vr = -748.0 * k, s.X_rr = 36.0 * k;
+  s.C_D = 0.0, s.D = 6.1, s.A_R = 30.0, s.H_R = 6.7, s.rudder_rate = radians(5.0);
+  s.taylor = {.Y_vvv = -8078.0 * k,
+              .Y_vvr = 15356.0 * k,
+              .Y_vrr = 0.0,
+              .Y_rrr = 0.0,
+              .N_vvv = 1636.0 * k,
+              .N_vvr = -5483.0 * k,
+              .N_vrr = 0.0,
+              .N_rrr = 0.0,
+              .X_dd = -95.0 * k,
+              .X_vd = 93.0 * k,
+              .Y_d = 278.0 * k,
+              .Y_ddd = -90.0 * k,
+              .Y_vvd = 1190.0 * k,
+              .Y_vdd = -4.0 * k,
+              .N_d = -139.0 * k,
+              .N_ddd = 45.0 * k,
+              .N_vvd = -489.0 * k,
+              .N_vdd = 13.0 * k};
+  return s;
+}
+
+/// A container ship that heels by some 7 deg in a turn and is turned by her heel.
+TrueShip rolling_ship() {
+  TrueShip s = container();
+  s.kind = "rolling";
+  s.L = 175.0, s.B = 25.4, s.d = 8.5, s.C_B = 0.559, s.U_0 = 9.5, s.D = 6.5, s.H_R = 7.7, s.A_R = 33.0;
+  s.A_front = 560.0, s.A_lateral = 2500.0;
+  s.C_D = 1.4, s.onset = 0.25;
+  s.GM = 0.35, s.Y_phi = -0.010, s.N_phi = -0.012;
+  return s;
+}
+
+/// A ferry with two propellers and two rudders that stall.
+TrueShip twin_screw_ship() {
+  TrueShip s = container();
+  s.kind = "twin_screw";
+  s.L = 165.0, s.B = 26.5, s.d = 6.4, s.C_B = 0.58, s.U_0 = 10.0, s.k_zz = 0.25;
+  s.A_front = 690.0, s.A_lateral = 3400.0;
+  s.D = 4.5, s.y_P = 5.2, s.A_R = 13.5, s.H_R = 4.4, s.f_alpha = 2.5, s.stall = radians(22.0), s.softness = 1.6;
+  s.w_0 = 0.12, s.wake_gain = 1.08, s.wake_sides = 0.0, s.gamma = 0.65, s.gamma_sides = 0.0, s.R_0 = 0.0185;
+  s.C_D = 1.5, s.onset = 0.2, s.N_r = -0.052, s.Y_v = -0.25;
+  return s;
+}
+
+/// A cruise ship with two pods.
+TrueShip podded_ship() {
+  TrueShip s = container();
+  s.kind = "podded";
+  s.L = 240.0, s.B = 32.0, s.d = 7.8, s.C_B = 0.63, s.U_0 = 10.8, s.k_zz = 0.25;
+  s.A_front = 1100.0, s.A_lateral = 7600.0;
+  s.D = 5.2, s.y_P = 7.0, s.pods = true, s.A_R = 11.0, s.H_R = 5.2, s.f_alpha = 2.2, s.softness = 1.2;
+  s.w_0 = 0.10, s.wake_gain = 1.08, s.wake_sides = 0.0, s.gamma = 0.8, s.gamma_sides = 0.0, s.R_0 = 0.0175;
+  s.C_D = 1.5, s.onset = 0.25, s.N_r = -0.050, s.rudder_rate = radians(5.0);
+  return s;
+}
+
+TrueShip usual(std::string_view kind) {
+  constexpr std::array<std::pair<std::string_view, TrueShip (*)()>, 8> fleet{{{"tanker", tanker},
+                                                                              {"container", container},
+                                                                              {"training", training},
+                                                                              {"cross_flow", cross_flow_ship},
+                                                                              {"polynomial", polynomial_ship},
+                                                                              {"rolling", rolling_ship},
+                                                                              {"twin_screw", twin_screw_ship},
+                                                                              {"podded", podded_ship}}};
+  const auto* ship = std::ranges::find(fleet, kind, [](const auto& entry) { return entry.first; });
+  if (ship == fleet.end()) throw std::domain_error("no kind of ship \"" + std::string(kind) + "\"");
+  return ship->second();
+}
+
 }  // namespace
+
+std::array<std::string_view, 5> ship_structures() {
+  return {"cross_flow", "polynomial", "rolling", "twin_screw", "podded"};
+}
 
 std::array<std::string_view, 3> ship_kinds() { return {"tanker", "container", "training"}; }
 
 TrueShip true_ship(std::string_view kind, std::uint64_t seed) {
-  if (kind != "tanker" && kind != "container" && kind != "training")
-    throw std::domain_error("no kind of ship \"" + std::string(kind) + "\"");
-  TrueShip s = kind == "tanker" ? tanker() : kind == "container" ? container() : training();
+  TrueShip s = usual(kind);
   RandomSource random(seed);
   const double size = random.uniform(0.8, 1.15);
-  for (double* length : {&s.L, &s.B, &s.d, &s.D, &s.H_R}) *length *= size;
+  for (double* length : {&s.L, &s.B, &s.d, &s.D, &s.H_R, &s.y_P, &s.GM}) *length *= size;
   for (double* area : {&s.A_front, &s.A_lateral, &s.A_R}) *area *= size * size;
   s.U_0 *= std::sqrt(size);
   for (double* number : {&s.m_y,     &s.J_z,  &s.R_0,   &s.Y_v,         &s.Y_r,        &s.N_v,       &s.N_r,

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,12 +12,27 @@
 /// Ships that are not built like the models of swayaw: their forces are computed here and nowhere else.
 ///
 ///     hull        linear in (v, r) with the forward speed u, and drag of a cross flow that separates gradually, strip
-///     by strip flow        straightened with a factor that passes smoothly from side to side and saturates rudder
-///     normal force f_alpha a tanh(alpha/a): softens long before it stalls propeller   cubic K_T, wake that changes
-///     smoothly with the drift, governor and torque of an engine
+///                 by strip; or the cubic terms of a Taylor polynomial
+///     flow        straightened with a factor that passes smoothly from side to side and saturates
+///     rudder      normal force f_alpha a tanh(alpha/a): softens long before it stalls; or a Taylor polynomial; or a
+///                 pod that turns its thrust; one or two of them, each behind a propeller of its own
+///     propeller   cubic K_T, wake that changes smoothly with the drift, governor and torque of an engine
+///     heel        about a metacentric height, with a force of its own on sway and yaw
 ///
 /// Axes, signs and units: docs/notation.md; the rudder angle is positive to port.
 namespace swayaw::concealed {
+
+/// Third-order terms of sway and yaw about the way straight ahead at U_0 and every term of the rudder, in v/U_0, rL/U_0
+/// and the angle to port:
+///
+///     Y = ½ρLdU_0² (Y_vvv v³ + Y_vvr v²r + Y_vrr vr² + Y_rrr r³ + (u/U_0)² Y_d δ + Y_ddd δ³ + Y_vvd v²δ + Y_vdd vδ²)
+///     X = ½ρLdU_0² (X_dd δ² + X_vd vδ);  N alike, over another L
+///
+/// Source: [Chislett1965]
+struct TaylorTerms {
+  double Y_vvv, Y_vvr, Y_vrr, Y_rrr, N_vvv, N_vvr, N_vrr, N_rrr;
+  double X_dd, X_vd, Y_d, Y_ddd, Y_vvd, Y_vdd, N_d, N_ddd, N_vvd, N_vdd;
+};
 
 /// Hull primes refer to ½ρLd and to the forward speed, ½ρLdu(Y_v v + Y_r L r), added masses to ½ρL²d and ½ρL⁴d, lengths
 /// to L.
@@ -44,6 +60,14 @@ struct TrueShip {
   double droop, engine_lag,
       inertia;  ///< governor droop, lag [L/U], inertia of the shaft line over that of the propeller's torque
 
+  // what only some have
+  std::optional<TaylorTerms> taylor = {};  ///< in place of cross flow and of a rudder in a flow
+  double stall = 0.0;                      ///< angle of attack at which the rudder stalls [rad], 0 for never
+  double y_P = 0.0;                        ///< two propellers and rudders at ± that [m], 0 for one on the centre line
+  bool pods = false;                       ///< the propellers turn with the rudder angle
+  double GM = 0.0, Y_phi = 0.0, N_phi = 0.0;  ///< heels; force ½ρLdU² Y_phi sin φ, moment over another L
+
+  int screws() const { return y_P > 0.0 ? 2 : 1; }
   double volume() const { return C_B * L * B * d; }
   double time_unit() const { return L / U_0; }
 };
@@ -51,7 +75,13 @@ struct TrueShip {
 /// "tanker", "container", "training".
 std::array<std::string_view, 3> ship_kinds();
 
-/// A ship of that kind with parameters that vary by a few per cent with the seed.
+/// Ships of other structures: "cross_flow", a full ship whose cross flow separates at once and whose rudder stalls;
+/// "polynomial", a Taylor polynomial of third order; "rolling", a container ship that heels; "twin_screw", with two
+/// rudders that stall; "podded".
+std::array<std::string_view, 5> ship_structures();
+
+/// A ship of that kind or structure with parameters that vary by a few per cent with the seed.
+/// @throws std::domain_error  for a kind that there is not
 TrueShip true_ship(std::string_view kind, std::uint64_t seed);
 
 /// The same with port and starboard alike.
@@ -88,6 +118,9 @@ struct Concealment {
   double compass_cosine = 0;  ///< heading error · cos(psi) [rad]
   double broken_blade = 0;    ///< side force that beats, ½ρLdU_0²
   double bank = 0;            ///< suction to a bank at a place of the earth, ½ρLdU²
+  double tug = 0;             ///< push to starboard of a tug at tug_place from tug_onset to tug_end, ½ρLdU_0²
+  double tug_place = 0;       ///< forward of midship [L]
+  double tug_onset = 0, tug_end = 0;  ///< [s]
 };
 
 /// Place, motion, shaft and what goes on out of sight: roll, lagging flow, water in a tank.
@@ -133,6 +166,9 @@ struct TrueForces {
 };
 
 TrueForces forces(const TrueShip& ship, const Concealment& hidden, const States& s, const Moment& now);
+
+/// Angle at which she heels in a steady motion [rad], starboard side down positive.
+double steady_heel(const TrueShip& ship, double u, double r);
 
 /// Time derivatives of all states.
 States rates(const TrueShip& ship, const Concealment& hidden, const States& s, const Moment& now);

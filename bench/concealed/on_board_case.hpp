@@ -1,0 +1,23 @@
+#pragma once
+
+#include "concealed_case.hpp"
+#include "on_board_instruments.hpp"
+
+/// Cases as a ship brings them home: instruments as on board, light gusty air in every run, a ship file that is fitted
+/// to a ship of another structure and wrong by its confidence. docs/concealed_on_board.md
+namespace swayaw::concealed {
+
+/// Cases of all structures and forms of files, with nothing hidden or with something.
+std::vector<CasePlan> on_board_plans(bool something_hidden, std::size_t count, std::uint64_t seed);
+
+ConcealedCase made_on_board(const CasePlan& plan);
+
+/// Errors of replays by a ship, restarted every two lengths, over those of the same runs with nothing hidden: mean over
+/// heading, yaw rate, speed and position. With the truth itself added to the model of the file, replays improve by
+/// 1 − 1/that.
+double detectability(const Ship& file, const std::vector<Recording>& runs, const std::vector<Recording>& calm_runs);
+
+inline constexpr double noticeable = 1.0 / 0.9;  ///< least detectability of what is hidden: replays gain 10 %
+inline constexpr double strongly = 2.0;          ///< from here on it is strong: they gain half
+
+}  // namespace swayaw::concealed
