@@ -756,8 +756,9 @@ void fit_form(Search& s, const FormSizes& sizes) {
 }
 
 /// Where an effect is taken out again and all else fitted once more from there, what comes out without it, if that is
-/// likelier than what was had: a fit may have stopped where it need not.
+/// likelier than what was had: beside an inexact form a fit may have stopped where it need not.
 std::optional<MapFit> likelier_without(const Search& s, const Hypothesis& before, const FittedCandidate& best) {
+  if (!s.on_board) return std::nullopt;
   const auto base = best.fit.point.size() - std::ssize(best.form->coordinates);
   auto found = fit(trial_with(s, best.sizes), before, best.fit.point.head(base), best.fit.noise, nullptr, 3);
   if (!(found.log_evidence > s.now.log_evidence + as_good)) return std::nullopt;
@@ -797,7 +798,8 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
       return true;
     }
   }
-  if (s.prior_inflation * inflation_step < most_inflation)
+  const bool told_on_board = s.on_board && s.usual.calibrated;  // reference runs, form and all, are not doubted
+  if (!told_on_board && s.prior_inflation * inflation_step < most_inflation)
     if (auto instead = inflation_instead(held_out, s, linear, *best)) {
       s.prior_inflation *= inflation_step;
       take_sizes(s, s.sizes);
