@@ -396,14 +396,14 @@ FoundEffect found_effect(const Trial& trial, const Accepted& accepted, const Map
 /// simulated ships of another structure, to which files were fitted, was off.
 constexpr double ordinary_form = 0.2;
 
+/// A form alone, without a name, that makes up more than this of the force on the hull, root mean square, explains
+/// nothing: 0.27 for the KVLCC2 in her published form, 0.55 and 0.66 where a state that nobody knows was hidden.
+constexpr double largest_form = 0.4;
+
 /// Force that follows one thing over the force on the hull, root mean square.
 double off_by(const ForceBudget& b, Follows follows) {
   return std::sqrt(std::max(0.0, b.share[static_cast<std::size_t>(follows)] * b.size));
 }
-
-/// A form alone, without a name, that makes up more than this of the force on the hull, root mean square, explains
-/// nothing: 0.27 for the KVLCC2 in her published form, 0.55 and 0.66 where a state that nobody knows was hidden.
-constexpr double largest_form = 0.4;
 
 /// Across or about the vertical; along, a log that is read in coarse steps and a propulsion that is not recorded do as
 /// much.
@@ -434,9 +434,11 @@ bool could_be_form(const Trial& trial, const EffectForm& form, const Effect& eff
 /// Whether an effect that follows the motion is more than a form that is wrong by a few per cent: without it, all else
 /// fitted once more, replays of all runs err by more, the form is larger than any and with it is not, or she cannot
 /// sail them at all.
-/// @param first  coordinate of the effect
+/// @param first   coordinate of the effect
+/// @param budget  with all effects
 bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, Eigen::Index first,
-                       std::span<const Recording> runs, std::span<const Recording> holdout) try {
+                       std::span<const ForceBudget> budget, std::span<const Recording> runs,
+                       std::span<const Recording> holdout) try {
   constexpr double a_few_per_cent = 0.03;  // of the variation of a quantity
   if (!s.on_board || !could_be_form(trial, *s.accepted[accepted].form, s.accepted[accepted].effect)) return true;
   const auto all = s.hypothesis();
@@ -447,7 +449,7 @@ bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted
   start << s.now.point.head(first), s.now.point.tail(rest);
   const auto found = fit(trial, without, start, s.now.noise, nullptr, 3);
   if (found.point.size() == 0) return true;
-  if (has_large_form(budget_of(trial, without, found)) && !has_large_form(budget_of(trial, all, s.now))) return true;
+  if (!has_large_form(budget) && has_large_form(budget_of(trial, without, found))) return true;
   std::map<Quantity, std::pair<double, int>> falls;
   for (const auto& some : {runs, holdout})
     for (const auto& run : some) {
@@ -525,7 +527,7 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
     }
     if (const auto place = place_of(found.effect); place == EffectPlace::air || place == EffectPlace::water)
       std::ranges::move(surroundings_of(trial, accepted, s.now, from, runs), std::back_inserter(d.surroundings));
-    if (accepted.trace || !is_more_than_form(trial, s, i, from, runs, holdout))
+    if (accepted.trace || !is_more_than_form(trial, s, i, from, d.budget, runs, holdout))
       d.traces.emplace_back(phrase(accepted.form->id));
     else d.effects.push_back(std::move(found));
     from += std::ssize(accepted.form->coordinates);
@@ -616,6 +618,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
               .refitted_process_noise = s.null.noise.largest_scale(),
               .prior_inflation = s.prior_inflation};
   d.troubles = s.troubles;
+  attempt(d, "what the missing force follows", [&] { d.budget = budget_of(trial, s.hypothesis(), s.now); });
   put_effects(d, trial, s, options.detection, runs, holdout);
   put_untold_surroundings(d, s, runs, options.detection);
   const auto refitted = [&](const Recording& run) { return ship_at(trial, {}, alone.point, &run); };
@@ -623,7 +626,6 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   d.train = errors_of(ship, refitted, improved, runs);
   d.holdout = errors_of(ship, refitted, improved, holdout);
   d.discrepancy = discrepancy_of(d.train, d.holdout);
-  attempt(d, "what the missing force follows", [&] { d.budget = budget_of(trial, s.hypothesis(), s.now); });
   put_form(d, trial, s, alone, options.detection, runs, holdout);
   d.verdict = verdict_of(d, s.on_board);
   if (!s.on_board && d.process_noise > ordinary_scale)

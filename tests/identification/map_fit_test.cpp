@@ -74,6 +74,14 @@ struct Tanker {
   Coefficients coefficients{start, names};
   std::vector<Recording> clean = test::zigzags(ship, {20.0, -10.0}, 15.0, 0.05);
 
+  /// As instruments with white noise record them.
+  std::vector<Recording> noisy() const {
+    auto runs = clean;
+    unsigned seed = 1;
+    for (auto& run : runs) test::add_noise(run, ship, seed++);
+    return runs;
+  }
+
   struct Found {
     std::vector<Estimate> estimates;
     Noise noise;
@@ -97,9 +105,7 @@ struct Tanker {
 TEST_CASE("under the filter coefficients come out as on trajectories where no random force acts",
           "[identification][second-route]") {
   const Tanker tanker;
-  auto runs = tanker.clean;
-  unsigned seed = 1;
-  for (auto& run : runs) test::add_noise(run, tanker.ship, seed++);
+  const auto runs = tanker.noisy();
   const auto filtered = tanker.filtered(runs, {});
   const auto simulated =
       fit_trajectories(tanker.start, runs, {.parameters = tanker.names, .channels = test::usual_channels});
@@ -114,9 +120,7 @@ TEST_CASE("under the filter coefficients come out as on trajectories where no ra
 TEST_CASE("the likelihood of a sample of real instruments falls with its error, and not with the square of it",
           "[identification][law]") {
   const Tanker tanker;
-  auto runs = tanker.clean;
-  unsigned seed = 1;
-  for (auto& run : runs) test::add_noise(run, tanker.ship, seed++);
+  const auto runs = tanker.noisy();
   const auto prepared = prepared_runs(tanker.ship, runs, test::usual_channels);
   const Coefficients truth{tanker.ship, tanker.names};
   // how much less likely the runs are with one heading that many standard deviations off

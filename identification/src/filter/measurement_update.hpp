@@ -26,15 +26,15 @@ struct Innovation {
   FilterVector<N> K;
 };
 
-/// Variance of the prediction of a measurement, widened where it errs by more than so many standard deviations c:
+/// By what factor the variance S of the prediction of a measurement is widened where its error e is more than so many
+/// standard deviations c:
 ///
 ///     S' = S |e|/(c √S)   for   |e| > c √S
 ///
 /// so that the squared error over it grows as |e| and not as e²: the likelihood of an outlier falls as that of Laplace,
 /// and the gain of the filter with it. Source: [Huber1981]
-inline double widened(double S, double error, double c, double& widening) {
-  widening = std::max(1.0, std::abs(error) / (c * std::sqrt(S)));
-  return S * widening;
+inline double widening_of(double error, double S, double c) {
+  return std::max(1.0, std::abs(error) / (c * std::sqrt(S)));
 }
 
 /// Measurement update by a channel that shows one state alone.
@@ -46,11 +46,14 @@ inline double widened(double S, double error, double c, double& widening) {
 template <int N>
 Innovation<N> updated(Gaussian<N>& estimate, Channel channel, int state, double measured, double R,
                       double outlying = HUGE_VAL) {
-  Innovation<N> innovation{
-      .channel = channel, .state = state, .error = compared(channel, measured, estimate.mean[state])};
-  const double error = innovation.error,
-               S = widened(estimate.P(state, state) + R, error, outlying, innovation.widening);
-  innovation.variance = S, innovation.K = estimate.P.col(state) / S;
+  const double error = compared(channel, measured, estimate.mean[state]), S_0 = estimate.P(state, state) + R,
+               widening = widening_of(error, S_0, outlying), S = S_0 * widening;
+  const Innovation<N> innovation{.channel = channel,
+                                 .state = state,
+                                 .error = error,
+                                 .variance = S,
+                                 .widening = widening,
+                                 .K = estimate.P.col(state) / S};
   estimate.mean += innovation.K * error;
   estimate.P.noalias() -= (S * innovation.K) * innovation.K.transpose();
   return innovation;
@@ -67,8 +70,9 @@ Innovation<N> updated(Gaussian<N>& estimate, Channel channel, Expected&& expecte
     const double h = expected(x, slope);
     const FilterVector<N> Ph = estimate.P.template leftCols<6>() * slope;
     innovation.error = compared(channel, measured, h) - slope.dot((estimate.mean - x).template head<6>());
-    innovation.variance =
-        widened(slope.dot(Ph.template head<6>()) + R, innovation.error, outlying, innovation.widening);
+    const double S = slope.dot(Ph.template head<6>()) + R;
+    innovation.widening = widening_of(innovation.error, S, outlying);
+    innovation.variance = S * innovation.widening;
     innovation.K = Ph / innovation.variance;
     x = estimate.mean + innovation.K * innovation.error;
   }
