@@ -301,12 +301,17 @@ std::vector<EffectForm> ordinary_forms(const Ship& ship, std::span<const Recordi
     add_ordinary(forms, ship, ChannelDelay<>{Channel::r, {}}, "delay_s", 0.02 * L / U);
   }
   if (seen({Channel::u, Channel::speed_through_water})) add_ordinary(forms, ship, LogScale<>{}, "scale", 0.01);
+  for (const auto log : {Channel::u, Channel::speed_through_water})
+    if (seen({log})) add_ordinary(forms, ship, ChannelDelay<>{log, {}}, "delay_s", 0.02 * L / U);
   if (seen({Channel::x})) {
     add_ordinary(forms, ship, HeadingBias<>{}, "bias_rad", radians(0.2));
     add_ordinary(forms, ship, ChannelDelay<>{Channel::x, {}}, "delay_s", std::max(receiver_delay, 0.03 * L / U));
   }
   if (seen({Channel::psi})) add_ordinary(forms, ship, ChannelDelay<>{Channel::psi, {}}, "delay_s", 0.02 * L / U);
   add_ordinary(forms, ship, RudderOffset<>{}, "offset_rad", radians(0.2));
+  // of a single screw that turns one way: half a degree of neutral rudder
+  if (cannot_act(ship.model, PropellerSideForce<>{}).empty())
+    add_ordinary(forms, ship, PropellerSideForce<>{}, "share_of_thrust", 0.02);
   // the wash of the rudder, and what her roll does to it, come a little late or early
   add_ordinary(forms, ship, ChannelDelay<>{Channel::delta, {}}, "delay_s", 0.04 * L / U);
   add_ordinary(forms, ship, SteeringGearLag<>{}, "lag_s", 0.05 * L / U);

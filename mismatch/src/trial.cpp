@@ -308,6 +308,8 @@ double ordinary_size(const Trial& trial, const EffectForm& form) {
 }
 
 double ordinary_deviations(const Trial& trial, const EffectForm& form, std::span<const double> coordinates) {
+  const auto has_less = [&](const EffectForm& o) { return stands_for(form, o) && o.common() < form.common(); };
+  if (std::ranges::any_of(trial.ordinary, has_less)) return HUGE_VAL;
   double most = 0.0;
   for (const auto& effect : effects_in_parts(form, coordinates))
     most = std::max(most, ordinary_deviations(trial, form, effect));

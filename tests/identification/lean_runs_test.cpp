@@ -6,6 +6,7 @@
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/identification/map_fit.hpp"
+#include "trajectory_recordings.hpp"
 
 /// Runs of few samples, and noise with a memory, against laws.
 namespace swayaw {
@@ -143,6 +144,26 @@ TEST_CASE("waves that move a ship leave samples most of a period apart, whose no
   CHECK(static_cast<double>(r.size()) < 1500.0 / (0.7 * period));
   CHECK(lean.deviation[index_of(Channel::r)] > 0.6 * size);
   CHECK(lean.deviation[index_of(Channel::r)] < 1.6 * size);
+}
+
+TEST_CASE("between the few samples of a run the rudder is that of all", "[identification][law]") {
+  const auto ship = test::kvlcc2();
+  const auto runs = lean_runs(ship, test::zigzags(ship, {20.0, -10.0}, 25.0, 0.02), seen);
+  auto straight = runs;  // lines between the few
+  for (auto& run : straight) {
+    REQUIRE(run.finer_controls);
+    REQUIRE(run.finer_controls->samples() > 2 * run.run->samples());
+    run.finer_controls.reset();
+  }
+  const auto log_likelihood_of = [&](const std::vector<PreparedRun>& some) {
+    const EstimationProblem problem{.unknowns = {},
+                                    .precision = {},
+                                    .runs = some,
+                                    .ship_in = [&](const Point&, std::size_t) { return ship; },
+                                    .scale = ship};
+    return log_likelihood(problem, {}, Noise{});
+  };
+  CHECK(log_likelihood_of(runs) > log_likelihood_of(straight) + 10.0);
 }
 
 TEST_CASE("a value that is rounded, and repeated on a straight course, counts once", "[identification][limit]") {

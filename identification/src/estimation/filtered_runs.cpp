@@ -29,7 +29,7 @@ void for_each_run(const EstimationProblem& problem, const Point& point, const No
   in_parallel(problem.runs.size(), 0, [&](std::size_t i) {
     const auto& run = problem.runs[i];
     f(i, *run_filter<9>(problem.ship_in(point, i), *run.run, run.channels, run.start, tau, run.longest_step,
-                        passes ? passes->runs[i].controls : nullptr));
+                        passes ? passes->runs[i].controls : nullptr, run.finer_controls.get()));
   });
 }
 
@@ -62,10 +62,26 @@ FilterNoise log_likelihood_slope(const EstimationProblem& problem, const Point& 
   return sum;
 }
 
-std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, const Point& point, const Noise& noise) {
+FilterNoise noises_seen(const EstimationProblem& problem, const Noise& noise, const FilteredRuns& passes) {
+  FilterNoise seen = FilterNoise::Zero();
+  const double time_unit = length(problem.scale) / service_speed(problem.scale);
+  for (std::size_t i = 0; i < problem.runs.size(); ++i) {
+    const auto& run = problem.runs[i];
+    const auto R = variances(problem.scale, run, noise);
+    for (const auto& now : passes.runs[i].innovations)
+      seen[place_of(now.channel)] += std::pow(R[place_of(now.channel)] * now.widening / now.variance, 2);
+    const double ship_times = (run.run->time.back() - run.run->time.front()) / time_unit;
+    seen[place_of_walk] += ship_times;
+    seen.tail<3>().array() += ship_times;
+  }
+  return seen;
+}
+
+std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, const Point& point, const Noise& noise,
+                                             const FilteredRuns* before) {
   auto result = std::make_shared<FilteredRuns>();
   result->runs.resize(problem.runs.size());
-  for_each_run(problem, point, noise, nullptr, [&](std::size_t i, RunFilter<9>& filter) {
+  for_each_run(problem, point, noise, before, [&](std::size_t i, RunFilter<9>& filter) {
     if (noise.with_memory) result->runs[i].outlying = outlying;
     filter.forward(variances(problem.scale, problem.runs[i], noise), result->runs[i]);
   });
@@ -133,7 +149,8 @@ std::vector<bool> tangents(const EstimationProblem& problem, const Point& point,
     try {
       const auto& prepared = problem.runs[run];
       found[run] =
-          run_filter<9>(*ship, *prepared.run, prepared.channels, prepared.start, 0.0, prepared.longest_step)
+          run_filter<9>(*ship, *prepared.run, prepared.channels, prepared.start, 0.0, prepared.longest_step,
+                        passes.runs[run].controls, prepared.finer_controls.get())
               ->slopes(passes.runs[run], *ship, neighbours, slopes.block(rows[run], first, prepared.rows(), columns));
     } catch (const std::exception&) {  // her motion runs away
     }

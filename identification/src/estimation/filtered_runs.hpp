@@ -14,13 +14,19 @@ struct FilteredRuns {
   double log_likelihood() const;
 };
 
+/// @param before  passes whose controls are used again where the ship takes them alike
 /// @throws Refusal  where a ship cannot sail her run
-std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, const Point& point, const Noise& noise);
+std::shared_ptr<const FilteredRuns> filtered(const EstimationProblem& problem, const Point& point, const Noise& noise,
+                                             const FilteredRuns* before = nullptr);
 
 /// Slopes of the log likelihood of passes by the logarithms of the variances: of the white noise of each channel, of
 /// what positions wander, of the process noise.
 detail::FilterNoise log_likelihood_slope(const EstimationProblem& problem, const Point& point, const Noise& noise,
                                          const FilteredRuns& passes);
+
+/// How many noises of each kind the passes show: of a channel (R/S)² in each sample, with its variance R in that of the
+/// innovation S; of the process, and of what positions wander, one in the time that the ship takes to follow it.
+detail::FilterNoise noises_seen(const EstimationProblem& problem, const Noise& noise, const FilteredRuns& passes);
 
 /// Residuals of all runs at a point with the gains of passes.
 /// @throws Refusal  where a ship cannot sail her run
@@ -38,5 +44,14 @@ void difference(const EstimationProblem& problem, const Point& point, const Filt
 /// by differences where they are few, and those of unknowns in which the residuals are not smooth.
 void renew_slopes(const EstimationProblem& problem, const Point& point, const FilteredRuns& passes,
                   const Eigen::VectorXd& here, Eigen::Index first, Eigen::MatrixXd& slopes);
+
+namespace detail {
+
+/// The same as `best_noise` of problems that follow each other.
+/// @param covariance  of the logarithms of all sizes, as the search before showed it; empty at first
+Likelihood best_noise(const EstimationProblem& problem, const Point& point, const Noise& start, bool every_channel,
+                      Eigen::MatrixXd& covariance);
+
+}  // namespace detail
 
 }  // namespace swayaw::identification

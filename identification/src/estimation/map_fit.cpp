@@ -62,6 +62,7 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
   Eigen::MatrixXd slopes(problem.rows(), problem.size());
   MapFit best;
   double density = -HUGE_VAL;  // of the posterior, logarithm
+  Eigen::MatrixXd of_noise;    // covariance
   for (int round = 0; round < rounds; ++round) {
     const auto passes = filtered(problem, here.point, noise);
     const auto cost = [&](const Point& p, const Eigen::VectorXd& e) { return e.squaredNorm() + problem.prior(p); };
@@ -76,7 +77,8 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
     };
     descend(
         here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *passes); }, cost);
-    const auto [log_likelihood, found] = best_noise(problem, here.point, noise, problem.size() == fixed);
+    const auto [log_likelihood, found] =
+        detail::best_noise(problem, here.point, noise, problem.size() == fixed, of_noise);
     Eigen::MatrixXd information = slopes.transpose() * slopes;
     const Eigen::MatrixXd A = information + problem.precision;
     const double now = log_likelihood - 0.5 * problem.prior(here.point), gain = now - density;

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "../filter/noise_ascent.hpp"
@@ -165,6 +166,15 @@ class NoiseSizes {
     return {value, d};
   }
 
+  /// Of the logarithms, of noises that are seen so many times: 1/2n, with the prior.
+  Eigen::MatrixXd covariance(const FilterNoise& seen) const {
+    Eigen::VectorXd variance(std::ssize(sizes_));
+    std::ranges::transform(sizes_, variance.begin(), [&](const Size& size) {
+      return 1.0 / (2.0 * seen[size.place] + std::pow(size.deviation, -2));
+    });
+    return variance.asDiagonal();
+  }
+
   /// By the logarithms of sizes, from that by the logarithms of variances.
   Eigen::VectorXd slope(const FilterNoise& by_log) const {
     Eigen::VectorXd slope(std::ssize(sizes_));
@@ -193,32 +203,73 @@ class NoiseSizes {
   std::vector<Size> sizes_;
 };
 
+/// Noises at which innovations are about as large as expected, and the passes with them.
+struct Begun {
+  Noise noise;
+  std::shared_ptr<const FilteredRuns> passes;
+};
+
+/// The noise of each channel takes the size of its innovations, root mean square, where they are far larger than
+/// expected: from noises that are too small the way up leads to any of several summits.
+Begun begun(const EstimationProblem& problem, const Point& point, const Noise& start) {
+  constexpr double far = 5.0;
+  Begun here{start, filtered(problem, point, start)};
+  for (bool moved = true; std::exchange(moved, false);) {
+    for (const auto channel : compared_channels(problem)) {
+      double squares = 0.0, count = 0.0;
+      for (const auto& run : here.passes->runs) {
+        const auto& sums = run.sums[index_of(channel)];
+        squares += sums.square, count += static_cast<double>(sums.count);
+      }
+      if (!(squares > far * far * count)) continue;
+      here.noise.factor[index_of(channel)] *= std::sqrt(squares / count);
+      moved = true;
+    }
+    if (moved) here.passes = filtered(problem, point, here.noise, here.passes.get());
+  }
+  return here;
+}
+
 /// The likeliest sizes of all noises together, up the exact slope.
-Likelihood climbed_noise(const EstimationProblem& problem, const Point& point, const Noise& start) {
-  constexpr int most_iterations = 30;
-  constexpr double times_seen = 50.0;  // about as often as a noise of a run is seen: scales the first step
-  const NoiseSizes sizes(problem, start);
+Likelihood climbed_noise(const EstimationProblem& problem, const Point& point, const Noise& start,
+                         Eigen::MatrixXd& covariance) try {
+  constexpr AscentOptions options{.iterations = 30, .worth = 0.05};
+  const auto first = begun(problem, point, start);
+  const NoiseSizes sizes(problem, first.noise);
+  const auto slope = [&](const Eigen::VectorXd& p, const Noise& noise, const FilteredRuns& passes) -> Slope {
+    const auto prior = sizes.prior(p);
+    const double value = passes.log_likelihood() + prior.value;
+    if (!std::isfinite(value)) return {-HUGE_VAL, Eigen::VectorXd::Zero(p.size())};
+    return {value, sizes.slope(log_likelihood_slope(problem, point, noise, passes)) + prior.by_p};
+  };
   const auto at = [&](const Eigen::VectorXd& p) -> Slope {
     const auto noise = sizes.noise(p);
-    const auto prior = sizes.prior(p);
     try {
-      const auto passes = filtered(problem, point, noise);
-      const double value = passes->log_likelihood() + prior.value;
-      if (!std::isfinite(value)) return {-HUGE_VAL, Eigen::VectorXd::Zero(p.size())};
-      return {value, sizes.slope(log_likelihood_slope(problem, point, noise, *passes)) + prior.by_p};
+      return slope(p, noise, *filtered(problem, point, noise, first.passes.get()));
     } catch (const std::exception&) {
       return {-HUGE_VAL, Eigen::VectorXd::Zero(p.size())};
     }
   };
-  const auto first = sizes.point();
-  const auto found = climb(at, first, Eigen::VectorXd::Constant(first.size(), 2.0 * times_seen), most_iterations);
+  const auto start_p = sizes.point();
+  auto found = climb(at, start_p, slope(start_p, first.noise, *first.passes),
+                     sizes.covariance(noises_seen(problem, first.noise, *first.passes)), options,
+                     covariance.size() > 0 ? &covariance : nullptr);
+  covariance = std::move(found.covariance);
   return {found.value, sizes.noise(found.p)};
+} catch (const std::exception&) {  // she cannot sail like that
+  return {-HUGE_VAL, start};
 }
 
 }  // namespace
 
 Likelihood best_noise(const EstimationProblem& problem, const Point& point, const Noise& start, bool every_channel) {
-  if (start.with_memory) return climbed_noise(problem, point, start);
+  Eigen::MatrixXd covariance;
+  return detail::best_noise(problem, point, start, every_channel, covariance);
+}
+
+Likelihood detail::best_noise(const EstimationProblem& problem, const Point& point, const Noise& start,
+                              bool every_channel, Eigen::MatrixXd& covariance) {
+  if (start.with_memory) return climbed_noise(problem, point, start, covariance);
   NoiseSearch search{problem, point, {log_likelihood(problem, point, start), start}};
   search.climb_scale();
   for (int i = 0; i < 3 && search.climb_factors(every_channel); ++i) search.climb_scale();

@@ -1,12 +1,10 @@
 #include "noise_ascent.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace swayaw::inline identification::detail {
 namespace {
-
-/// Log likelihood: a step that predicts less ends the ascent, 0.1 standard errors from its end.
-constexpr double enough = 5e-3;
 
 struct Iterate {
   Eigen::VectorXd p;
@@ -17,7 +15,8 @@ struct Iterate {
 std::optional<Iterate> climbed(const std::function<Slope(const Eigen::VectorXd&)>& at, const Iterate& from,
                                const Eigen::VectorXd& way) {
   const double predicted_gain = way.dot(from.slope.by_p);
-  for (double share = 1.0; share > 1e-3; share *= 0.5) {
+  constexpr double least = 1.0 / 16.0;  // where less is needed, the slope is not that of the likelihood
+  for (double share = 1.0; share >= least; share *= 0.5) {
     const Eigen::VectorXd p = from.p + share * way;
     if (auto slope = at(p); slope.value > from.slope.value + 1e-4 * share * predicted_gain)
       return Iterate{p, std::move(slope)};
@@ -36,21 +35,20 @@ void learn(Eigen::MatrixXd& H, const Iterate& from, const Iterate& to) {
 
 }  // namespace
 
-NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const Eigen::VectorXd& start,
-                  const Eigen::VectorXd& curvature, int most_iterations) {
-  const Eigen::MatrixXd first = curvature.cwiseInverse().asDiagonal();
-  Eigen::MatrixXd H = first;
-  Iterate here{start, at(start)};
+NoiseAscent climb(const std::function<Slope(const Eigen::VectorXd&)>& at, const Eigen::VectorXd& start, Slope slope,
+                  const Eigen::MatrixXd& expected, const AscentOptions& options, const Eigen::MatrixXd* known) {
+  Eigen::MatrixXd H = known ? *known : expected;
+  Iterate here{start, std::move(slope)};
   for (int iteration = 0;; ++iteration) {
     Eigen::VectorXd way = H * here.slope.by_p;
     const double predicted_gain = 0.5 * way.dot(here.slope.by_p);
-    if (predicted_gain < enough || iteration == most_iterations)
-      return {here.p, here.slope.value, iteration, predicted_gain < enough};
+    if (predicted_gain < options.worth || iteration == options.iterations)
+      return {here.p, here.slope.value, iteration, predicted_gain < options.worth, std::move(H)};
     way *= std::min(1.0, 2.0 / way.cwiseAbs().maxCoeff());  // no noise changes by more than a factor of 7 at once
     const auto next = climbed(at, here, way);
-    if (!next && H == first) return {here.p, here.slope.value, iteration, predicted_gain < 0.1};
+    if (!next && H == expected) return {here.p, here.slope.value, iteration, predicted_gain < 0.1, std::move(H)};
     if (!next) {
-      H = first;
+      H = expected;
       continue;
     }
     learn(H, here, *next);

@@ -46,15 +46,21 @@ struct Passed {
 
 /// Rudder and propulsion of a run, worked out once for all ships whose rudder and propulsion do alike.
 struct RunControls {
-  RecordedControls recorded;
+  RecordedControls recorded;  ///< with wind and depth
+  bool finer;                 ///< than the samples of the run
   std::vector<Controls<double>> at_samples;
+  std::vector<Controls<double>> before;  ///< each sample, since the one before: means, where they are finer
   RudderActuator actuator;
   ChannelError<double> rudder_record;
   ChannelError<double> wind_speed_record, wind_from_record;
   bool whatever_ship;  ///< whether the recording tells the propulsion, so that no other ship has other thrust
 
-  /// @param run  must outlive the controls
-  RunControls(const Ship& ship, const Recording& run);
+  /// @param run    must outlive the controls
+  /// @param finer  recording of the same run, if its samples are too few to tell the controls between them
+  RunControls(const Ship& ship, const Recording& run, const Recording* finer);
+
+  /// Over a step of the filter on the way to sample k.
+  Controls<double> in_step(const Recording& run, std::size_t k, double from, double to) const;
 
   /// Whether they are those of another ship too.
   bool serve(const Ship& ship) const;
@@ -128,11 +134,13 @@ inline constexpr double usual_longest_step = 0.02;
 /// @param tau    memory of the unmodelled accelerations [s], or infinity
 /// @param longest_step  in ship lengths of way
 /// @param known  controls of a pass, used again where they serve
+/// @param finer  recording of the same run that tells the controls between the samples; must outlive the filter
 /// @throws Refusal  where one of her effects cannot act on her model
 template <int N>
 std::unique_ptr<RunFilter<N>> run_filter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
                                          const ShipState<double>& start, double tau,
                                          double longest_step = usual_longest_step,
-                                         std::shared_ptr<const RunControls> known = nullptr);
+                                         std::shared_ptr<const RunControls> known = nullptr,
+                                         const Recording* finer = nullptr);
 
 }  // namespace swayaw::identification::detail

@@ -2,4 +2,4 @@
 
 template std::unique_ptr<swayaw::identification::detail::RunFilter<6>> swayaw::identification::detail::run_filter(
     const Ship&, const Recording&, std::span<const Channel>, const ShipState<double>&, double, double,
-    std::shared_ptr<const RunControls>);
+    std::shared_ptr<const RunControls>, const swayaw::core::Recording*);

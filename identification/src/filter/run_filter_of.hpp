@@ -14,10 +14,12 @@ template <int N>
 class RunFilterOf final : public RunFilter<N> {
  public:
   RunFilterOf(const Ship& ship, const Recording& run, std::span<const Channel> channels, const ShipState<double>& start,
-              double tau, double longest_step, std::shared_ptr<const RunControls> known)
+              double tau, double longest_step, std::shared_ptr<const RunControls> known, const Recording* finer)
       : run_(run),
+        finer_(finer),
         channels_(channels),
-        controls_(known && known->serve(ship) ? std::move(known) : std::make_shared<const RunControls>(ship, run)),
+        controls_(known && known->serve(ship) ? std::move(known)
+                                              : std::make_shared<const RunControls>(ship, run, finer)),
         predictor_(ship, controls_->recorded.wind(), tau, longest_step),
         observer_(instruments_of(ship), predictor_.current()),
         start_(start),
@@ -85,7 +87,7 @@ class RunFilterOf final : public RunFilter<N> {
     const auto& recorded = controls_->recorded;
     const bool surrounded = !recorded.wind().empty() || in_depth(ship, recorded.depth());  // which no tape knows
     if (predictor_.hides_states() || surrounded) return std::vector<bool>(neighbours.size(), false);
-    const auto differences = differences_between(ship, neighbours, run_, *controls_);
+    const auto differences = differences_between(ship, neighbours, run_, *controls_, finer_);
     predictor_.tape(ship, differences.variable);
     StateSlopes<N> X(differences, observer_);
     TapedShip::Slopes by;
@@ -93,7 +95,8 @@ class RunFilterOf final : public RunFilter<N> {
         pass,
         [&](FilterVector<N>& x, const Interval& step, const Controls<double>& controls, const Transition<N>& t) {
           predictor_.repeat(x, controls, step.from, step.to, t, by);
-          X.step(t, by, 0.5 * (step.from + step.to), controls);
+          X.step(t, by, controls,
+                 [&](const RunControls& c) { return c.in_step(run_, step.sample, step.from, step.to); });
         },
         [&](const FilterVector<N>& x, std::size_t k) {
           if (!observer_.late()) return;
@@ -133,9 +136,10 @@ class RunFilterOf final : public RunFilter<N> {
       throw Refusal(fmt::format("{}: the ship loses her way at {:.6g} s", run_.name, run_.time[k]));
   }
 
-  /// A step of the filter [s].
+  /// A step of the filter on the way to a sample [s].
   struct Interval {
     double from, to;
+    std::size_t sample;
   };
 
   /// The way through a run with the gains and the steps of a pass.
@@ -153,7 +157,7 @@ class RunFilterOf final : public RunFilter<N> {
       const int count = static_cast<int>(pass.passed[k].steps - step);
       for (int i = 0; i < count; ++i, ++step) {
         const auto interval = step_in(k, i, count);
-        move(x, interval, controls_in(k, interval), pass.steps[step]);
+        move(x, interval, controls_in(interval), pass.steps[step]);
       }
       const auto sight = sight_at(x, k);
       arrived(x, k);
@@ -169,15 +173,11 @@ class RunFilterOf final : public RunFilter<N> {
   /// The i-th of the steps from sample k − 1 to k.
   Interval step_in(std::size_t k, int i, int count) const {
     const double begin = run_.time[k - 1], h = run_.time[k] - begin;
-    return {begin + h * i / count, i + 1 == count ? run_.time[k] : begin + h * (i + 1) / count};
+    return {begin + h * i / count, i + 1 == count ? run_.time[k] : begin + h * (i + 1) / count, k};
   }
 
-  /// Controls in the middle of a step from sample k − 1 to k; a rudder with a motion of its own is asked for it.
-  Controls<double> controls_in(std::size_t k, const Interval& step) const {
-    const double middle = 0.5 * (step.from + step.to);
-    if (controls_->recorded.track()) return controls_->recorded.at(middle);
-    return between(at_samples()[k - 1], at_samples()[k],
-                   (middle - run_.time[k - 1]) / (run_.time[k] - run_.time[k - 1]));
+  Controls<double> controls_in(const Interval& step) const {
+    return controls_->in_step(run_, step.sample, step.from, step.to);
   }
 
   /// To sample k, in steps that are short for the ship.
@@ -186,7 +186,7 @@ class RunFilterOf final : public RunFilter<N> {
     const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), run_.time[k] - run_.time[k - 1]);
     for (int i = 0; i < count; ++i) {
       const auto step = step_in(k, i, count);
-      const auto& t = pass.steps.emplace_back(predictor_.step(estimate.mean, controls_in(k, step), step.from, step.to));
+      const auto& t = pass.steps.emplace_back(predictor_.step(estimate.mean, controls_in(step), step.from, step.to));
       estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
       estimate.P = carried<N>(estimate.P, t);
       estimate.P.diagonal().template head<2>().array() += noise[place_of_walk] * t.h;
@@ -252,6 +252,7 @@ class RunFilterOf final : public RunFilter<N> {
   bool has_memory() const { return N == 9 && std::isfinite(predictor_.tau()); }
 
   const Recording& run_;
+  const Recording* finer_;
   std::span<const Channel> channels_;
   std::shared_ptr<const RunControls> controls_;
   ShipPredictor<N> predictor_;
@@ -263,10 +264,10 @@ class RunFilterOf final : public RunFilter<N> {
 template <int N>
 std::unique_ptr<RunFilter<N>> run_filter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
                                          const ShipState<double>& start, double tau, double longest_step,
-                                         std::shared_ptr<const RunControls> known) {
+                                         std::shared_ptr<const RunControls> known, const Recording* finer) {
   const auto shallow = in_depth(ship, recorded_depth(run));
   return std::make_unique<RunFilterOf<N>>(shallow ? *shallow : ship, run, channels, start, tau, longest_step,
-                                          std::move(known));
+                                          std::move(known), finer);
 }
 
 }  // namespace swayaw::identification::detail

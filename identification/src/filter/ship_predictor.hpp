@@ -100,7 +100,9 @@ class ShipPredictor {
   /// @param tau  memory of the unmodelled accelerations [s], or infinity
   /// @param longest_step  in ship lengths of way
   ShipPredictor(const Ship& ship, std::span<const WindPiece> wind, double tau, double longest_step)
-      : ship_(linearized_ship(ship, wind)), tau_(tau), longest_(longest_step * length(ship)) {}
+      : ship_(linearized_ship(ship, wind)),
+        tau_(tau),
+        longest_((ship_->hides_states() ? std::min(longest_step, beside_hidden) : longest_step) * length(ship)) {}
 
   /// Back to the state at the beginning of a run.
   void restart(const FilterVector<N>& x) {
@@ -249,6 +251,10 @@ class ShipPredictor {
     }
     part(now == from ? 1.0 : (to - now) / (to - from));
   }
+
+  /// Ship lengths of way in a step beside hidden states, which are carried explicitly: with steps of 0.125 the heel of
+  /// a simulated container ship grew without bound.
+  static constexpr double beside_hidden = 0.05;
 
   std::unique_ptr<LinearizedShip> ship_;
   std::unique_ptr<TapedShip> taped_{};

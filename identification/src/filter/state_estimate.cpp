@@ -71,9 +71,9 @@ class UnknownVariances {
     return at([&](const Free& f) { return 2.0 * (1.0 - f.least / noise[f.place]) * by_log[f.place]; });
   }
 
-  /// 2 n, the curvature of n noises that are seen, so that the first step is one of expectation and maximisation.
-  Eigen::VectorXd curvature(const FilterNoise& count) const {
-    return at([&](const Free& f) { return 2.0 * std::max(count[f.place], 1.0); });
+  /// 1/2n where n noises are seen, so that the first step is one of expectation and maximisation.
+  Eigen::MatrixXd covariance(const FilterNoise& count) const {
+    return at([&](const Free& f) { return 0.5 / std::max(count[f.place], 1.0); }).asDiagonal();
   }
 
  private:
@@ -156,11 +156,11 @@ class Estimator {
   NoiseEstimate search() {
     const auto start = unknown_.start();
     noise_ = unknown_.noise(start);
-    NoiseAscent found{.p = start, .value = 0.0, .iterations = 0, .converged = true};
+    NoiseAscent found{.p = start, .value = 0.0, .iterations = 0, .converged = true, .covariance = {}};
     if (unknown_.free() > 0) {
-      forward();
-      found = climb([&](const Eigen::VectorXd& p) { return slope(p); }, start, unknown_.curvature(counts()),
-                    options_.most_iterations);
+      auto at_start = slope(start);
+      found = climb([&](const Eigen::VectorXd& p) { return slope(p); }, start, std::move(at_start),
+                    unknown_.covariance(counts()), {.iterations = options_.most_iterations});
     }
     noise_ = unknown_.noise(found.p);
     const auto size = [&](int i) { return deviation(place_of_process_noise(i)); };

@@ -37,8 +37,9 @@ std::optional<ShipNumbers> numbers_if_any(const std::optional<Ship>& ship) {
 
 }  // namespace
 
-RunControls::RunControls(const Ship& ship, const Recording& run)
-    : recorded(ship, run),
+RunControls::RunControls(const Ship& ship, const Recording& run, const Recording* finer_run)
+    : recorded(ship, finer_run ? *finer_run : run),
+      finer(finer_run != nullptr),
       actuator(rudder_actuator(ship)),
       rudder_record(instruments_of(ship)[Channel::delta]),
       wind_speed_record(instruments_of(ship)[Channel::wind_speed]),
@@ -46,6 +47,23 @@ RunControls::RunControls(const Ship& ship, const Recording& run)
       whatever_ship(run.has(Channel::delta) && propulsion_is_recorded(ship, run)) {
   at_samples.reserve(run.samples());
   for (const double time : run.time) at_samples.push_back(recorded.at(time));
+  if (!finer) return;
+  constexpr int parts = 3;  // a sample is three of the finer ones from the next
+  before.push_back(at_samples.front());
+  for (std::size_t k = 1; k < run.samples(); ++k) {
+    const double h = (run.time[k] - run.time[k - 1]) / parts;
+    Controls<double> sum = recorded.at(run.time[k - 1] + 0.5 * h);
+    for (int i = 1; i < parts; ++i)
+      sum = between(sum, recorded.at(run.time[k - 1] + (i + 0.5) * h), 1.0 / (i + 1));  // the mean so far
+    before.push_back(sum);
+  }
+}
+
+Controls<double> RunControls::in_step(const Recording& run, std::size_t k, double from, double to) const {
+  const double begin = run.time[k - 1], end = run.time[k], middle = 0.5 * (from + to);
+  if (finer && from == begin && to == end) return before[k];
+  if (finer || recorded.track()) return recorded.at(middle);
+  return between(at_samples[k - 1], at_samples[k], (middle - begin) / (end - begin));
 }
 
 bool RunControls::serve(const Ship& ship) const {
@@ -56,7 +74,7 @@ bool RunControls::serve(const Ship& ship) const {
 }
 
 NeighbourDifferences differences_between(const Ship& ship, std::span<const Neighbour> neighbours, const Recording& run,
-                                         const RunControls& controls) {
+                                         const RunControls& controls, const Recording* finer) {
   NeighbourDifferences result;
   const auto here = numbers_of(ship);
   result.variable.assign(here.values.size(), false);
@@ -76,7 +94,7 @@ NeighbourDifferences differences_between(const Ship& ship, std::span<const Neigh
       if (const double d = there->values[i] - here.values[i]; d != 0.0 && std::isfinite(d))
         moved.push_back({unknown, i, d / neighbour.step}), result.variable[i] = true;
     if (!controls.serve(*neighbour.ship))
-      result.controls.push_back({unknown, neighbour.step, RecordedControls(*neighbour.ship, run)});
+      result.controls.push_back({unknown, neighbour.step, RunControls(*neighbour.ship, run, finer)});
     const auto current = surroundings_at(*neighbour.ship, 0.0).current;
     if (const ChannelObserver other(instruments_of(*neighbour.ship), current); observer.differs(other))
       result.observers.push_back({unknown, neighbour.step, other});

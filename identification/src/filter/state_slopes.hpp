@@ -20,7 +20,7 @@ struct NeighbourDifferences {
   struct OfControls {
     Eigen::Index unknown;
     double step;
-    RecordedControls controls;
+    RunControls controls;
   };
 
   struct OfObserver {
@@ -37,8 +37,9 @@ struct NeighbourDifferences {
 };
 
 /// @param controls  of the ship
+/// @param finer     recording that tells the controls between the samples, if any
 NeighbourDifferences differences_between(const Ship& ship, std::span<const Neighbour> neighbours, const Recording& run,
-                                         const RunControls& controls);
+                                         const RunControls& controls, const Recording* finer);
 
 /// Derivatives X of a filter's state x by all unknowns, from one state to the next.
 ///
@@ -52,8 +53,11 @@ class StateSlopes {
   StateSlopes(const NeighbourDifferences& differences, const ChannelObserver& observer)
       : differences_(differences), observer_(observer), X_(Unknowns<N>::Zero(std::ssize(differences.found), N)) {}
 
-  /// Over a step. @param by  derivatives of the rates by the variables of the taped ship
-  void step(const Transition<N>& t, const TapedShip::Slopes& by, double time, const Controls<double>& controls) {
+  /// Over a step.
+  /// @param by         derivatives of the rates by the variables of the taped ship
+  /// @param in_step(c)  the controls c of a neighbour in it
+  template <class InStep>
+  void step(const Transition<N>& t, const TapedShip::Slopes& by, const Controls<double>& controls, InStep&& in_step) {
     const Eigen::Matrix<double, 6, N> C = with_curve(t);
     const Eigen::Matrix<double, 6, 6> Ch = t.h * C.template leftCols<6>();
     Eigen::Matrix<double, 6, N - 2> B;
@@ -63,14 +67,14 @@ class StateSlopes {
     X_.template leftCols<6>() += moved_;
     if constexpr (N == 9) X_.template rightCols<3>() *= t.faded();
     forced_.noalias() = Ch.lazyProduct(by);
-    add_direct(X_.template leftCols<6>(), forced_, time, controls);
+    add_direct(X_.template leftCols<6>(), forced_, controls, in_step);
   }
 
   /// Derivatives of the accelerations at a sample, for channels that are late.
   void accelerate(const TapedShip::Slopes& by, double time, const Controls<double>& controls) {
     acceleration_.noalias() = X_.template middleCols<4>(2).lazyProduct(by.block<3, 4>(3, 0).transpose());
     if constexpr (N == 9) acceleration_ += X_.template rightCols<3>();
-    add_direct(acceleration_, by.bottomRows<3>(), time, controls);
+    add_direct(acceleration_, by.bottomRows<3>(), controls, [&](const RunControls& c) { return c.recorded.at(time); });
   }
 
   /// Takes a residual. @param out  its derivatives over its standard deviation
@@ -108,12 +112,12 @@ class StateSlopes {
   }
 
   /// What an unknown changes directly: numbers of the ship, and controls.
-  template <class To, class By>
-  void add_direct(To&& to, const By& by, double time, const Controls<double>& controls) {
+  template <class To, class By, class Then>
+  void add_direct(To&& to, const By& by, const Controls<double>& controls, Then&& then) {
     using V = TapedVariables;
     for (const auto& d : differences_.numbers) to.row(d.unknown) += d.slope * by.col(d.variable).transpose();
     for (const auto& d : differences_.controls) {
-      const auto other = d.controls.at(time);
+      const auto other = then(d.controls);
       to.row(d.unknown) +=
           ((other.delta - controls.delta) * by.col(V::delta) + (other.rev - controls.rev) * by.col(V::rev) +
            (other.thrust.port - controls.thrust.port) * by.col(V::port) +

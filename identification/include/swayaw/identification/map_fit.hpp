@@ -19,13 +19,15 @@ namespace swayaw::inline identification {
 
 /// A recorded run made ready once for many fits.
 struct PreparedRun {
-  std::shared_ptr<const Recording> run;           ///< without outliers, and without samples between fixes
-  std::vector<Channel> channels;                  ///< that are compared
-  std::array<double, channel_count> deviation{};  ///< of their white noise, where third differences and the step of
-                                                  ///< rounding tell all of it
-  ShipState<double> start;                        ///< recorded; little is known of it
-  Eigen::Index measurements;                      ///< samples of these channels that are there
-  double longest_step;                            ///< of the filter, in ship lengths of way
+  std::shared_ptr<const Recording> run;               ///< without outliers, and without samples between fixes
+  std::vector<Channel> channels;                      ///< that are compared
+  std::array<double, channel_count> deviation{};      ///< of their white noise, where third differences and the step of
+                                                      ///< rounding tell all of it
+  ShipState<double> start;                            ///< recorded; little is known of it
+  Eigen::Index measurements;                          ///< samples of these channels that are there
+  double longest_step;                                ///< of the filter, in ship lengths of way
+  std::shared_ptr<const Recording> finer_controls{};  ///< the same run with more rows, where they are too few in `run`
+                                                      ///< to tell rudder and propulsion between them
 
   Eigen::Index rows() const { return measurements; }
 };
@@ -34,7 +36,7 @@ std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recordi
                                        std::span<const Channel> channels);
 
 /// The same with as few samples as tell what they tell: parabolas over an eighth of L/U, as
-/// many in that time, fewer where waves move her; rows of controls some twenty.
+/// many in that time, fewer where waves move her; rows of controls three times as many.
 std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> runs,
                                    std::span<const Channel> channels);
 
