@@ -313,6 +313,18 @@ TEST_CASE("a yaw rate made from headings is that of the ship, and that of a gyro
   }
 }
 
+TEST_CASE("a shaft whose governor has no droop keeps its speed in a turn, another gives way",
+          "[bench][on_board][limit]") {
+  auto ship = true_ship("cross_flow", 1);
+  const auto fall = [&] {
+    const auto run = on_board(ship, turn(35, true, 0.0), perfect);
+    return 1.0 - *std::ranges::min_element(run[Channel::rev]) / run[Channel::rev].front();
+  };
+  CHECK(fall() > 0.01);
+  ship.droop = 0.0;
+  CHECK(fall() == 0.0);
+}
+
 TEST_CASE("every run has a gap in its fixes where losses happen, and one fix is wild where asked for",
           "[bench][on_board][limit]") {
   const auto ship = true_ship("polynomial", 1);

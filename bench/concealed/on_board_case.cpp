@@ -319,6 +319,8 @@ ConcealedCase made_on_board(const CasePlan& plan) {
               .board = random.bits(),
               .weather = random.bits(),
               .noise = random.bits()};
+  // a shaft that gives way and is not recorded would be something missing
+  if (!scene.instruments({}).shaft) scene.truth.droop = 0.0;
   const double ship_error = random.uniform(0.03, 0.08);
   const auto fair = fair_ship(scene.truth, *plan.on_board, ship_error);
   const auto programme = programme_by_chance(random);

@@ -279,12 +279,13 @@ States rates(const TrueShip& s, const Concealment& h, const States& q, const Mom
   d[State::v] = (inertia * Y - m * x_G * N) / det + now.disturbance.v;
   d[State::r] = (m_v * N - m * x_G * Y) / det + now.disturbance.r;
   // a governor with droop asks for torque, and the engine gives it late
-  const auto& ordered = now.order;
-  const double wanted =
-      ordered.torque * std::clamp(1.0 + (ordered.rev - q[State::shaft]) / (s.droop * ordered.rev), 0.0, 1.3);
-  d[State::engine_torque] = (wanted - q[State::engine_torque]) / (s.engine_lag * s.time_unit());
-  d[State::shaft] = (q[State::engine_torque] - torque(s, inflow(s, h, q), q[State::shaft])) * ordered.rev /
-                    (s.inertia * s.time_unit() * ordered.torque);
+  if (const auto& ordered = now.order; s.droop > 0.0) {
+    const double wanted =
+        ordered.torque * std::clamp(1.0 + (ordered.rev - q[State::shaft]) / (s.droop * ordered.rev), 0.0, 1.3);
+    d[State::engine_torque] = (wanted - q[State::engine_torque]) / (s.engine_lag * s.time_unit());
+    d[State::shaft] = (q[State::engine_torque] - torque(s, inflow(s, h, q), q[State::shaft])) * ordered.rev /
+                      (s.inertia * s.time_unit() * ordered.torque);
+  }
   // roll about a metacentric height, damped at a tenth of critical
   if (const double GM = h.GM > 0.0 ? h.GM : s.GM; GM > 0.0) {
     const double k = 0.4 * s.B, omega2 = gravity * GM / (k * k);

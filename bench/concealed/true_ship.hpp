@@ -58,7 +58,8 @@ struct TrueShip {
   double epsilon, kappa;
   double rudder_rate;  ///< [rad/s]
   double droop, engine_lag,
-      inertia;  ///< governor droop, lag [L/U], inertia of the shaft line over that of the propeller's torque
+      inertia;  ///< governor droop, 0 where the shaft keeps its speed; lag [L/U], inertia of the shaft line over that
+                ///< of the propeller's torque
 
   // what only some have
   std::optional<TaylorTerms> taylor = {};  ///< in place of cross flow and of a rudder in a flow

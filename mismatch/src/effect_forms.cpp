@@ -293,7 +293,8 @@ std::vector<EffectForm> ordinary_forms(const Ship& ship, std::span<const Recordi
   const auto seen = [&](std::initializer_list<Channel> some) {
     return std::ranges::any_of(some, [&](Channel c) { return std::ranges::count(channels, c) > 0; });
   };
-  constexpr double receiver_delay = 0.4;  // [s], of a receiver of positions, however long the ship
+  // of a receiver of positions and of what measures velocities, however long the ship
+  constexpr double receiver_delay = 0.4;  // [s]
   std::vector<EffectForm> forms{force_form(ship, runs)};
   if (seen({Channel::r})) {
     add_ordinary(forms, ship, GyroBias<>{}, "bias_rad_s", 3e-4);
@@ -301,8 +302,9 @@ std::vector<EffectForm> ordinary_forms(const Ship& ship, std::span<const Recordi
     add_ordinary(forms, ship, ChannelDelay<>{Channel::r, {}}, "delay_s", 0.02 * L / U);
   }
   if (seen({Channel::u, Channel::speed_through_water})) add_ordinary(forms, ship, LogScale<>{}, "scale", 0.01);
-  for (const auto log : {Channel::u, Channel::speed_through_water})
-    if (seen({log})) add_ordinary(forms, ship, ChannelDelay<>{log, {}}, "delay_s", 0.02 * L / U);
+  for (const auto velocity : {Channel::u, Channel::v, Channel::speed_through_water})
+    if (seen({velocity}))
+      add_ordinary(forms, ship, ChannelDelay<>{velocity, {}}, "delay_s", std::max(receiver_delay, 0.02 * L / U));
   if (seen({Channel::x})) {
     add_ordinary(forms, ship, HeadingBias<>{}, "bias_rad", radians(0.2));
     add_ordinary(forms, ship, ChannelDelay<>{Channel::x, {}}, "delay_s", std::max(receiver_delay, 0.03 * L / U));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch.hpp>
 #include <cmath>
 
@@ -48,14 +49,20 @@ struct Neighbourhood {
   }
 };
 
-/// Effects of all places, of two channels each where they are of one.
-std::vector<Effect> effects_on(const Ship& ship, unsigned seed) {
+/// Of all places.
+const std::vector kinds{
+    SteadyWind<>::id, Gust<>::id,          SteadyCurrent<>::id, WaveDrift<>::id,       AddedResistance<>::id,
+    AddedMass<>::id,  CrossFlowDrag<>::id, RudderOffset<>::id,  SteeringGearLag<>::id, HeadingBias<>::id,
+    GyroBias<>::id,   GyroScale<>::id,     LogScale<>::id,      AntennaLeverArm<>::id, ModelForm<>::id};
+
+/// With states of their own.
+const std::vector hidden_kinds{RollCoupling<>::id, FluidMemory<>::id};
+
+/// Effects of these kinds, and channels that are late.
+std::vector<Effect> effects_on(const Ship& ship, std::span<const std::string_view> wanted, unsigned seed) {
   test::RandomEffects random(seed);
   std::vector<Effect> effects;
-  for (const auto id :
-       {SteadyWind<>::id, Gust<>::id, SteadyCurrent<>::id, WaveDrift<>::id, AddedResistance<>::id, AddedMass<>::id,
-        CrossFlowDrag<>::id, RudderOffset<>::id, SteeringGearLag<>::id, HeadingBias<>::id, GyroBias<>::id,
-        GyroScale<>::id, LogScale<>::id, AntennaLeverArm<>::id, ModelForm<>::id})
+  for (const auto id : wanted)
     if (const auto effect = random.of_kind(id, ship)) effects.push_back(*effect);
   const double unit = length(ship) / service_speed(ship);
   for (const auto channel : {Channel::r, Channel::x, Channel::delta})
@@ -63,8 +70,8 @@ std::vector<Effect> effects_on(const Ship& ship, unsigned seed) {
   return effects;
 }
 
-Neighbourhood neighbourhood_of(Ship ship, unsigned seed) {
-  for (const auto& effect : effects_on(ship, seed)) ship.effects.push_back(effect);
+Neighbourhood neighbourhood_of(Ship ship, std::span<const std::string_view> wanted, unsigned seed) {
+  for (const auto& effect : effects_on(ship, wanted, seed)) ship.effects.push_back(effect);
   Neighbourhood result{.ship = ship, .coefficients = {}};
   for (const auto& p : parameters_of(ship))
     if (p.role == Role::coefficient && p.deviation > 0.0 && p.value != 0.0) result.coefficients.push_back(p);
@@ -85,20 +92,21 @@ Eigen::MatrixXd central_differences(const EstimationProblem& problem, const Line
   return 0.5 * (further_slopes(problem, none, here, step) + further_slopes(problem, none, here, -step));
 }
 
-TEMPLATE_TEST_CASE("slopes of the residuals of a fit are the limit of their differences",
-                   "[identification][second-route]", MmgShip<double>, PiShip<double>, PuShip<double>,
-                   AbkowitzShip<double>) {
+/// Checks slopes beside differences, on recorded zigzags of seeded ships with such effects.
+template <class Model>
+void check_slopes(std::span<const std::string_view> wanted, std::span<const Channel> channels) {
   test::RandomModels models(29);
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    auto [bare, runs] = test::steerable<TestType>(models, {20.0, -10.0}, 15.0, 0.1, 1e-8);
+    auto [bare, runs] = test::steerable<Model>(models, {20.0, -10.0}, 15.0, 0.1, 1e-8);
     bare.surroundings.windage = test::with_areas(bare.model).surroundings.windage;
-    const auto neighbourhood = neighbourhood_of(bare, seed);
+    const auto neighbourhood = neighbourhood_of(bare, wanted, seed);
     for (auto& run : runs) {
       run = replay_from(neighbourhood.ship, RecordedControls(neighbourhood.ship, run), recorded_state(bare, run, 0.0),
                         run.time);
       test::add_noise(run, bare, seed);
     }
-    const auto prepared = prepared_runs(bare, runs, test::usual_channels);
+    const auto prepared = prepared_runs(bare, runs, channels);
+    REQUIRE(std::ranges::equal(prepared.front().channels, channels));
     const auto problem = neighbourhood.problem(prepared);
     const auto fit = linearized(problem, {.point = Point::Zero(problem.size()), .noise = Noise{}, .covariance = {}});
     const auto expected = central_differences(problem, fit, 1e-4);
@@ -109,6 +117,20 @@ TEMPLATE_TEST_CASE("slopes of the residuals of a fit are the limit of their diff
       CHECK((fit.slopes.col(i) - expected.col(i)).norm() <= 1e-5 * expected.col(i).norm() + 1e-6);
     }
   }
+}
+
+TEMPLATE_TEST_CASE("slopes of the residuals of a fit are the limit of their differences",
+                   "[identification][second-route]", MmgShip<double>, PiShip<double>, PuShip<double>,
+                   AbkowitzShip<double>) {
+  check_slopes<TestType>(kinds, test::usual_channels);
+}
+
+TEST_CASE("so they are where effects have states of their own, as a heel that is recorded",
+          "[identification][second-route]") {
+  auto channels = test::usual_channels;
+  channels.push_back(Channel::phi);
+  check_slopes<MmgShip<double>>(hidden_kinds, channels);
+  check_slopes<AbkowitzShip<double>>(hidden_kinds, test::usual_channels);  // without a beam she does not roll
 }
 
 }  // namespace

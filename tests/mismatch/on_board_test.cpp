@@ -57,6 +57,16 @@ TEST_CASE("of a ship of another form, with the instruments that ships have, noth
   }
 }
 
+TEST_CASE("what no effect explains, and much process noise covers, is not called nothing", "[mismatch][published]") {
+  if (const auto d = diagnosis_of("049")) {  // the bank of a canal
+    INFO(d->words);
+    CHECK(d->verdict == DiagnosisVerdict::unexplained);
+    CHECK(d->process_noise > 5.0);
+    for (const auto& c : d->candidates)
+      if (c.trace) CHECK(c.probability == 0.0);
+  }
+}
+
 TEST_CASE("beside another form and real instruments the strong errors are found, as large as they are",
           "[mismatch][published]") {
   if (const auto d = diagnosis_of("010")) {  // a current of 1.46 m/s to 115.6 deg, a gyro off by −0.00325 rad/s

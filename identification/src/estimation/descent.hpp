@@ -26,6 +26,7 @@ struct Descent {
   Eigen::VectorXd point, residuals;
   double cost;
   Eigen::VectorXd low, high;
+  double kept = 1.0;  ///< of the gain that the last step predicted
 };
 
 /// Descends from a point. The region shrinks after a step that gained less than a quarter of what was predicted, and
@@ -54,7 +55,7 @@ void descend(Descent& here, const DescentOptions& options, Renew&& renew, At&& a
       else if (share > good && step.norm() > 0.9 * radius) radius *= 2.0;
       if (!(share > enough)) continue;
       moved = true;
-      here.point = there, here.residuals = std::move(residuals), here.cost = cost_there;
+      here.point = there, here.residuals = std::move(residuals), here.cost = cost_there, here.kept = share;
     }
     if (!moved) return;
   }

@@ -1,6 +1,7 @@
 #include "swayaw/identification/map_fit.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "descent.hpp"
 #include "filtered_runs.hpp"
@@ -51,13 +52,22 @@ NormalEquations normal_equations(const EstimationProblem& problem, const Eigen::
           -J.transpose() * here.residuals - problem.precision * (here.point - problem.mean())};
 }
 
+/// Whether no size of a noise differs by more than a tenth: the slopes of the one do for the other.
+bool about_same(const Noise& a, const Noise& b) {
+  constexpr double tenth = 0.1;
+  const auto near = [](double x, double y) { return std::abs(x - y) <= tenth * y; };
+  return near(a.scale, b.scale) && near(a.memory, b.memory) && near(a.walk, b.walk) &&
+         std::ranges::equal(a.axes, b.axes, near) && std::ranges::equal(a.factor, b.factor, near);
+}
+
 }  // namespace
 
 MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Eigen::Index fixed,
            const Eigen::MatrixXd* known, int rounds) {
   // a round ends where a step gains less than 1/40 of a standard deviation
   constexpr DescentOptions options{.iterations = 10, .attempts = 6, .worth = 0.05, .radius = wide};
-  constexpr double worth_a_round = 0.5;  // of log posterior density
+  constexpr double worth_a_round = 0.5;    // of log posterior density
+  constexpr double about_straight = 0.25;  // of what a step predicts: all slopes are worked out anew after less
   Descent here = descent_from(problem, start);
   Eigen::MatrixXd slopes(problem.rows(), problem.size());
   MapFit best;
@@ -71,7 +81,8 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
     const bool first_known = known && round == 0;
     if (first_known) slopes.leftCols(known->cols()) = *known;
     const auto renew = [&](const Descent& at, int iteration) {
-      const Eigen::Index first = iteration > 0 ? fixed : first_known ? known->cols() : 0;
+      const bool straight = std::abs(at.kept - 1.0) < about_straight;
+      const Eigen::Index first = iteration > 0 ? (straight ? fixed : 0) : first_known ? known->cols() : 0;
       renew_slopes(problem, at.point, *passes, at.residuals, first, slopes);
       return normal_equations(problem, slopes, at);
     };
@@ -87,7 +98,7 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
     if (gain > -worth_a_round)
       best = {here.point, now + 0.5 * (log_determinant(problem.precision) - log_determinant(A)), found, inverse(A),
               std::move(information)};
-    if (!(gain > worth_a_round) && found == noise) break;
+    if (!(gain > worth_a_round) && about_same(found, noise)) break;
     if (!std::isfinite(now)) break;  // the filter cannot follow
     density = std::max(density, now), noise = found;
   }

@@ -68,6 +68,15 @@ class ChannelObserver {
     return sum->at(sight);
   }
 
+  /// Derivative of the channel by the heel, along which it is about straight.
+  double by_phi(Channel channel, const Sight& sight) const {
+    if (const auto& sum = sums_[index_of(channel)]) return sum->by_phi;
+    constexpr double step = 1e-4;  // rad
+    Sight more = sight, less = sight;
+    more.phi += step, less.phi -= step;
+    return (computed(channel, more) - computed(channel, less)) / (2.0 * step);
+  }
+
   /// Whether accelerations matter to a channel.
   bool late(Channel channel) const { return instruments_[channel].delay != 0.0; }
 

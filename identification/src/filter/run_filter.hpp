@@ -50,6 +50,7 @@ struct RunControls {
   bool finer;                 ///< than the samples of the run
   std::vector<Controls<double>> at_samples;
   std::vector<Controls<double>> before;  ///< each sample, since the one before: means, where they are finer
+  std::vector<Controls<double>> parts;   ///< thirds of that time
   RudderActuator actuator;
   ChannelError<double> rudder_record;
   ChannelError<double> wind_speed_record, wind_from_record;

@@ -86,11 +86,17 @@ class RunFilterOf final : public RunFilter<N> {
                            Eigen::Ref<Eigen::MatrixXd> out) override {
     const auto& recorded = controls_->recorded;
     const bool surrounded = !recorded.wind().empty() || in_depth(ship, recorded.depth());  // which no tape knows
-    if (predictor_.hides_states() || surrounded) return std::vector<bool>(neighbours.size(), false);
+    if (surrounded) return std::vector<bool>(neighbours.size(), false);
     const auto differences = differences_between(ship, neighbours, run_, *controls_, finer_);
     predictor_.tape(ship, differences.variable);
     StateSlopes<N> X(differences, observer_);
-    TapedShip::Slopes by;
+    StepSlopes by;
+    TapedShip::Slopes at_sample;
+    if (predictor_.hides_states()) {
+      TapedShip::HiddenSlopes at_first;
+      predictor_.slopes_of_hidden(first_state(), at_first);
+      X.begin(at_first);
+    }
     walk(
         pass,
         [&](FilterVector<N>& x, const Interval& step, const Controls<double>& controls, const Transition<N>& t) {
@@ -100,8 +106,8 @@ class RunFilterOf final : public RunFilter<N> {
         },
         [&](const FilterVector<N>& x, std::size_t k) {
           if (!observer_.late()) return;
-          predictor_.slopes(x, at_samples()[k], by);
-          X.accelerate(by, run_.time[k], at_samples()[k]);
+          predictor_.slopes(x, at_samples()[k], at_sample);
+          X.accelerate(at_sample, k, at_samples()[k]);
         },
         [&](const FilterVector<N>& x, const Sight& sight, std::size_t row, double) {
           X.observe({ship_state<N>(x), sight.acceleration, sight.phi}, pass.innovations[row],

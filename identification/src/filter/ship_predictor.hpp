@@ -90,6 +90,13 @@ void carry_back(FilterMatrix<N>& M, FilterVector<N>& r, const Transition<N>& t) 
   r.template tail<N - 2>() += B.transpose().lazyProduct(of_motion);
 }
 
+/// Derivatives over a step by the variables of a taped ship.
+struct StepSlopes {
+  TapedShip::Slopes rates;                             ///< of x … r
+  std::array<TapedShip::HiddenSlopes, 4> hidden = {};  ///< of the rates of hidden states in the four stages of their
+                                                       ///< way, if any
+};
+
 /// Predicts a ship with effects between samples.
 ///
 /// Hidden states of effects follow the predicted motion; they are no states of the filter and have no covariance.
@@ -134,6 +141,11 @@ class ShipPredictor {
     taped_->at(ship_state<N>(x), hidden_, controls, slopes);
   }
 
+  /// Derivatives of the hidden states in which a run begins.
+  void slopes_of_hidden(const FilterVector<N>& x, TapedShip::HiddenSlopes& slopes) const {
+    taped_->of_steady_hidden(ship_state<N>(x).motion, slopes);
+  }
+
   /// Into how many steps a time between samples is cut: one is as long as allowed and a fifth of the memory, or less.
   int steps(double speed, double h) const {
     return std::max(1, static_cast<int>(std::ceil(h * std::max(speed / longest_, 5.0 / tau_))));
@@ -176,10 +188,11 @@ class ShipPredictor {
     move(x, t, rate);
   }
 
-  /// The same with the derivatives of the rates of x … r by the variables of the taped ship.
+  /// The same with the derivatives of the rates by the variables of the taped ship.
   void repeat(FilterVector<N>& x, const Controls<double>& controls, double from, double to, const Transition<N>& t,
-              TapedShip::Slopes& slopes) {
+              StepSlopes& slopes) {
     const auto state = ship_state<N>(x);
+    const auto hidden = hidden_;
     const auto middle = half_way(state.motion, t.h);
     Eigen::Matrix<double, 6, 1> rate = Eigen::Matrix<double, 6, 1>::Zero();
     TapedShip::Slopes of_part;
@@ -188,10 +201,14 @@ class ShipPredictor {
       const auto part = ship_->rates(state, middle, controls);
       rate += weight * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(part.data());
       taped_->at(state, middle, controls, of_part);
-      if (std::exchange(first, false)) slopes = weight * of_part;
-      else slopes += weight * of_part;
+      if (std::exchange(first, false)) slopes.rates = weight * of_part;
+      else slopes.rates += weight * of_part;
     });
     move(x, t, rate);
+    if (!ship_->hides_states()) return;
+    const auto stages = stages_of(hidden, state.motion, ship_state<N>(x).motion, t.h);
+    for (std::size_t i = 0; i < stages.size(); ++i)
+      taped_->of_hidden(stages[i].motion, stages[i].hidden, slopes.hidden[i]);
   }
 
  private:
@@ -221,15 +238,29 @@ class ShipPredictor {
     return moved(hidden_, ship_->rates_of_hidden(motion, hidden_), 0.5 * h);
   }
 
-  /// Hidden states behind a motion that changes evenly, by the classical Runge–Kutta step.
-  Hidden<double> followed(const PlanarMotion<double>& a, const PlanarMotion<double>& b, double h) const {
+  /// Where the classical Runge–Kutta step asks for the rates of hidden states.
+  struct Stage {
+    PlanarMotion<double> motion;
+    Hidden<double> hidden, rate;
+  };
+
+  /// Of hidden states behind a motion that changes evenly from a to b.
+  std::array<Stage, 4> stages_of(const Hidden<double>& hidden, const PlanarMotion<double>& a,
+                                 const PlanarMotion<double>& b, double h) const {
     const PlanarMotion<double> middle{0.5 * (a.u + b.u), 0.5 * (a.v + b.v), 0.5 * (a.r + b.r)};
-    const auto k1 = ship_->rates_of_hidden(a, hidden_);
-    const auto k2 = ship_->rates_of_hidden(middle, moved(hidden_, k1, 0.5 * h));
-    const auto k3 = ship_->rates_of_hidden(middle, moved(hidden_, k2, 0.5 * h));
-    const auto k4 = ship_->rates_of_hidden(b, moved(hidden_, k3, h));
+    const auto stage = [&](const PlanarMotion<double>& motion, const Hidden<double>& there) {
+      return Stage{motion, there, ship_->rates_of_hidden(motion, there)};
+    };
+    const auto first = stage(a, hidden), second = stage(middle, moved(hidden, first.rate, 0.5 * h)),
+               third = stage(middle, moved(hidden, second.rate, 0.5 * h));
+    return {first, second, third, stage(b, moved(hidden, third.rate, h))};
+  }
+
+  Hidden<double> followed(const PlanarMotion<double>& a, const PlanarMotion<double>& b, double h) const {
+    const auto stages = stages_of(hidden_, a, b, h);
     Hidden<double> mean;
-    for (std::size_t i = 0; i < hidden_count; ++i) mean[i] = (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]) / 6.0;
+    for (std::size_t i = 0; i < hidden_count; ++i)
+      mean[i] = (stages[0].rate[i] + 2.0 * (stages[1].rate[i] + stages[2].rate[i]) + stages[3].rate[i]) / 6.0;
     return moved(hidden_, mean, h);
   }
 

@@ -35,6 +35,25 @@ std::optional<ShipNumbers> numbers_if_any(const std::optional<Ship>& ship) {
   }
 }
 
+/// A sample is so many of the finer ones from the next.
+constexpr std::size_t thirds = 3;
+
+/// Mean over a part of the time before sample k, which is 1 long.
+/// @param all  means of thirds of the time before each sample
+Controls<double> mean_over(std::span<const Controls<double>> all, std::size_t k, double from, double to) {
+  const auto parts = all.subspan((k - 1) * thirds, thirds);
+  Controls<double> mean{};
+  double weight = 0.0;
+  for (std::size_t i = 0; i < thirds; ++i) {
+    const double begin = static_cast<double>(i) / thirds, end = static_cast<double>(i + 1) / thirds,
+                 here = std::min(to, end) - std::max(from, begin);
+    if (!(here > 0.0)) continue;
+    mean = weight == 0.0 ? parts[i] : between(mean, parts[i], here / (weight + here));  // so far
+    weight += here;
+  }
+  return mean;
+}
+
 }  // namespace
 
 RunControls::RunControls(const Ship& ship, const Recording& run, const Recording* finer_run)
@@ -45,24 +64,22 @@ RunControls::RunControls(const Ship& ship, const Recording& run, const Recording
       wind_speed_record(instruments_of(ship)[Channel::wind_speed]),
       wind_from_record(instruments_of(ship)[Channel::wind_from]),
       whatever_ship(run.has(Channel::delta) && propulsion_is_recorded(ship, run)) {
-  at_samples.reserve(run.samples());
-  for (const double time : run.time) at_samples.push_back(recorded.at(time));
+  at_samples = recorded.at(run.time);
   if (!finer) return;
-  constexpr int parts = 3;  // a sample is three of the finer ones from the next
+  std::vector<double> middles;
+  for (std::size_t k = 1; k < run.samples(); ++k)
+    for (std::size_t i = 0; i < thirds; ++i)
+      middles.push_back(run.time[k - 1] + (static_cast<double>(i) + 0.5) / thirds * (run.time[k] - run.time[k - 1]));
+  parts = recorded.at(middles);
   before.push_back(at_samples.front());
-  for (std::size_t k = 1; k < run.samples(); ++k) {
-    const double h = (run.time[k] - run.time[k - 1]) / parts;
-    Controls<double> sum = recorded.at(run.time[k - 1] + 0.5 * h);
-    for (int i = 1; i < parts; ++i)
-      sum = between(sum, recorded.at(run.time[k - 1] + (i + 0.5) * h), 1.0 / (i + 1));  // the mean so far
-    before.push_back(sum);
-  }
+  for (std::size_t k = 1; k < run.samples(); ++k) before.push_back(mean_over(parts, k, 0.0, 1.0));
 }
 
 Controls<double> RunControls::in_step(const Recording& run, std::size_t k, double from, double to) const {
   const double begin = run.time[k - 1], end = run.time[k], middle = 0.5 * (from + to);
   if (finer && from == begin && to == end) return before[k];
-  if (finer || recorded.track()) return recorded.at(middle);
+  if (finer) return mean_over(parts, k, (from - begin) / (end - begin), (to - begin) / (end - begin));
+  if (recorded.track()) return recorded.at(middle);
   return between(at_samples[k - 1], at_samples[k], (middle - begin) / (end - begin));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -47,34 +48,56 @@ NeighbourDifferences differences_between(const Ship& ship, std::span<const Neigh
 /// C as in Transition, and a measurement y tells e = y − g(x; p), x⁺ = x + K e. So, row by row of an unknown,
 ///
 ///     X⁺ = X + C h (∂f/∂x X + ∂f/∂c dc/dp + ∂f/∂p),   de/dp = −(∂g/∂x X + ∂g/∂p),   X⁺ = X + K de/dp
+///
+/// Hidden states, which f depends on and no measurement corrects, have derivatives H beside them, along the four stages
+/// of their own way.
 template <int N>
 class StateSlopes {
  public:
   StateSlopes(const NeighbourDifferences& differences, const ChannelObserver& observer)
-      : differences_(differences), observer_(observer), X_(Unknowns<N>::Zero(std::ssize(differences.found), N)) {}
+      : differences_(differences),
+        observer_(observer),
+        X_(Unknowns<N>::Zero(std::ssize(differences.found), N)),
+        H_(OfHidden::Zero(std::ssize(differences.found), hidden)) {}
+
+  /// The run begins with hidden states.
+  /// @param by  their derivatives by the variables of the taped ship
+  void begin(const TapedShip::HiddenSlopes& by) {
+    hides_ = true;
+    add_numbers(H_, by);
+  }
 
   /// Over a step.
   /// @param by         derivatives of the rates by the variables of the taped ship
   /// @param in_step(c)  the controls c of a neighbour in it
   template <class InStep>
-  void step(const Transition<N>& t, const TapedShip::Slopes& by, const Controls<double>& controls, InStep&& in_step) {
+  void step(const Transition<N>& t, const StepSlopes& of_step, const Controls<double>& controls, InStep&& in_step) {
+    const auto& by = of_step.rates;
     const Eigen::Matrix<double, 6, N> C = with_curve(t);
     const Eigen::Matrix<double, 6, 6> Ch = t.h * C.template leftCols<6>();
     Eigen::Matrix<double, 6, N - 2> B;
     B.template leftCols<4>() = Ch * by.leftCols<4>();
     if constexpr (N == 9) B.template rightCols<3>() = Ch.template rightCols<3>() - t.fading * C.template rightCols<3>();
     moved_.noalias() = X_.template rightCols<N - 2>().lazyProduct(B.transpose());
+    forced_.noalias() = Ch.lazyProduct(by);
+    OfHidden rate;
+    if (hides_) {
+      before_ = X_.template middleCols<3>(3);
+      rate = of_hidden(of_step.hidden[0], before_, H_);
+      moved_ += (H_ + 0.5 * t.h * rate) * forced_.template middleCols<hidden>(TapedVariables::hidden).transpose();
+    }
     X_.template leftCols<6>() += moved_;
     if constexpr (N == 9) X_.template rightCols<3>() *= t.faded();
-    forced_.noalias() = Ch.lazyProduct(by);
     add_direct(X_.template leftCols<6>(), forced_, controls, in_step);
+    if (hides_) follow(of_step, rate, t.h);
   }
 
   /// Derivatives of the accelerations at a sample, for channels that are late.
-  void accelerate(const TapedShip::Slopes& by, double time, const Controls<double>& controls) {
+  void accelerate(const TapedShip::Slopes& by, std::size_t k, const Controls<double>& controls) {
     acceleration_.noalias() = X_.template middleCols<4>(2).lazyProduct(by.block<3, 4>(3, 0).transpose());
+    if (hides_) acceleration_ += H_ * by.block<3, hidden>(3, TapedVariables::hidden).transpose();
     if constexpr (N == 9) acceleration_ += X_.template rightCols<3>();
-    add_direct(acceleration_, by.bottomRows<3>(), controls, [&](const RunControls& c) { return c.recorded.at(time); });
+    add_direct(acceleration_, by.bottomRows<3>(), controls, [&](const RunControls& c) { return c.at_samples[k]; });
   }
 
   /// Takes a residual. @param out  its derivatives over its standard deviation
@@ -87,6 +110,8 @@ class StateSlopes {
       observer_.value(now.channel, sight, by_state);
       seen_ = X_.template leftCols<6>() * by_state;
     }
+    if (hides_)
+      if (const double by_phi = observer_.by_phi(now.channel, sight); by_phi != 0.0) seen_ += by_phi * H_.col(heel);
     if (observer_.late(now.channel)) seen_ += acceleration_ * by_acceleration(now.channel, sight);
     for (const auto& d : differences_.observers)
       if (observer_.differs(d.observer, now.channel))
@@ -111,11 +136,44 @@ class StateSlopes {
     return C;
   }
 
-  /// What an unknown changes directly: numbers of the ship, and controls.
+  static constexpr int hidden = static_cast<int>(hidden_count);
+  using OfHidden = Unknowns<hidden>;
+
+  /// The hidden state that the heel is.
+  static constexpr Eigen::Index heel = [] {
+    const auto found = std::ranges::find(hidden_quantities, std::optional(Channel::phi), &HiddenQuantity::channel);
+    return found - hidden_quantities.begin();
+  }();
+
+  /// Derivatives of the rates of hidden states in a stage of their way.
+  OfHidden of_hidden(const TapedShip::HiddenSlopes& by, const Unknowns<3>& motion, const OfHidden& H) const {
+    using V = TapedVariables;
+    OfHidden rate = motion * by.template middleCols<3>(V::u).transpose();
+    rate += H * by.template middleCols<hidden>(V::hidden).transpose();
+    add_numbers(rate, by);
+    return rate;
+  }
+
+  /// The step of Runge and Kutta, its first stage known.
+  void follow(const StepSlopes& by, const OfHidden& first, double h) {
+    const Unknowns<3> after = X_.template middleCols<3>(3), middle = 0.5 * (before_ + after);
+    const auto second = of_hidden(by.hidden[1], middle, H_ + 0.5 * h * first),
+               third = of_hidden(by.hidden[2], middle, H_ + 0.5 * h * second),
+               last = of_hidden(by.hidden[3], after, H_ + h * third);
+    H_ += h / 6.0 * (first + 2.0 * (second + third) + last);
+  }
+
+  /// What an unknown changes directly: numbers of the ship.
+  template <class To, class By>
+  void add_numbers(To&& to, const By& by) const {
+    for (const auto& d : differences_.numbers) to.row(d.unknown) += d.slope * by.col(d.variable).transpose();
+  }
+
+  /// The same, and controls.
   template <class To, class By, class Then>
   void add_direct(To&& to, const By& by, const Controls<double>& controls, Then&& then) {
     using V = TapedVariables;
-    for (const auto& d : differences_.numbers) to.row(d.unknown) += d.slope * by.col(d.variable).transpose();
+    add_numbers(to, by);
     for (const auto& d : differences_.controls) {
       const auto other = then(d.controls);
       to.row(d.unknown) +=
@@ -144,7 +202,10 @@ class StateSlopes {
   const NeighbourDifferences& differences_;
   const ChannelObserver& observer_;
   Unknowns<N> X_;
+  OfHidden H_;
+  bool hides_ = false;
   Unknowns<6> moved_;
+  Unknowns<3> before_;
   Unknowns<3> acceleration_;
   Eigen::VectorXd seen_;
   TapedShip::Slopes forced_;

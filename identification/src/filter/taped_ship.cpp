@@ -49,28 +49,51 @@ class TapedModel final : public TapedShip {
   void at(const ShipState<double>& state, const Hidden<double>& hidden, const Controls<double>& controls,
           Slopes& slopes) override {
     using V = TapedVariables;
-    Tape::now = &tape_;
-    tape_.restart(variables_);
+    begin();
     const auto& m = state.motion;
-    const ShipState<Taped> s{
-        Taped(state.x), Taped(state.y), {state.psi, V::psi + 1}, {{m.u, V::u + 1}, {m.v, V::v + 1}, {m.r, V::r + 1}}};
+    const ShipState<Taped> s{Taped(state.x), Taped(state.y), {state.psi, V::psi + 1}, as_variables(m)};
     const Controls<Taped> c{{controls.delta, V::delta + 1},
                             {controls.rev, V::rev + 1},
                             {{controls.thrust.port, V::port + 1}, {controls.thrust.starboard, V::starboard + 1}},
                             controls.by_thrust};
-    Hidden<Taped> constant;
-    std::ranges::transform(hidden, constant.begin(), [](double x) { return Taped(x); });
     const auto branch = branch_at(ship_.model, m, driven(ship_.added, m, controls));
-    const auto f = rates_of(taped_.model, taped_.around, taped_.added, s, constant, c, branch);
+    const auto f = rates_of(taped_.model, taped_.around, taped_.added, s, as_variables(hidden), c, branch);
     slopes.resize(6, variables_);
     take(slopes, {3, 4, 5}, {f[3].place, f[4].place, f[5].place, 0});
     take(slopes, {0, 1, 2}, {f[0].place, f[1].place, f[2].place, 0});
+  }
+
+  void of_hidden(const PlanarMotion<double>& motion, const Hidden<double>& hidden, HiddenSlopes& slopes) override {
+    begin();
+    take(slopes, hidden_rates(taped_.added, as_variables(motion), as_variables(hidden)));
+  }
+
+  void of_steady_hidden(const PlanarMotion<double>& motion, HiddenSlopes& slopes) override {
+    begin();
+    take(slopes, steady_hidden(taped_.added, as_variables(motion)));
   }
 
   void restart() override { apply(before_, 0); }
   void apply(std::size_t change) override { apply(changes_[change], change + 1); }
 
  private:
+  void begin() {
+    Tape::now = &tape_;
+    tape_.restart(variables_);
+  }
+
+  static PlanarMotion<Taped> as_variables(const PlanarMotion<double>& m) {
+    using V = TapedVariables;
+    return {{m.u, V::u + 1}, {m.v, V::v + 1}, {m.r, V::r + 1}};
+  }
+
+  static Hidden<Taped> as_variables(const Hidden<double>& hidden) {
+    Hidden<Taped> variables;
+    for (std::size_t i = 0; i < hidden_count; ++i)
+      variables[i] = {hidden[i], TapedVariables::hidden + static_cast<Tape::Place>(i) + 1};
+    return variables;
+  }
+
   void apply(const Change& change, std::size_t wind) {
     change.apply(ship_.around, ship_.added);
     change.apply(ship_.around, taped_.added);
@@ -81,6 +104,15 @@ class TapedModel final : public TapedShip {
     const auto& by = tape_.slopes(of);
     for (Eigen::Index i = 0; i < variables_; ++i)
       for (std::size_t k = 0; k < rows.size(); ++k) slopes(rows[k], i) = by[static_cast<std::size_t>(i) + 1][k];
+  }
+
+  void take(HiddenSlopes& slopes, const Hidden<Taped>& of) {
+    slopes.resize(Eigen::NoChange, variables_);
+    std::array<Tape::Place, hidden_count> places;
+    std::ranges::transform(of, places.begin(), &Taped::place);
+    const auto& by = tape_.slopes(places);
+    for (Eigen::Index i = 0; i < variables_; ++i)
+      slopes.col(i) = Eigen::Map<const Eigen::Vector<double, hidden_count>>(by[static_cast<std::size_t>(i) + 1].data());
   }
 
   Acting<Model> ship_;

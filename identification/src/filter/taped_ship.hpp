@@ -8,7 +8,8 @@
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "tape.hpp"
 
-/// Rates of a ship with their derivatives by her state, her controls and all of her numbers. Not installed.
+/// Rates of a ship with their derivatives by her state, hidden states too, her controls and all of her numbers. Not
+/// installed.
 namespace swayaw::inline identification::detail {
 
 /// All that a ship is in her equations of motion, as numbers: parameters of her model and of the effects that act in
@@ -25,17 +26,25 @@ ShipNumbers numbers_of(const Ship& ship);
 
 /// The first variables of a taped ship; her numbers follow.
 struct TapedVariables {
-  static constexpr int psi = 0, u = 1, v = 2, r = 3, delta = 4, rev = 5, port = 6, starboard = 7, count = 8;
+  static constexpr int psi = 0, u = 1, v = 2, r = 3, delta = 4, rev = 5, port = 6, starboard = 7, hidden = 8,
+                       count = hidden + static_cast<int>(hidden_count);
 };
 
 class TapedShip {
  public:
   virtual ~TapedShip() = default;
 
-  /// Derivatives of the rates of x, y, psi, u, v, r by the variables, a column each. Hidden states are constants.
+  /// Derivatives of the rates of x, y, psi, u, v, r by the variables, a column each.
   using Slopes = Eigen::Matrix<double, 6, Eigen::Dynamic>;
   virtual void at(const ShipState<double>& state, const Hidden<double>& hidden, const Controls<double>& controls,
                   Slopes& slopes) = 0;
+
+  /// Derivatives of the rates of the hidden states by the same.
+  using HiddenSlopes = Eigen::Matrix<double, static_cast<int>(hidden_count), Eigen::Dynamic>;
+  virtual void of_hidden(const PlanarMotion<double>& motion, const Hidden<double>& hidden, HiddenSlopes& slopes) = 0;
+
+  /// Derivatives of the hidden states of a motion that has lasted long.
+  virtual void of_steady_hidden(const PlanarMotion<double>& motion, HiddenSlopes& slopes) = 0;
 
   virtual void restart() = 0;
 

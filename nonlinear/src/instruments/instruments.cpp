@@ -48,21 +48,20 @@ void move_place(Recording& run, double x, double y) {
 
 // ---------------------------------------------------------------- delay
 
-/// Value at a time by straight lines, drawn on beyond the ends.
-double drawn_on(std::span<const double> times, std::span<const double> values, double time) {
-  const auto after = std::ranges::upper_bound(times, time) - times.begin();
-  const auto k = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after, 1, std::ssize(times) - 1));
-  return values[k - 1] + (values[k] - values[k - 1]) * (time - times[k - 1]) / (times[k] - times[k - 1]);
-}
-
-/// Every sample gets the value of `delay` ago; samples that are missing stay so.
+/// Every sample gets the value of `delay` ago by straight lines, drawn on beyond the ends; samples that are missing
+/// stay so.
 void delay_channel(Recording& run, Channel channel, double delay) {
   if (delay == 0.0 || !run.has(channel)) return;
   const Interpolant known(run, channel);
   if (known.times().size() < 2) return;
+  const auto t = known.times(), x = known.values();
   auto& values = run.channels[index_of(channel)];
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (std::isfinite(values[i])) values[i] = drawn_on(known.times(), known.values(), run.time[i] - delay);
+  std::size_t k = 1;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double time = run.time[i] - delay;
+    while (k + 1 < t.size() && t[k] <= time) ++k;
+    if (std::isfinite(values[i])) values[i] = x[k - 1] + (x[k] - x[k - 1]) * (time - t[k - 1]) / (t[k] - t[k - 1]);
+  }
 }
 
 template <class F>

@@ -140,7 +140,10 @@ namespace {
 Interpolant in_time(const Ship& ship, const Recording& run) {
   Instruments<> late;
   late[Channel::delta].delay = instruments_of(ship)[Channel::delta].delay;
-  return late == Instruments<>{} ? Interpolant(run, Channel::delta) : Interpolant(as_it_was(run, late), Channel::delta);
+  if (late == Instruments<>{}) return Interpolant(run, Channel::delta);
+  Recording rudder{.name = run.name, .facts = {}, .time = run.time, .channels = {}, .extra = {}};
+  std::ranges::copy(run[Channel::delta], rudder.fill(Channel::delta).begin());
+  return Interpolant(as_it_was(std::move(rudder), late), Channel::delta);
 }
 
 /// Rudder angle as the indicator shows it; an order is followed at the rate of the steering gear.
@@ -185,8 +188,18 @@ std::optional<double> RecordedControls::shaft_astern(double from, double to) con
   return std::nullopt;
 }
 
-Controls<double> RecordedControls::at(double time) const {
-  const double delta = rudder(time);
+Controls<double> RecordedControls::at(double time) const { return with_angle(rudder(time), time); }
+
+std::vector<Controls<double>> RecordedControls::at(std::span<const double> times) const {
+  const auto angles = track_ ? track_->at(times) : std::vector<double>{};
+  std::vector<Controls<double>> controls;
+  controls.reserve(times.size());
+  for (std::size_t i = 0; i < times.size(); ++i)
+    controls.push_back(with_angle(track_ ? angles[i] : rudder_(times[i]), times[i]));
+  return controls;
+}
+
+Controls<double> RecordedControls::with_angle(double delta, double time) const {
   if (rev_) return {.delta = delta, .rev = (*rev_)(time)};
   if (!thrust_) return with_rudder(constant_, delta);
   const double half = 0.5 * (*thrust_)(time);

@@ -115,4 +115,15 @@ double RudderTrack::at(double time) const {
   return motion.at(std::max(time, motion.start()));
 }
 
+std::vector<double> RudderTrack::at(std::span<const double> times) const {
+  std::vector<double> angles;
+  angles.reserve(times.size());
+  auto motion = motions_.begin();
+  for (const double time : times) {
+    while (motion + 1 != motions_.end() && (motion + 1)->start() <= time) ++motion;
+    angles.push_back(motion->at(std::max(time, motion->start())));
+  }
+  return angles;
+}
+
 }  // namespace swayaw::nonlinear

@@ -53,6 +53,9 @@ class RecordedControls {
   /// With the angle of the rudder, and the shaft speed as recorded.
   Controls<double> at(double time) const;
 
+  /// The same at times in order.
+  std::vector<Controls<double>> at(std::span<const double> times) const;
+
   /// Angle of the rudder [rad].
   double rudder(double time) const { return track_ ? track_->at(time) : rudder_(time); }
 
@@ -75,6 +78,8 @@ class RecordedControls {
   const std::optional<double>& depth() const { return depth_; }
 
  private:
+  Controls<double> with_angle(double delta, double time) const;
+
   Interpolant rudder_;
   std::optional<RudderTrack> track_;
   std::optional<Interpolant> rev_;

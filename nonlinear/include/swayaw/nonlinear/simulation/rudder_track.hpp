@@ -46,6 +46,10 @@ class RudderTrack {
   RudderTrack(const RudderActuator& actuator, std::span<const AngleLine> recorded, const RudderTrack& before);
 
   double at(double time) const;
+
+  /// At times in order, each found from the one before.
+  std::vector<double> at(std::span<const double> times) const;
+
   std::span<const RudderMotion<>> motions() const { return motions_; }
 
  private:
