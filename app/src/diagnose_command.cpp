@@ -230,7 +230,7 @@ void print_diagnosis(const Ship& ship, const Diagnosis& d, const Json& document)
     fmt::print("  {:<10}{:<14}{:>12.5g} +- {:.2g} {}\n", i.channel, i.error, i.value, i.standard_error, i.unit);
   if (!d.location.empty()) fmt::print("\nwhere force is missing\n");
   for (const auto& p : d.location)
-    fmt::print("  {:<24}{:<14}{:.5g} to {:.5g} s, {:.0f} % of it; {}\n", p.run, p.quantity, p.from, p.to,
+    fmt::print("  {:<32} {:<14}{:.5g} to {:.5g} s, {:.0f} % of it; {}\n", p.run, p.quantity, p.from, p.to,
                100.0 * p.share, p.where);
   if (!d.symmetry.empty()) fmt::print("  {}\n", d.symmetry);
   if (const auto words = words_of(d.linear); !words.empty()) fmt::print("\n{}\n", words);

@@ -665,8 +665,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   attempt(d, "what held-out runs gain", [&] { put_holdout_gains(d, trial, s, holdout); });
   if (options.pictures && goes_on("drawing the runs"))
     attempt(d, "pictures of the runs", [&] {
-      Noise noise = s.null.noise;
-      if (s.on_board) noise = {}, noise.scale = s.null.noise.largest_scale();
+      const auto& noise = s.null.noise;
       d.train_pictures = run_pictures(ship, refitted, improved, runs, noise);
       d.holdout_pictures = run_pictures(ship, refitted, improved, holdout, noise);
     });

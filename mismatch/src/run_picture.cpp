@@ -66,6 +66,19 @@ std::vector<Value> thinned(const std::vector<Value>& values, const std::vector<s
   return result;
 }
 
+/// Of values at some times, those nearest to others.
+template <class Value>
+std::vector<Value> near_to(const std::vector<Value>& values, std::span<const double> times,
+                           std::span<const double> others) {
+  std::vector<Value> result;
+  std::size_t k = 0;
+  for (const double time : others) {
+    while (k + 1 < times.size() && std::abs(times[k + 1] - time) <= std::abs(times[k] - time)) ++k;
+    result.push_back(values[k]);
+  }
+  return result;
+}
+
 /// Samples to keep; where one is missing, the next that is there before the next one kept, so that a slow channel
 /// stays.
 Recording thinned(const Recording& run, const std::vector<std::size_t>& kept) {
@@ -129,9 +142,13 @@ PlanarForce<double> ordinary_force(const Ship& ship) {
 RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& after, const Recording& run,
                        const Noise& noise) {
   const auto kept = kept_samples(run.samples());
+  const auto channels = recorded_channels({&run, 1}, motion_channels());
   const auto lacking = [&](const Ship& ship) {
-    const auto all = unless_refused([&] { return missing_force(ship, run, noise); });
-    return all ? thinned(*all, kept) : std::vector<MissingForce>{};
+    return unless_refused([&] {
+             const auto prepared = (noise.with_memory ? lean_runs : prepared_runs)(ship, {&run, 1}, channels).front();
+             return near_to(missing_force(ship, prepared, noise), prepared.run->time, thinned(run.time, kept));
+           })
+        .value_or(std::vector<MissingForce>{});
   };
   const auto replayed = [&](const Ship& ship) {
     return unless_refused([&] { return thinned(replay(ship, run), kept); });

@@ -48,33 +48,39 @@ namespace {
 
 constexpr std::string_view windage = "windage";
 
-/// What scales the load of the wind ahead, across, and its moment. Wind coefficients of ships of one type spread by a
+/// A load of the wind, and the size of the ship that it goes with.
+struct LoadOfWind {
+  std::string_view key;
+  double Windage<>::*goes_with;
+};
+
+constexpr std::array loads_of_wind{LoadOfWind{"wind_load_ahead", &Windage<>::A_F},
+                                   LoadOfWind{"wind_load_across", &Windage<>::A_L},
+                                   LoadOfWind{"wind_moment", &Windage<>::L_OA}};
+
+/// Factors on what the wind does, of a ship whose windage is known. Wind coefficients of ships of one type spread by a
 /// fifth.
-std::vector<Parameter> loads_of_wind(const Ship& ship) {
+std::vector<Parameter> factors_on_wind(const Ship& ship) {
   constexpr double spread = 0.2;
-  constexpr auto all = Windage<>::parameters();
-  std::vector<Parameter> loads;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto& p = all[i];
-    const double value = ship.surroundings.windage.*p.member;
-    if ((p.member == &Windage<>::A_F || p.member == &Windage<>::A_L || p.member == &Windage<>::L_OA) && value > 0.0)
-      loads.push_back({.name = std::string(p.key),
-                       .table = windage,
-                       .key = p.key,
-                       .unit = p.unit,
-                       .index = i,
-                       .value = value,
-                       .range = p.range,
-                       .null = value,
-                       .deviation = spread * value});
-  }
-  return loads;
+  std::vector<Parameter> factors;
+  for (std::size_t i = 0; i < loads_of_wind.size(); ++i)
+    if (const auto& [key, goes_with] = loads_of_wind[i]; ship.surroundings.windage.*goes_with > 0.0)
+      factors.push_back({.name = std::string(key),
+                         .table = windage,
+                         .key = key,
+                         .unit = "-",
+                         .index = i,
+                         .value = 1.0,
+                         .range = positive,
+                         .null = 1.0,
+                         .deviation = spread});
+  return factors;
 }
 
 }  // namespace
 
 Trial as_on_board(Trial trial, std::span<const Recording> runs, std::span<const Channel> channels) {
-  std::ranges::move(loads_of_wind(trial.ship), std::back_inserter(trial.parameters));
+  std::ranges::move(factors_on_wind(trial.ship), std::back_inserter(trial.parameters));
   for (auto& form : ordinary_forms(trial.ship, runs, channels)) trial.ordinary.push_back(std::move(form));
   put_prior(trial);
   trial.runs = lean_runs(trial.ship, runs, channels);
@@ -309,12 +315,11 @@ Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& po
   std::vector<double> values;
   for (std::size_t i = 0; i < trial.parameters.size(); ++i)
     values.push_back(value_at(trial.parameters[i], point[static_cast<Eigen::Index>(i)]));
-  const auto loads = std::ranges::find(trial.parameters, windage, &Parameter::table);  // after those of her model
-  const auto of_model = static_cast<std::size_t>(loads - trial.parameters.begin());
+  const auto factors = std::ranges::find(trial.parameters, windage, &Parameter::table);  // after those of her model
+  const auto of_model = static_cast<std::size_t>(factors - trial.parameters.begin());
   Ship ship = with_values(trial.ship, std::span(trial.parameters).first(of_model), std::span(values).first(of_model));
-  constexpr auto of_windage = Windage<>::parameters();
   for (std::size_t i = of_model; i < values.size(); ++i)
-    ship.surroundings.windage.*of_windage[trial.parameters[i].index].member = values[i];
+    ship.surroundings.windage.*loads_of_wind[trial.parameters[i].index].goes_with *= values[i];
   const auto add = [&](Effect effect, bool ordinary) {
     if (wanted(effect, ordinary)) ship.effects.push_back(std::move(effect));
   };

@@ -160,6 +160,22 @@ TEST_CASE("a picture holds at most 500 points from the first sample to the last"
     CHECK(replayed->time == picture.recorded.time);
 }
 
+TEST_CASE("beside errors that remember a picture shows the same force", "[mismatch][second-route]") {
+  const Ship ship = test::kvlcc2_l7(), real = with_side_force(ship, side_force);
+  const auto run = zigzag_run(real, 0.1);
+  auto on_board = Noise::on_board();
+  on_board.scale = noise.scale;
+  const auto mean_force = [&](const Noise& with) {
+    const auto picture = run_picture(ship, ship, real, run, with);
+    CHECK(picture.missing_before.size() == picture.recorded.samples());
+    double sum = 0.0;
+    for (const auto& f : picture.missing_before) sum += f.force.Y;
+    return sum / static_cast<double>(picture.missing_before.size());
+  };
+  CHECK_THAT(mean_force(noise), WithinRel(side_force, 0.1));
+  CHECK_THAT(mean_force(on_board), WithinRel(side_force, 0.1));
+}
+
 TEST_CASE("a run that tells no speed has a picture without forces and replays", "[mismatch][refusal]") {
   const Ship ship = test::kvlcc2_l7();
   auto run = zigzag_run(ship);

@@ -223,6 +223,33 @@ TEST_CASE("speed and direction of a wind change with its parts as a point does o
   }
 }
 
+TEST_CASE("on board the loads of the wind are each known to a fifth, of a ship that has a windage",
+          "[mismatch][limit]") {
+  Ship bare = test_ship();
+  bare.surroundings.windage = {};
+  Ship ship = bare;
+  ship.surroundings.windage = *windage_from({.frontal = 1.0, .lateral = 4.0, .length = length(ship)});
+  const auto runs = runs_of(bare, 1);
+  const auto channels = recorded_channels(runs, motion_channels());
+  const auto trial = as_on_board(trial_of(ship, runs, channels), runs, channels);
+  const auto of_bare = as_on_board(trial_of(bare, runs, channels), runs, channels);
+  REQUIRE(trial.parameters.size() == of_bare.parameters.size() + 3);
+  const auto first = std::ssize(of_bare.parameters);
+  const ApparentWind<double> air{.u = -6.0, .v = -5.0};
+  const auto load_at = [&](const Point& p) { return wind_force(ship_at(trial, {}, p).surroundings.windage, air); };
+  const auto given = load_at(trial.mean);
+  CHECK(given.Y == wind_force(ship.surroundings.windage, air).Y);
+  const auto one_up = [&](Eigen::Index i) {
+    Point p = trial.mean;
+    p[first + i] += 1.0;
+    return load_at(p);
+  };
+  CHECK_THAT(one_up(0).X, WithinRel(1.2 * given.X, 0.03));  // the cross force hangs on the ratio of both areas
+  CHECK_THAT(one_up(1).Y, WithinRel(1.2 * given.Y, 0.03));
+  CHECK_THAT(one_up(2).Y, WithinRel(given.Y, 1e-12));
+  CHECK_THAT(one_up(2).N, WithinRel(1.2 * given.N, 1e-12));
+}
+
 TEST_CASE("an effect is told from nothing where its size is, whatever is known of the rest", "[mismatch][limit]") {
   Ship ship = test_ship();
   ship.surroundings.windage = *windage_from({.frontal = 1.0, .lateral = 4.0, .length = length(ship)});
