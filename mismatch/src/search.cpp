@@ -100,12 +100,16 @@ std::optional<Beside> beside(const Trial& trial, const Hypothesis& accepted, con
   const auto replaced = replaced_by(trial, form);
   if (replaced.empty()) return std::nullopt;
   const auto problem = problem_of(trial, accepted);
-  auto other = linear;
-  for (const auto i : replaced)
-    other.slopes.col(i).setZero(), other.point[i] = problem.unknowns[static_cast<std::size_t>(i)].mean;
+  auto other = linear, held = linear;
+  for (const auto i : replaced) {
+    const auto& unknown = problem.unknowns[static_cast<std::size_t>(i)];
+    if (!(unknown.low < linear.point[i] && linear.point[i] < unknown.high))
+      held.slopes.col(i).setZero();  // at its end it gains no more
+    other.slopes.col(i).setZero(), other.point[i] = unknown.mean;
+  }
   other.inverse = inverse(other.slopes.transpose() * other.slopes + problem.precision);
   other.pull = problem.precision * (other.point - problem.mean());
-  const double gain = linear_evidence(problem, other) - linear_evidence(problem, linear);
+  const double gain = linear_evidence(problem, other) - linear_evidence(problem, held);
   return Beside{std::move(other), gain};
 }
 
