@@ -142,8 +142,10 @@ std::vector<SurroundingsEstimate> surroundings_of(const Trial& trial, const Acce
 /// Why something that was tried is not among what was found.
 std::string why_not(const FittedCandidate& tried, const Search& s, double needed) {
   if (tried.refuted) return "a part of the runs speaks against what the others tell";
+  if (tried.trace) return "what it would be is too small to matter, or not told from nothing";
   if (tried.gain > needed && !s.accepted.empty())
     return fmt::format("{} explains the runs as well", text_of(s.accepted.front().effect).phrase);
+  if (tried.gain > needed) return "held-out runs lose what the others gain by it";
   return fmt::format("it explains the runs better by {:.2g} in log evidence, {:.2g} are needed", tried.gain, needed);
 }
 

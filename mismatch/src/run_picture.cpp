@@ -108,11 +108,16 @@ auto unless_refused(F&& f) -> std::optional<decltype(f())> {
   }
 }
 
+/// A run with every channel that shows her motion.
+PreparedRun prepared(const Ship& ship, const Recording& run, bool lean) {
+  const auto channels = recorded_channels({&run, 1}, motion_channels());
+  return (lean ? lean_runs : prepared_runs)(ship, {&run, 1}, channels).front();
+}
+
 }  // namespace
 
 std::vector<MissingForce> missing_force(const Ship& ship, const Recording& run, const Noise& noise) {
-  const auto channels = recorded_channels({&run, 1}, motion_channels());
-  return missing_force(ship, prepared_runs(ship, {&run, 1}, channels).front(), noise);
+  return missing_force(ship, prepared(ship, run, false), noise);
 }
 
 std::vector<MissingForce> missing_force(const Ship& ship, const PreparedRun& prepared, const Noise& noise) {
@@ -142,11 +147,10 @@ PlanarForce<double> ordinary_force(const Ship& ship) {
 RunPicture run_picture(const Ship& given, const Ship& refitted, const Ship& after, const Recording& run,
                        const Noise& noise) {
   const auto kept = kept_samples(run.samples());
-  const auto channels = recorded_channels({&run, 1}, motion_channels());
   const auto lacking = [&](const Ship& ship) {
     return unless_refused([&] {
-             const auto prepared = (noise.with_memory ? lean_runs : prepared_runs)(ship, {&run, 1}, channels).front();
-             return near_to(missing_force(ship, prepared, noise), prepared.run->time, thinned(run.time, kept));
+             const auto samples = prepared(ship, run, noise.with_memory);
+             return near_to(missing_force(ship, samples, noise), samples.run->time, thinned(run.time, kept));
            })
         .value_or(std::vector<MissingForce>{});
   };

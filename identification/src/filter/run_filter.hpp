@@ -47,10 +47,8 @@ struct Passed {
 /// Rudder and propulsion of a run, worked out once for all ships whose rudder and propulsion do alike.
 struct RunControls {
   RecordedControls recorded;  ///< with wind and depth
-  bool finer;                 ///< than the samples of the run
   std::vector<Controls<double>> at_samples;
-  std::vector<Controls<double>> before;  ///< each sample, since the one before: means, where they are finer
-  std::vector<Controls<double>> parts;   ///< thirds of that time
+  std::vector<Controls<double>> thirds;  ///< means of the thirds of the time before each sample but the first, or none
   RudderActuator actuator;
   ChannelError<double> rudder_record;
   ChannelError<double> wind_speed_record, wind_from_record;

@@ -35,17 +35,17 @@ std::optional<ShipNumbers> numbers_if_any(const std::optional<Ship>& ship) {
   }
 }
 
-/// A sample is so many of the finer ones from the next.
-constexpr std::size_t thirds = 3;
+/// Between two samples the controls are told by so many means: lean samples are so far apart that one is not enough.
+constexpr std::size_t parts_of_step = 3;
 
 /// Mean over a part of the time before sample k, which is 1 long.
-/// @param all  means of thirds of the time before each sample
+/// @param all  means of the parts of the time before each sample but the first
 Controls<double> mean_over(std::span<const Controls<double>> all, std::size_t k, double from, double to) {
-  const auto parts = all.subspan((k - 1) * thirds, thirds);
+  const auto parts = all.subspan((k - 1) * parts_of_step, parts_of_step);
   Controls<double> mean{};
   double weight = 0.0;
-  for (std::size_t i = 0; i < thirds; ++i) {
-    const double begin = static_cast<double>(i) / thirds, end = static_cast<double>(i + 1) / thirds,
+  for (std::size_t i = 0; i < parts_of_step; ++i) {
+    const double begin = static_cast<double>(i) / parts_of_step, end = static_cast<double>(i + 1) / parts_of_step,
                  here = std::min(to, end) - std::max(from, begin);
     if (!(here > 0.0)) continue;
     mean = weight == 0.0 ? parts[i] : between(mean, parts[i], here / (weight + here));  // so far
@@ -56,9 +56,8 @@ Controls<double> mean_over(std::span<const Controls<double>> all, std::size_t k,
 
 }  // namespace
 
-RunControls::RunControls(const Ship& ship, const Recording& run, const Recording* finer_run)
-    : recorded(ship, finer_run ? *finer_run : run),
-      finer(finer_run != nullptr),
+RunControls::RunControls(const Ship& ship, const Recording& run, const Recording* finer)
+    : recorded(ship, finer ? *finer : run),
       actuator(rudder_actuator(ship)),
       rudder_record(instruments_of(ship)[Channel::delta]),
       wind_speed_record(instruments_of(ship)[Channel::wind_speed]),
@@ -68,17 +67,14 @@ RunControls::RunControls(const Ship& ship, const Recording& run, const Recording
   if (!finer) return;
   std::vector<double> middles;
   for (std::size_t k = 1; k < run.samples(); ++k)
-    for (std::size_t i = 0; i < thirds; ++i)
-      middles.push_back(run.time[k - 1] + (static_cast<double>(i) + 0.5) / thirds * (run.time[k] - run.time[k - 1]));
-  parts = recorded.at(middles);
-  before.push_back(at_samples.front());
-  for (std::size_t k = 1; k < run.samples(); ++k) before.push_back(mean_over(parts, k, 0.0, 1.0));
+    for (std::size_t i = 0; i < parts_of_step; ++i)
+      middles.push_back(run.time[k - 1] + (static_cast<double>(i) + 0.5) / parts_of_step * (run.time[k] - run.time[k - 1]));
+  thirds = recorded.at(middles);
 }
 
 Controls<double> RunControls::in_step(const Recording& run, std::size_t k, double from, double to) const {
   const double begin = run.time[k - 1], end = run.time[k], middle = 0.5 * (from + to);
-  if (finer && from == begin && to == end) return before[k];
-  if (finer) return mean_over(parts, k, (from - begin) / (end - begin), (to - begin) / (end - begin));
+  if (!thirds.empty()) return mean_over(thirds, k, (from - begin) / (end - begin), (to - begin) / (end - begin));
   if (recorded.track()) return recorded.at(middle);
   return between(at_samples[k - 1], at_samples[k], (middle - begin) / (end - begin));
 }
