@@ -457,7 +457,7 @@ bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted
   const auto size = std::ssize(all[accepted]->coordinates), rest = s.now.point.size() - first - size;
   Point start(s.now.point.size() - size);
   start << s.now.point.head(first), s.now.point.tail(rest);
-  const auto found = fit(trial, without, start, s.now.noise, nullptr, 3);
+  const auto found = fit(trial, without, start, s.now.noise, {.rounds = 3});
   if (found.point.size() == 0) return true;
   if (!has_large_form(budget) && has_large_form(budget_of(trial, without, found))) return true;
   std::map<Quantity, std::pair<double, int>> falls;
@@ -488,7 +488,7 @@ MapFit refitted_alone(const Trial& trial, const Search& s) try {
   const auto axes = form_axes(trial);
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (const auto k = static_cast<Eigen::Index>(i); axes[i] >= 0) start[k] = trial.mean[k];
-  const auto found = fit(exact_form, {}, start, s.null.noise, nullptr, 3);
+  const auto found = fit(exact_form, {}, start, s.null.noise, {.rounds = 3});
   return found.point.size() == 0 ? s.null : found;
 } catch (const std::exception&) {  // the ship cannot sail these runs like that
   return s.null;

@@ -34,6 +34,11 @@ constexpr double may_lead = 0.4;
 constexpr double small_loss = 0.05, clearly = 3.0;
 
 constexpr double least_held_out = 1.0;  ///< log likelihood that held-out runs must gain otherwise: more than rounding
+
+/// Beside an inexact form, the share of what an effect gains that runs not used may lack, of the likelihood that they
+/// should gain. See `lacks_elsewhere`.
+constexpr double most_lacking = 2.0 / 3.0;
+
 constexpr std::size_t most_traces = 2;  ///< that are accepted: each takes its share of what is told apart
 
 /// Factor on the prior deviations of the baseline's coefficients where the runs speak against them, and the most that
@@ -351,18 +356,19 @@ MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, MapFit now, 
   const auto known = beside(trial, Hypothesis(hypothesis.begin(), hypothesis.end() - 1), linear, *hypothesis.back());
   if (known)
     for (const auto i : replaced_by(trial, *hypothesis.back())) now.point[i] = known->linear.point[i];
+  const bool refined_later = now.noise.with_memory;
   const auto found = fit(trial, hypothesis, with_start(now.point, predicted), now.noise,
-                         known ? &known->linear.slopes : &linear.slopes);
+                         {.known = known ? &known->linear.slopes : &linear.slopes, .to_rank = refined_later});
   auto other = predicted;
   if (const auto& window = hypothesis.back()->window; !window.empty() && now.noise.largest_scale() > ordinary_scale) {
     std::ranges::copy(window, other.end() - 2);
     auto quiet = now.noise;
     quiet.scale = ordinary_scale, quiet.axes.fill(1.0), quiet.memory = 1.0;
-    return likelier(found, fit(trial, hypothesis, with_start(now.point, other), quiet));
+    return likelier(found, fit(trial, hypothesis, with_start(now.point, other), quiet, {.to_rank = refined_later}));
   }
   if (found.log_evidence > now.log_evidence - stopped_early) return found;
   for (double& c : other) c *= smaller_start;
-  return likelier(found, fit(trial, hypothesis, with_start(now.point, other), now.noise));
+  return likelier(found, fit(trial, hypothesis, with_start(now.point, other), now.noise, {.to_rank = refined_later}));
 }
 
 /// Whether she heels no more than in the reference runs, which hold what her heel does to her: other manoeuvres heel
@@ -443,7 +449,7 @@ FittedCandidate with_likely_spread(const Trial& trial, const Hypothesis& accepte
   const auto likely = likely_spread(problem_of(trial, with(accepted, *tried.form)), *tried.form, tried.fit);
   if (likely.factor == 1.0) return tried;
   forms.push_back(with_spread(*tried.form, likely.factor));
-  auto found = fit(trial, with(accepted, forms.back()), tried.fit.point, tried.fit.noise, nullptr, 3);
+  auto found = fit(trial, with(accepted, forms.back()), tried.fit.point, tried.fit.noise, {.rounds = 3});
   if (!std::isfinite(found.log_evidence)) return tried;
   tried.form = &forms.back();
   tried.effect = last_effect(forms.back(), found.point);
@@ -527,7 +533,7 @@ double held_out_gain(const Trial& trial, const HeldOutRuns& held_out, const Hypo
     others.runs.erase(others.runs.begin() + static_cast<std::ptrdiff_t>(i));
     one.runs = {trial.runs[i]};
     const auto of = [&](const Hypothesis& h, const MapFit& from) {
-      MapFit found = fit(others, h, from.point, from.noise, nullptr, 1);
+      MapFit found = fit(others, h, from.point, from.noise, {.rounds = 1});
       found.noise = from.noise;
       return found.point.size() == 0 ? -HUGE_VAL : log_likelihood_of(one, h, found);
     };
@@ -547,16 +553,37 @@ bool speaks_against(double held_out, double gain, double needed) {
   return !(held_out > least_held_out) && !(gain > clearly * needed && held_out > -small_loss * gain);
 }
 
+double rows_of(const Trial& trial) {
+  double rows = 0.0;
+  for (const auto& run : trial.runs) rows += static_cast<double>(run.rows());
+  return rows;
+}
+
+/// What runs that were not used lack in log likelihood by an effect, for as many rows as the runs used have. Evidence
+/// is gained by likelihood, and by coefficients that need not be strained any longer; only the first shows in other
+/// runs, and there it is as large, row by row, where the effect is what it is taken for.
+double lacks_elsewhere(const HeldOutRuns& held_out, const Trial& trial, const Search& s, const FittedCandidate& tried,
+                       double elsewhere) {
+  const auto before = s.hypothesis();
+  const double here = log_likelihood(problem_of(trial, with(before, *tried.form)), tried.fit.point, tried.fit.noise) -
+                      log_likelihood(problem_of(trial, before), s.now.point, s.now.noise);
+  const double rows = rows_of(trial), other_rows = held_out.is_empty() ? rows : rows_of(held_out.unused);
+  return here - elsewhere * rows / other_rows;
+}
+
 /// What runs that were not used say of an effect that was tried. Of a single run nothing is known.
 void ask(const HeldOutRuns& held_out, const Trial& trial, const Search& s, FittedCandidate& tried, double needed) {
   const bool of_a_time = is_of_a_time(tried.effect);
   if (held_out.is_empty() && (of_a_time || trial.runs.size() < 2)) return;
   const auto before = s.hypothesis();
   const double gain = held_out_gain(trial, held_out, before, s.now, with(before, *tried.form), tried.fit);
-  tried.refuted = !of_a_time && speaks_against(gain, tried.gain, needed);
   if (!held_out.is_empty())
     tried.held_out =
         of_a_time ? std::max(0.0, gain) : gain;  // without held-out runs the same runs have told it already
+  if (of_a_time) return;
+  tried.elsewhere = gain;
+  tried.refuted = s.on_board ? lacks_elsewhere(held_out, trial, s, tried, gain) > most_lacking * tried.gain
+                             : speaks_against(gain, tried.gain, needed);
 }
 
 // ---------------------------------------------------------------- choice
@@ -608,7 +635,7 @@ std::optional<FittedCandidate> chosen(const HeldOutRuns& held_out, Search& s, st
       const auto trial = trial_with(s, t.sizes);
       auto whole = t.trace ? t : reduced(trial, s.hypothesis(), t, s.reduced);
       ask(held_out, trial, s, whole, needed);
-      t.held_out = whole.held_out, t.refuted = whole.refuted;
+      t.held_out = whole.held_out, t.elsewhere = whole.elsewhere, t.refuted = whole.refuted;
       if (whole.refuted || !(whole_gain(whole) > needed) || (whole.trace && !trace_may)) continue;
       auto& place = whole.trace ? trace : best;
       if (place && !(whole_gain(whole) > whole_gain(*place))) continue;
@@ -635,7 +662,7 @@ std::optional<MapFit> inflation_instead(const HeldOutRuns& held_out, const Searc
           linear_evidence(problem_of(trial, hypothesis), linear) <
       worth_of_inflation * best.gain)
     return std::nullopt;
-  auto found = fit(less_sure, hypothesis, s.now.point, s.now.noise, &linear.slopes);
+  auto found = fit(less_sure, hypothesis, s.now.point, s.now.noise, {.known = &linear.slopes});
   double gain = found.log_evidence - s.now.log_evidence;
   if (!std::isfinite(gain)) return std::nullopt;
   if (!held_out.is_empty()) gain += held_out_gain(trial, held_out, hypothesis, s.now, hypothesis, found);
@@ -769,7 +796,7 @@ namespace {
 void fit_form(Search& s, const FormSizes& sizes) {
   if (sizes == s.sizes && s.accepted.empty()) return;
   take_sizes(s, sizes);
-  auto found = fit(s.trial, s.hypothesis(), s.now.point, s.now.noise, nullptr, 3);
+  auto found = fit(s.trial, s.hypothesis(), s.now.point, s.now.noise, {.rounds = 3});
   if (found.point.size() > 0) s.now = std::move(found);
 }
 
@@ -778,7 +805,7 @@ void fit_form(Search& s, const FormSizes& sizes) {
 std::optional<MapFit> likelier_without(const Search& s, const Hypothesis& before, const FittedCandidate& best) {
   if (!s.on_board) return std::nullopt;
   const auto base = best.fit.point.size() - std::ssize(best.form->coordinates);
-  auto found = fit(trial_with(s, best.sizes), before, best.fit.point.head(base), best.fit.noise, nullptr, 3);
+  auto found = fit(trial_with(s, best.sizes), before, best.fit.point.head(base), best.fit.noise, {.rounds = 3});
   if (!(found.log_evidence > s.now.log_evidence + as_good)) return std::nullopt;
   return found;
 }
@@ -839,7 +866,7 @@ Search with_baseline(const Trial& trial, const Noise& start) {
   // sizes of all noises and the ship pull each other along: a baseline that stopped after 6 rounds lacked 220 in log
   // evidence, and what was tried beside it seemed to gain that
   constexpr int until_it_stays = 30;
-  s.null = fit(s.trial, {}, s.trial.mean, start, nullptr, until_it_stays);
+  s.null = fit(s.trial, {}, s.trial.mean, start, {.rounds = until_it_stays});
   if (s.null.point.size() == 0)  // far off: what nothing explains is large from the first
     s.null =
         fit(s.trial, {}, s.trial.mean, best_noise(problem_of(s.trial, Hypothesis{}), s.trial.mean, start, true).noise);
@@ -918,7 +945,7 @@ std::optional<Inexact> inexact_baseline(const std::function<Trials()>& on_board,
 double evidence_from(const Search& s, std::span<const PreparedRun> runs) try {
   auto trial = s.trial;
   trial.runs.assign(runs.begin(), runs.end());
-  return fit(trial, s.hypothesis(), s.now.point, s.now.noise, nullptr, 3).log_evidence;
+  return fit(trial, s.hypothesis(), s.now.point, s.now.noise, {.rounds = 3}).log_evidence;
 } catch (const std::exception&) {
   return -HUGE_VAL;
 }

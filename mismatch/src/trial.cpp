@@ -381,8 +381,8 @@ Point with_start(const Point& before, std::span<const double> last_start) {
 // ---------------------------------------------------------------- estimation
 
 MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, const Noise& noise,
-           const Eigen::MatrixXd* known, int rounds) {
-  return fit(problem_of(trial, hypothesis), start, noise, trial.baseline_size(), known, rounds);
+           const FitOptions& options) {
+  return fit(problem_of(trial, hypothesis), start, noise, trial.baseline_size(), options);
 }
 
 LinearizedFit linearized(const Trial& trial, const Hypothesis& accepted, const MapFit& fit) {

@@ -134,9 +134,9 @@ std::vector<OrdinaryEstimate> ordinary_instruments(const Trial& trial, const Hyp
 /// A point with the coordinates of one more effect.
 Point with_start(const Point& before, std::span<const double> last_start);
 
-/// Converged fit. @param known  slopes of the residuals by the first coordinates, near the start
+/// Converged fit.
 MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start, const Noise& noise,
-           const Eigen::MatrixXd* known = nullptr, int rounds = 6);
+           const FitOptions& options = {});
 
 /// A fitted hypothesis, linear about its most probable point.
 LinearizedFit linearized(const Trial& trial, const Hypothesis& accepted, const MapFit& fit);

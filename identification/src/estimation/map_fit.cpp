@@ -63,17 +63,19 @@ bool about_same(const Noise& a, const Noise& b) {
 }  // namespace
 
 MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Eigen::Index fixed,
-           const Eigen::MatrixXd* known, int rounds) {
+           const FitOptions& wanted) {
+  const auto* known = wanted.known;
   // a round ends where a step gains less than 1/40 of a standard deviation
   constexpr DescentOptions options{.iterations = 10, .attempts = 6, .worth = 0.05, .radius = wide};
   constexpr double worth_a_round = 0.5;    // of log posterior density
+  constexpr double rough = 15.0;           // of the same: what follows gains less than a third of it
   constexpr double about_straight = 0.25;  // of what a step predicts: all slopes are worked out anew after less
   Descent here = descent_from(problem, start);
   Eigen::MatrixXd slopes(problem.rows(), problem.size());
   MapFit best;
   double density = -HUGE_VAL;  // of the posterior, logarithm
   Eigen::MatrixXd of_noise;    // covariance
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < wanted.rounds; ++round) {
     const auto passes = filtered(problem, here.point, noise);
     const auto cost = [&](const Point& p, const Eigen::VectorXd& e) { return e.squaredNorm() + problem.prior(p); };
     here.residuals = residuals(problem, here.point, *passes);
@@ -98,7 +100,7 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
     if (gain > -worth_a_round)
       best = {here.point, now + 0.5 * (log_determinant(problem.precision) - log_determinant(A)), found, inverse(A),
               std::move(information)};
-    if (!(gain > worth_a_round) && about_same(found, noise)) break;
+    if (wanted.to_rank ? !(gain > rough) : !(gain > worth_a_round) && about_same(found, noise)) break;
     if (!std::isfinite(now)) break;  // the filter cannot follow
     density = std::max(density, now), noise = found;
   }

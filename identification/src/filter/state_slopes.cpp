@@ -68,7 +68,8 @@ RunControls::RunControls(const Ship& ship, const Recording& run, const Recording
   std::vector<double> middles;
   for (std::size_t k = 1; k < run.samples(); ++k)
     for (std::size_t i = 0; i < parts_of_step; ++i)
-      middles.push_back(run.time[k - 1] + (static_cast<double>(i) + 0.5) / parts_of_step * (run.time[k] - run.time[k - 1]));
+      middles.push_back(run.time[k - 1] +
+                        (static_cast<double>(i) + 0.5) / parts_of_step * (run.time[k] - run.time[k - 1]));
   thirds = recorded.at(middles);
 }
 

@@ -90,11 +90,17 @@ struct MapFit {
   Eigen::MatrixXd information;  ///< of the runs alone: the inverse of the covariance less the precision before them
 };
 
+struct FitOptions {
+  const Eigen::MatrixXd* known = nullptr;  ///< slopes of the residuals by the first unknowns, near the start: good
+                                           ///< enough for the first round
+  int rounds = 6;
+  bool to_rank = false;  ///< no closer than it takes to tell it from others: within 5 in log evidence
+};
+
 /// Converged fit, the gains of the filter and the noise renewed as often as they change.
-/// @param known  slopes of the residuals by the first unknowns, near the start: good enough for the first round
 /// @param fixed  how many unknowns come first whose slopes hardly change, worked out once a round
 MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Eigen::Index fixed,
-           const Eigen::MatrixXd* known = nullptr, int rounds = 6);
+           const FitOptions& options = {});
 
 /// ln p(runs | point); −∞ where the ship cannot sail like that.
 double log_likelihood(const EstimationProblem& problem, const Point& point, const Noise& noise);
