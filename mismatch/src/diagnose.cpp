@@ -425,10 +425,10 @@ bool has_large_form(std::span<const ForceBudget> budget) {
 }
 
 /// Whether reference runs tell little of a force that follows the motion: it grows faster than the motion, and they are
-/// gentler than the hardest of the others, or it stands for the lift that rudders lose, of which they tell the sum.
-/// Ships of another structure have all of these by themselves.
+/// gentler than the hardest of the others, or it goes with accelerations, which are small in them, or it stands for the
+/// lift that rudders lose, of which they tell the sum. Ships of another structure have all of these by themselves.
 bool is_told_little(const Effect& effect) {
-  constexpr std::array ids{CrossFlowDrag<>::id, HullNonlinearDamping<>::id, SpeedLossInTurn<>::id};
+  constexpr std::array ids{AddedMass<>::id, CrossFlowDrag<>::id, HullNonlinearDamping<>::id, SpeedLossInTurn<>::id};
   return std::ranges::count(ids, id_of(effect)) > 0 || takes_rudder_lift(id_of(effect));
 }
 
@@ -537,7 +537,9 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
     }
     if (const auto place = place_of(found.effect); place == EffectPlace::air || place == EffectPlace::water)
       std::ranges::move(surroundings_of(trial, accepted, s.now, from, runs), std::back_inserter(d.surroundings));
-    if (!accepted.trace && is_more_than_form(trial, s, i, from, d.budget, runs, holdout)) {
+    const std::span found_at{s.now.point.data() + from, accepted.form->coordinates.size()};
+    if (!accepted.trace && !is_at_its_end(*accepted.form, found_at) &&
+        is_more_than_form(trial, s, i, from, d.budget, runs, holdout)) {
       d.effects.push_back(std::move(found));
     } else {
       d.traces.emplace_back(phrase(accepted.form->id));

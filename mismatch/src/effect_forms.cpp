@@ -377,4 +377,9 @@ bool is_finding(const Ship& ship, const EffectForm& form, std::span<const double
   return std::ranges::any_of(effects_in_parts(form, c), [&](const Effect& e) { return is_finding(ship, e); });
 }
 
+bool is_at_its_end(const EffectForm& form, std::span<const double> coordinates) {
+  constexpr double near = 0.02;  // of its prior deviation
+  return form.coordinates.size() == 1 && !(coordinates.front() < form.coordinates.front().high - near);
+}
+
 }  // namespace swayaw::mismatch::detail

@@ -103,4 +103,7 @@ bool is_finding(const Ship& ship, const Effect& effect);
 /// The same in any part of the runs.
 bool is_finding(const Ship& ship, const EffectForm& form, std::span<const double> c);
 
+/// Whether an effect of one number is as large as it can be: it stands for something else then.
+bool is_at_its_end(const EffectForm& form, std::span<const double> coordinates);
+
 }  // namespace swayaw::mismatch::detail

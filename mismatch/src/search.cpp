@@ -35,9 +35,9 @@ constexpr double small_loss = 0.05, clearly = 3.0;
 
 constexpr double least_held_out = 1.0;  ///< log likelihood that held-out runs must gain otherwise: more than rounding
 
-/// Beside an inexact form, the share of what an effect gains that runs not used may lack, of the likelihood that they
-/// should gain. See `lacks_elsewhere`.
-constexpr double most_lacking = 2.0 / 3.0;
+/// Beside an inexact form, the least share of its gain that an effect must keep with the likelihood that runs not used
+/// gain.
+constexpr double least_kept = 1.0 / 3.0;
 
 constexpr std::size_t most_traces = 2;  ///< that are accepted: each takes its share of what is told apart
 
@@ -392,10 +392,10 @@ bool acts(const Trial& trial, const EffectForm& form, const MapFit& found) {
   return false;
 }
 
-/// Too small to matter, or no more than what explains a heel, or not told from nothing.
+/// Too small to matter, or no more than what explains a heel, or not told from nothing, or larger than it can be.
 bool is_trace(const Trial& trial, const EffectForm& form, const MapFit& found) {
   return !is_finding(trial.ship, form, last_coordinates(form, found.point)) || !acts(trial, form, found) ||
-         !is_told(trial.ship, form, found);
+         !is_told(trial.ship, form, found) || is_at_its_end(form, last_coordinates(form, found.point));
 }
 
 /// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels. What
@@ -559,16 +559,17 @@ double rows_of(const Trial& trial) {
   return rows;
 }
 
-/// What runs that were not used lack in log likelihood by an effect, for as many rows as the runs used have. Evidence
-/// is gained by likelihood, and by coefficients that need not be strained any longer; only the first shows in other
-/// runs, and there it is as large, row by row, where the effect is what it is taken for.
-double lacks_elsewhere(const HeldOutRuns& held_out, const Trial& trial, const Search& s, const FittedCandidate& tried,
-                       double elsewhere) {
+/// What an effect gains in log evidence if its likelihood counts as it shows in runs that were not used. Evidence is
+/// gained by likelihood, and by coefficients that need not be strained any longer; only the first shows in other runs,
+/// and there it is as large, row by row, where the effect is what it is taken for.
+/// @param elsewhere  what those runs gain in log likelihood
+double gain_as_elsewhere(const HeldOutRuns& held_out, const Trial& trial, const Search& s, const FittedCandidate& tried,
+                         double elsewhere) {
   const auto before = s.hypothesis();
   const double here = log_likelihood(problem_of(trial, with(before, *tried.form)), tried.fit.point, tried.fit.noise) -
                       log_likelihood(problem_of(trial, before), s.now.point, s.now.noise);
   const double rows = rows_of(trial), other_rows = held_out.is_empty() ? rows : rows_of(held_out.unused);
-  return here - elsewhere * rows / other_rows;
+  return tried.gain - here + elsewhere * rows / other_rows;
 }
 
 /// What runs that were not used say of an effect that was tried. Of a single run nothing is known.
@@ -581,9 +582,12 @@ void ask(const HeldOutRuns& held_out, const Trial& trial, const Search& s, Fitte
     tried.held_out =
         of_a_time ? std::max(0.0, gain) : gain;  // without held-out runs the same runs have told it already
   if (of_a_time) return;
-  tried.elsewhere = gain;
-  tried.refuted = s.on_board ? lacks_elsewhere(held_out, trial, s, tried, gain) > most_lacking * tried.gain
-                             : speaks_against(gain, tried.gain, needed);
+  if (!s.on_board) {
+    tried.refuted = speaks_against(gain, tried.gain, needed);
+    return;
+  }
+  tried.as_elsewhere = gain_as_elsewhere(held_out, trial, s, tried, gain);
+  tried.refuted = !(*tried.as_elsewhere > least_kept * tried.gain);
 }
 
 // ---------------------------------------------------------------- choice
@@ -635,7 +639,7 @@ std::optional<FittedCandidate> chosen(const HeldOutRuns& held_out, Search& s, st
       const auto trial = trial_with(s, t.sizes);
       auto whole = t.trace ? t : reduced(trial, s.hypothesis(), t, s.reduced);
       ask(held_out, trial, s, whole, needed);
-      t.held_out = whole.held_out, t.elsewhere = whole.elsewhere, t.refuted = whole.refuted;
+      t.held_out = whole.held_out, t.as_elsewhere = whole.as_elsewhere, t.refuted = whole.refuted;
       if (whole.refuted || !(whole_gain(whole) > needed) || (whole.trace && !trace_may)) continue;
       auto& place = whole.trace ? trace : best;
       if (place && !(whole_gain(whole) > whole_gain(*place))) continue;

@@ -20,12 +20,13 @@ struct FittedCandidate {
   MapFit fit;
   double gain;  ///< in log evidence, the terms that it does better without left out; less where it has no name
   Effect effect;
-  bool trace;                         ///< too small to matter, or not told from nothing
-  std::optional<double> held_out{};   ///< gain in log likelihood of held-out runs, where they were asked
-  std::optional<double> elsewhere{};  ///< the same of those, or of each run by a fit to the others
-  bool refuted = false;               ///< by runs that were not used
-  bool leads = false;                 ///< a trace that is accepted before all others
-  FormSizes sizes = usual_sizes;      ///< of the form beside it
+  bool trace;                            ///< too small to matter, or not told from nothing
+  std::optional<double> held_out{};      ///< gain in log likelihood of held-out runs, where they were asked
+  std::optional<double> as_elsewhere{};  ///< the gain in log evidence with the likelihood that those gain, or each run
+                                         ///< by a fit to the others, for as many rows; beside an inexact form alone
+  bool refuted = false;                  ///< by runs that were not used
+  bool leads = false;                    ///< a trace that is accepted before all others
+  FormSizes sizes = usual_sizes;         ///< of the form beside it
   std::vector<double>
       widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "swayaw/nonlinear/effects/effect.hpp"
+#include "swayaw/nonlinear/effects/search_form.hpp"
 #include "swayaw/nonlinear/models/models.hpp"
 
 namespace swayaw::inline nonlinear {
@@ -37,6 +37,13 @@ template <PrimeShip Ship>
 void change(Ship& ship, const AddedResistance<typename Ship::Scalar>& e) {
   ship.hull.X_0 = ship.hull.X_0 * (1.0 + e.relative_increase);
   ship.hull.X_u = ship.hull.X_u * (1.0 + e.relative_increase);
+}
+
+/// More of it, never less: a resistance that is smaller than the file says is a number that is wrong.
+inline SearchForm<AddedResistance<>> search_form(const AddedResistance<>& null, const SearchContext& context) {
+  auto increase = from_null(context["relative_increase"]);
+  increase.coordinate.low = 0.0;
+  return by_moves(null, {std::move(increase)}, {{0.0}});
 }
 
 }  // namespace swayaw::nonlinear

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "swayaw/nonlinear/effects/effect.hpp"
+#include "swayaw/nonlinear/effects/search_form.hpp"
 
 namespace swayaw::inline nonlinear {
 
@@ -40,6 +40,16 @@ struct ShaftSpeedDrop {
 template <class S>
 void drive(const ShaftSpeedDrop<S>& e, const ShipFacts<S>& ship, const PlanarMotion<S>& m, Controls<S>& controls) {
   controls.rev = controls.rev * (1.0 - e.relative_drop * (1.0 - m.u / ship.U_0));
+}
+
+/// An engine never quickens under load, and what holds its torque slows by some 0.3 of the loss of speed, as the torque
+/// coefficient of a propeller at a standstill is twice that at its working point; half is more than any.
+inline SearchForm<ShaftSpeedDrop<>> search_form(const ShaftSpeedDrop<>& null, const SearchContext& context) {
+  constexpr double most = 0.5;
+  const auto& p = context["relative_drop"];
+  auto drop = from_null(p);
+  drop.coordinate.low = 0.0, drop.coordinate.high = most / p.deviation;
+  return by_moves(null, {std::move(drop)}, {{0.0}});
 }
 
 }  // namespace swayaw::nonlinear
