@@ -537,12 +537,12 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
     }
     if (const auto place = place_of(found.effect); place == EffectPlace::air || place == EffectPlace::water)
       std::ranges::move(surroundings_of(trial, accepted, s.now, from, runs), std::back_inserter(d.surroundings));
-    const std::span found_at{s.now.point.data() + from, accepted.form->coordinates.size()};
-    if (!accepted.trace && !is_at_its_end(*accepted.form, found_at) &&
-        is_more_than_form(trial, s, i, from, d.budget, runs, holdout)) {
+    const bool too_large =
+        is_at_its_end(*accepted.form, {s.now.point.data() + from, accepted.form->coordinates.size()});
+    if (!accepted.trace && !too_large && is_more_than_form(trial, s, i, from, d.budget, runs, holdout)) {
       d.effects.push_back(std::move(found));
     } else {
-      d.traces.emplace_back(phrase(accepted.form->id));
+      if (!too_large) d.traces.emplace_back(phrase(accepted.form->id));
       for (auto& c : d.candidates)
         if (c.effect == accepted.form->id) c.trace = true, c.probability = 0.0;
     }

@@ -598,8 +598,17 @@ bool may_stand(const FittedCandidate& tried) { return !tried.trace && !tried.ref
 /// In log evidence of runs used and held out.
 double whole_gain(const FittedCandidate& tried) { return tried.gain + tried.held_out.value_or(0.0); }
 
-/// Against nothing, which stands at the gain that is needed, and against the others that may stand, or a trace that
-/// leads them all.
+/// Whether the name that the evidence prefers is right, beside an inexact form: a relative of what is missing often
+/// fits as well, and none of the laws is exact. Of 64 names given to 90 cases of `swayaw_concealed` (seed 11) 0.6 were
+/// right where this gain was below 30, 0.8 from there to 300, 0.9 above.
+double probability_of_name(const FittedCandidate& one) {
+  constexpr double even = 5.0, slope = 0.4;
+  if (!one.fit.noise.with_memory) return 1.0;
+  return 1.0 / (1.0 + std::pow(even / std::max(one.as_elsewhere.value_or(one.gain), 1.0), slope));
+}
+
+/// Against nothing, which stands at the gain that is needed, against the others that may stand, or a trace that leads
+/// them all, and against what has another name.
 double probability_of(const FittedCandidate& one, std::span<const FittedCandidate> tried, double needed) {
   if (!may_stand(one)) return 0.0;
   const double gain = whole_gain(one);
@@ -608,7 +617,7 @@ double probability_of(const FittedCandidate& one, std::span<const FittedCandidat
     const bool itself = t.form->id == one.form->id && t.gain == one.gain;
     if ((may_stand(t) && !itself) || t.leads) sum += std::exp((whole_gain(t) - gain) / evidence_excess);
   }
-  return 1.0 / sum;
+  return probability_of_name(one) / sum;
 }
 
 Accepted accepted_as(const FittedCandidate& best, std::span<const FittedCandidate> tried, double needed) {
