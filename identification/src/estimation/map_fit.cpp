@@ -97,11 +97,10 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
     const double now = log_likelihood - 0.5 * problem.prior(here.point), gain = now - density;
     // the last round is the one whose slopes belong to the noise that was found, so it stands unless it is clearly
     // worse
-    if (gain > -worth_a_round)
-      best = {here.point, now + 0.5 * (log_determinant(problem.precision) - log_determinant(A)), found, inverse(A),
-              std::move(information)};
+    const double log_evidence = now + 0.5 * (log_determinant(problem.precision) - log_determinant(A));
+    if (!std::isfinite(log_evidence)) break;  // the filter cannot follow, or slopes are no numbers
+    if (gain > -worth_a_round) best = {here.point, log_evidence, found, inverse(A), std::move(information)};
     if (wanted.to_rank ? !(gain > rough) : !(gain > worth_a_round) && about_same(found, noise)) break;
-    if (!std::isfinite(now)) break;  // the filter cannot follow
     density = std::max(density, now), noise = found;
   }
   return best;
