@@ -57,17 +57,28 @@ Mark mark(const Names& truth, const Names& effects, Names ranking, const Names& 
           std::ranges::all_of(truth, [&](const auto& n) { return std::ranges::count(effects, n) > 0; })};
 }
 
+/// What the ship has and her file cannot, hidden or not: to name it is right, and no answer to the question.
+bool is_native(const Json& line, const std::string& effect) {
+  return effect == "roll_coupling" && line.value("family", "") == "rolling";
+}
+
 Mark mark_of(const Json& line) {
   const auto& a = line.at("answer");
   Names effects, ranking, same;
-  for (const auto& e : a.at("effects")) effects.push_back(e.at("effect"));
-  for (const auto& c : a.at("candidates")) ranking.push_back(c.at("effect"));
-  if (!a.at("effects").empty()) same = a["effects"][0].at("indistinguishable_from").get<Names>();
+  for (const auto& e : a.at("effects")) {
+    const auto name = e.at("effect").get<std::string>();
+    if (is_native(line, name)) continue;
+    if (effects.empty()) same = e.at("indistinguishable_from").get<Names>();
+    effects.push_back(name);
+  }
+  for (const auto& c : a.at("candidates"))
+    if (const auto name = c.at("effect").get<std::string>(); !is_native(line, name)) ranking.push_back(name);
   return mark(truth_of(line), effects, ranking, same, a.at("verdict") == "unexplained");
 }
 
 Mark mark_of_rival(const Json& line, const std::string& rival) {
-  const auto names = line.at("rivals").at(rival).get<Names>();
+  auto names = line.at("rivals").at(rival).get<Names>();
+  std::erase_if(names, [&](const auto& name) { return is_native(line, name); });
   return mark(truth_of(line), names.empty() ? Names{} : Names{names.front()}, names, {}, false);
 }
 

@@ -522,7 +522,7 @@ TrueShip polynomial_ship() {
   return s;
 }
 
-/// A container ship that heels by some 7 deg in a turn and is turned by her heel.
+/// A container ship that heels by 13 to 18 deg in a hard turn and is turned by her heel.
 TrueShip rolling_ship() {
   TrueShip s = container();
   s.kind = "rolling";

@@ -139,6 +139,11 @@ std::vector<SurroundingsEstimate> surroundings_of(const Trial& trial, const Acce
   return result;
 }
 
+/// In two digits, or whole.
+std::string shown(double value) {
+  return std::abs(value) < 10.0 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
+}
+
 /// Why something that was tried is not among what was found.
 std::string why_not(const FittedCandidate& tried, const Search& s, double needed) {
   if (tried.refuted) return "a part of the runs speaks against what the others tell";
@@ -146,7 +151,8 @@ std::string why_not(const FittedCandidate& tried, const Search& s, double needed
   if (tried.gain > needed && !s.accepted.empty())
     return fmt::format("{} explains the runs as well", text_of(s.accepted.front().effect).phrase);
   if (tried.gain > needed) return "held-out runs lose what the others gain by it";
-  return fmt::format("it explains the runs better by {:.2g} in log evidence, {:.2g} are needed", tried.gain, needed);
+  return fmt::format("it explains the runs better by {} in log evidence, {} are needed", shown(tried.gain),
+                     shown(needed));
 }
 
 /// Where no wind or stream was found, but one would explain the runs better: it cannot be told.
@@ -299,10 +305,10 @@ std::string discrepancy_words(const Diagnosis& d) {
   if (!d.discrepancy) return {};
   const auto& by = *d.discrepancy;
   auto words = fmt::format(
-      "The yaw rate is off by {:.2g} % of its variation as given, by {:.2g} % with the coefficients moved within what "
-      "is known of them",
-      100.0 * by.given, 100.0 * by.refitted);
-  if (!d.effects.empty()) words += fmt::format(", by {:.2g} % with what was found", 100.0 * by.after);
+      "The yaw rate is off by {} % of its variation as given, by {} % with the coefficients moved within what is known "
+      "of them",
+      shown(100.0 * by.given), shown(100.0 * by.refitted));
+  if (!d.effects.empty()) words += fmt::format(", by {} % with what was found", shown(100.0 * by.after));
   return words + ". ";
 }
 

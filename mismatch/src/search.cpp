@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
+#include "swayaw/core/angle.hpp"
 #include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -378,10 +380,18 @@ bool heels_as_before(const Trial& trial) {
   return heel_of(trial.runs) < other_manoeuvres * trial.reference_heel;
 }
 
+/// Whether she heels so far that it turns her, told or not: 10 deg of heel turned the container ship of [Son1982], the
+/// only one whose forces by heel are published, as one degree of rudder.
+bool heels_far(const Trial& trial) {
+  constexpr double far = radians(10.0);
+  return std::numbers::sqrt2 * heel_of(trial.runs) > far;
+}
+
 /// Whether an effect acts, which some can be seen without: a heel that is recorded is explained by rolling alone.
 bool acts(const Trial& trial, const EffectForm& form, const MapFit& found) {
   if (std::ranges::none_of(form.coordinates, &Coordinate::acts)) return true;
   if (heels_as_before(trial)) return false;
+  if (heels_far(trial)) return true;
   const auto from = found.point.size() - static_cast<Eigen::Index>(form.coordinates.size());
   for (std::size_t i = 0; i < form.coordinates.size(); ++i) {
     const auto k = from + static_cast<Eigen::Index>(i);
@@ -494,16 +504,19 @@ double log_likelihood_of(const Trial& trial, const Hypothesis& hypothesis, const
   return best_noise(problem_of(trial, hypothesis), found.point, found.noise, true).log_likelihood;
 }
 
-/// Held-out runs, if any, and their log likelihood as things stand.
+/// Held-out runs, if any, and the log likelihoods as things stand.
 struct HeldOutRuns {
   const Trial& unused;
-  double now;
+  double now;   ///< of these runs
+  double used;  ///< of the runs used; asked beside an inexact form alone
 
   bool is_empty() const { return unused.runs.empty(); }
 };
 
-HeldOutRuns held_out_runs(const Trial& unused, const Hypothesis& hypothesis, const MapFit& now) {
-  return {unused, unused.runs.empty() ? 0.0 : log_likelihood_of(unused, hypothesis, now)};
+HeldOutRuns held_out_runs(const Trial& unused, const Search& s) {
+  const auto hypothesis = s.hypothesis();
+  return {unused, unused.runs.empty() ? 0.0 : log_likelihood_of(unused, hypothesis, s.now),
+          s.on_board ? log_likelihood(problem_of(s.trial, hypothesis), s.now.point, s.now.noise) : 0.0};
 }
 
 /// Whether the last effect stands in the place of what was ordinary, and was larger than that.
@@ -513,9 +526,20 @@ bool moved(const MapFit& fit, const Trial& trial, const Hypothesis& before, cons
                              [&](Eigen::Index i) { return fit.point[i] != trial.mean[i]; });
 }
 
-/// A fit with what was ordinary at its mean, in the place of which the last effect stands.
-MapFit without(MapFit fit, const Trial& trial, const Hypothesis& after) {
-  for (const auto i : replaced_by(trial, *after.back())) fit.point[i] = trial.mean[i];
+/// A fit with what was ordinary at its mean, in the place of which the last effect stands, the ship as she was found
+/// and the other errors of instruments and of the day as likely as that leaves them: with A the inverse covariance, o
+/// what was ordinary and e those errors, p_e + A_ee⁻¹ A_eo (p_o − mean_o).
+MapFit without(MapFit fit, const Trial& trial, const Hypothesis& before, const Hypothesis& after) {
+  const auto ordinary = replaced_by(trial, *after.back());
+  const auto of_ship = ship_size(trial);
+  std::vector<Eigen::Index> others;
+  for (Eigen::Index i = ordinary.front() < of_ship ? 0 : of_ship; i < trial.baseline_size(); ++i)
+    if (std::ranges::count(ordinary, i) == 0) others.push_back(i);
+  const Eigen::MatrixXd A = inverse(fit.covariance), among_others = A(others, others);
+  const Eigen::VectorXd excess = fit.point(ordinary) - trial.mean(ordinary), pull = A(others, ordinary) * excess;
+  fit.point(others) += solve_symmetric(among_others, pull);
+  fit.point = problem_of(trial, before).within_bounds(fit.point);
+  for (const auto i : ordinary) fit.point[i] = trial.mean[i];
   return fit;
 }
 
@@ -524,8 +548,9 @@ double held_out_gain(const Trial& trial, const HeldOutRuns& held_out, const Hypo
                      const Hypothesis& after, const MapFit& b) {
   if (!held_out.is_empty()) {
     const double with = log_likelihood_of(held_out.unused, after, b);
-    return with - (moved(a, trial, before, after) ? log_likelihood_of(held_out.unused, before, without(a, trial, after))
-                                                  : held_out.now);
+    return with - (moved(a, trial, before, after)
+                       ? log_likelihood_of(held_out.unused, before, without(a, trial, before, after))
+                       : held_out.now);
   }
   std::vector<double> gains(trial.runs.size());
   in_parallel(trial.runs.size(), 0, [&](std::size_t i) {
@@ -565,9 +590,8 @@ double rows_of(const Trial& trial) {
 /// @param elsewhere  what those runs gain in log likelihood
 double gain_as_elsewhere(const HeldOutRuns& held_out, const Trial& trial, const Search& s, const FittedCandidate& tried,
                          double elsewhere) {
-  const auto before = s.hypothesis();
-  const double here = log_likelihood(problem_of(trial, with(before, *tried.form)), tried.fit.point, tried.fit.noise) -
-                      log_likelihood(problem_of(trial, before), s.now.point, s.now.noise);
+  const auto after = with(s.hypothesis(), *tried.form);
+  const double here = log_likelihood(problem_of(trial, after), tried.fit.point, tried.fit.noise) - held_out.used;
   const double rows = rows_of(trial), other_rows = held_out.is_empty() ? rows : rows_of(held_out.unused);
   return tried.gain - here + elsewhere * rows / other_rows;
 }
@@ -705,7 +729,7 @@ void map_unknown(const Trial& unused, Search& s, double needed) try {
   const auto tried = confirmed(s, before, linear, {start}, 1);
   if (tried.empty() || !(tried.front().gain > needed)) return;
   auto map = reduced(trial, before, tried.front(), s.reduced);
-  ask(held_out_runs(unused, before, s.now), trial, s, map, needed);
+  ask(held_out_runs(unused, s), trial, s, map, needed);
   if (map.refuted) return;
   s.accepted.push_back(accepted_as(map, {&map, 1}, needed));
   s.now = map.fit;
@@ -838,8 +862,8 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
   if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale)
     std::erase_if(promising, [](const Screened& c) { return c.predicted_gain.gain < 0.0; });
   auto tried = confirmed(s, before, linear, promising, options.confirmed);
-  const double needed = s.accepted.empty() ? options.detection : options.further;
-  const auto held_out = held_out_runs(unused, before, s.now);
+  const double needed = progress.findings == 0 ? options.detection : options.further;
+  const auto held_out = held_out_runs(unused, s);
   auto best = chosen(held_out, s, tried, needed, progress.traces < most_traces);
   std::ranges::stable_sort(tried, std::greater{}, whole_gain);
   if (s.accepted.empty()) s.first = tried;

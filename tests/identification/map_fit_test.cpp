@@ -170,4 +170,17 @@ TEST_CASE("process noise makes coefficients from runs with random forces better,
   CHECK(with < 0.5 * without);
 }
 
+// Regression, 2026-11-22: of KVLCC2 with a stiff roll the slopes were no numbers, and so was the evidence.
+TEST_CASE("a fit whose evidence is no number is no fit", "[identification][regression]") {
+  const Tanker tanker;
+  const auto runs = tanker.noisy();
+  const auto prepared = prepared_runs(tanker.start, runs, test::usual_channels);
+  auto problem = tanker.coefficients.problem(prepared);
+  CHECK(fit(problem, problem.mean(), {}, 0, {.rounds = 1}).point.size() == problem.size());
+  problem.precision(0, 0) = std::nan("");
+  const auto found = fit(problem, problem.mean(), {}, 0, {.rounds = 1});
+  CHECK(found.point.size() == 0);
+  CHECK(found.log_evidence == -HUGE_VAL);
+}
+
 }  // namespace swayaw

@@ -87,5 +87,40 @@ TEST_CASE("wherever a search goes, the coefficients of the ship are in their ran
   }
 }
 
+TEST_CASE("an effect of one number is not searched beyond what a ship can have, and there it is at its end",
+          "[mismatch][limit]") {
+  const auto ship = read_ship(test::ships / "kvlcc2_l7.toml");
+  const auto forms = effect_forms(ship, channels, 300.0);
+  const auto form = [&](std::string_view id) -> const EffectForm& {
+    return *std::ranges::find(forms, id, &EffectForm::id);
+  };
+  const auto value = [&](const EffectForm& f, std::vector<double> c, std::string_view key) {
+    const auto parameters = parameters_of(ship, f.at(c));
+    return std::ranges::find(parameters, key, &Parameter::key)->value;
+  };
+  const auto& drop = form("shaft_speed_drop");
+  const double most = drop.coordinates.front().high;
+  CHECK(value(drop, {drop.coordinates.front().low}, "relative_drop") == 0.0);
+  CHECK_THAT(value(drop, {most}, "relative_drop"), WithinRel(0.7, 1e-9));
+  CHECK(is_at_its_end(drop, std::vector{most}));
+  CHECK_FALSE(is_at_its_end(drop, std::vector{0.5 * most}));
+  const auto& resistance = form("added_resistance");
+  CHECK(value(resistance, {resistance.coordinates.front().low}, "relative_increase") == 0.0);
+  CHECK_FALSE(is_at_its_end(resistance, std::vector{1e6}));
+
+  // what has several numbers may have one at its end
+  const auto& roll = form("roll_coupling");
+  std::vector<double> low, high;
+  for (const auto& c : roll.coordinates) low.push_back(std::max(c.low, -1.0)), high.push_back(std::min(c.high, 1.0));
+  low.front() = roll.coordinates.front().low, high.front() = roll.coordinates.front().high;
+  low[3] = roll.coordinates[3].low, high[3] = roll.coordinates[3].high;
+  const double B = std::get<MmgShip<double>>(ship.model).particulars.B;
+  CHECK_FALSE(is_at_its_end(roll, high));
+  CHECK_THAT(value(roll, low, "GM_m"), WithinRel(0.005 * B, 1e-9));
+  CHECK_THAT(value(roll, high, "GM_m"), WithinRel(0.25 * B, 1e-9));
+  CHECK_THAT(value(roll, low, "zeta"), WithinRel(0.02, 1e-9));
+  CHECK_THAT(value(roll, high, "zeta"), WithinRel(2.0, 1e-9));
+}
+
 }  // namespace
 }  // namespace swayaw

@@ -25,14 +25,16 @@ std::vector<Recording> runs_in(const fs::path& folder) {
   return runs;
 }
 
-std::optional<Diagnosis> diagnosis_of(const char* name) {
+/// @param without_effect  whether the runs held out are those that the effect is not in
+std::optional<Diagnosis> diagnosis_of(const char* name, bool without_effect = false) {
   const auto folder = fs::path(SWAYAW_TEST_SHARED) / "concealed" / "on_board" / name;
   if (!fs::exists(folder)) {
     std::cout << "[skipped] no concealed cases in " << folder.parent_path().string() << "\n";
     return std::nullopt;
   }
-  return diagnose(read_ship(folder / "ship.toml"), runs_in(folder / "train"), runs_in(folder / "reference"),
-                  runs_in(folder / "holdout"));
+  const auto ship = read_ship(folder / "ship.toml");
+  if (without_effect) return diagnose(ship, runs_in(folder / "train"), {}, runs_in(folder / "reference"));
+  return diagnose(ship, runs_in(folder / "train"), runs_in(folder / "reference"), runs_in(folder / "holdout"));
 }
 
 const FoundEffect* found(const Diagnosis& d, std::string_view id) {
@@ -76,6 +78,19 @@ TEST_CASE("beside another form and real instruments the strong errors are found,
     CHECK(std::abs(value_of(*gyro, "bias_rad_s") + 0.00325) < 0.0005);
     CHECK(std::abs(value_of(*current, "current_speed_m_s") - 1.456) < 0.15);
     CHECK(std::abs(value_of(*current, "current_to_rad") - 2.018) < 0.1);
+  }
+}
+
+TEST_CASE("an effect that runs not used do not show is refuted by them", "[mismatch][limit]") {
+  if (const auto d = diagnosis_of("013")) {  // steering gear that lags
+    INFO(d->words);
+    CHECK(found(*d, "steering_gear_lag") != nullptr);
+  }
+  if (const auto d = diagnosis_of("013", true)) {
+    INFO(d->words);
+    CHECK(found(*d, "steering_gear_lag") == nullptr);
+    const auto lag = std::ranges::find(d->candidates, "steering_gear_lag", &Candidate::effect);
+    if (lag != d->candidates.end()) CHECK(lag->refuted);
   }
 }
 

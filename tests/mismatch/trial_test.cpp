@@ -61,6 +61,25 @@ struct Fitted {
 
 // A baseline that took in a hidden effect as far as its prior let it is relieved by the effect itself: a predicted gain
 // that forgets this sees nothing.
+TEST_CASE("each term of another form is moved by one coordinate, and by no other", "[mismatch][limit]") {
+  const auto ship = test_ship();
+  const auto runs = runs_of(ship, 5);
+  const auto channels = recorded_channels(runs, motion_channels());
+  const auto trial = as_on_board(trial_of(ship, runs, channels), runs, channels);
+  const auto form = std::ranges::find(trial.ordinary, form_id, &EffectForm::id);
+  REQUIRE(form != trial.ordinary.end());
+  const auto size = form->coordinates.size();
+  std::vector<int> moved(parameters_of(ship, form->at(std::vector<double>(size, 0.0))).size(), 0);
+  for (std::size_t i = 0; i < size; ++i) {
+    std::vector<double> c(size, 0.0);
+    c[i] = 1.0;
+    const auto parameters = parameters_of(ship, form->at(c));
+    for (std::size_t k = 0; k < parameters.size(); ++k) moved[k] += parameters[k].value != 0.0;
+  }
+  CHECK(std::ranges::all_of(moved, [](int times) { return times == 1; }));
+  CHECK(size == moved.size());
+}
+
 TEST_CASE("a screening promises what the converged fit gains", "[mismatch][second-route]") {
   const Ship ship = test_ship();
   for (const Effect& hidden :

@@ -41,9 +41,7 @@ void change(Ship& ship, const AddedResistance<typename Ship::Scalar>& e) {
 
 /// More of it, never less: a resistance that is smaller than the file says is a number that is wrong.
 inline SearchForm<AddedResistance<>> search_form(const AddedResistance<>& null, const SearchContext& context) {
-  auto increase = from_null(context["relative_increase"]);
-  increase.coordinate.low = 0.0;
-  return by_moves(null, {std::move(increase)}, {{0.0}});
+  return by_moves(null, {from_null(context["relative_increase"], 0.0, HUGE_VAL)}, {{0.0}});
 }
 
 }  // namespace swayaw::nonlinear

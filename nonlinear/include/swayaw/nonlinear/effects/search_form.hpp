@@ -70,9 +70,25 @@ inline ParameterMove from_null(const Parameter& p) {
           [null = p.null, deviation = p.deviation](double c) { return null + deviation * c; }};
 }
 
+/// Between which factors a parameter may be searched.
+struct FactorRange {
+  double low = 0.02, high = 50.0;
+};
+
+/// From null between two values of the parameter.
+inline ParameterMove from_null(const Parameter& p, double least, double most) {
+  auto move = from_null(p);
+  move.coordinate.low = (least - p.null) / p.deviation, move.coordinate.high = (most - p.null) / p.deviation;
+  return move;
+}
+
 /// A positive parameter that is known but for a factor: exp(c) times its null value.
-inline ParameterMove by_factor(const Parameter& p, double deviation) {
-  return {{.name = std::string(p.key), .deviation = deviation, .step = 0.05, .low = -4.0, .high = 4.0},
+inline ParameterMove by_factor(const Parameter& p, double deviation, const FactorRange& range = {}) {
+  return {{.name = std::string(p.key),
+           .deviation = deviation,
+           .step = 0.05,
+           .low = std::log(range.low),
+           .high = std::log(range.high)},
           p.index,
           [null = p.null](double c) { return null * std::exp(c); }};
 }

@@ -47,10 +47,7 @@ void drive(const ShaftSpeedDrop<S>& e, const ShipFacts<S>& ship, const PlanarMot
 /// the law does not count: 0.5 has been seen, 0.7 is more than any.
 inline SearchForm<ShaftSpeedDrop<>> search_form(const ShaftSpeedDrop<>& null, const SearchContext& context) {
   constexpr double most = 0.7;
-  const auto& p = context["relative_drop"];
-  auto drop = from_null(p);
-  drop.coordinate.low = 0.0, drop.coordinate.high = most / p.deviation;
-  return by_moves(null, {std::move(drop)}, {{0.0}});
+  return by_moves(null, {from_null(context["relative_drop"], 0.0, most)}, {{0.0}});
 }
 
 }  // namespace swayaw::nonlinear
