@@ -381,7 +381,7 @@ bool heels_as_before(const Trial& trial) {
 }
 
 /// Whether she heels so far that it turns her, told or not: 10 deg of heel turned the container ship of [Son1982], the
-/// only one whose forces by heel are published, as one degree of rudder.
+/// only one whose forces by heel are published, about as one degree of rudder.
 bool heels_far(const Trial& trial) {
   constexpr double far = radians(10.0);
   return std::numbers::sqrt2 * heel_of(trial.runs) > far;
@@ -526,20 +526,9 @@ bool moved(const MapFit& fit, const Trial& trial, const Hypothesis& before, cons
                              [&](Eigen::Index i) { return fit.point[i] != trial.mean[i]; });
 }
 
-/// A fit with what was ordinary at its mean, in the place of which the last effect stands, the ship as she was found
-/// and the other errors of instruments and of the day as likely as that leaves them: with A the inverse covariance, o
-/// what was ordinary and e those errors, p_e + A_ee⁻¹ A_eo (p_o − mean_o).
-MapFit without(MapFit fit, const Trial& trial, const Hypothesis& before, const Hypothesis& after) {
-  const auto ordinary = replaced_by(trial, *after.back());
-  const auto of_ship = ship_size(trial);
-  std::vector<Eigen::Index> others;
-  for (Eigen::Index i = ordinary.front() < of_ship ? 0 : of_ship; i < trial.baseline_size(); ++i)
-    if (std::ranges::count(ordinary, i) == 0) others.push_back(i);
-  const Eigen::MatrixXd A = inverse(fit.covariance), among_others = A(others, others);
-  const Eigen::VectorXd excess = fit.point(ordinary) - trial.mean(ordinary), pull = A(others, ordinary) * excess;
-  fit.point(others) += solve_symmetric(among_others, pull);
-  fit.point = problem_of(trial, before).within_bounds(fit.point);
-  for (const auto i : ordinary) fit.point[i] = trial.mean[i];
+/// A fit with what was ordinary at its mean, in the place of which the last effect stands.
+MapFit without(MapFit fit, const Trial& trial, const Hypothesis& after) {
+  for (const auto i : replaced_by(trial, *after.back())) fit.point[i] = trial.mean[i];
   return fit;
 }
 
@@ -548,9 +537,8 @@ double held_out_gain(const Trial& trial, const HeldOutRuns& held_out, const Hypo
                      const Hypothesis& after, const MapFit& b) {
   if (!held_out.is_empty()) {
     const double with = log_likelihood_of(held_out.unused, after, b);
-    return with - (moved(a, trial, before, after)
-                       ? log_likelihood_of(held_out.unused, before, without(a, trial, before, after))
-                       : held_out.now);
+    return with - (moved(a, trial, before, after) ? log_likelihood_of(held_out.unused, before, without(a, trial, after))
+                                                  : held_out.now);
   }
   std::vector<double> gains(trial.runs.size());
   in_parallel(trial.runs.size(), 0, [&](std::size_t i) {

@@ -119,7 +119,7 @@ TEST_CASE("an effect of one number is not searched beyond what a ship can have, 
   CHECK_THAT(value(roll, low, "GM_m"), WithinRel(0.005 * B, 1e-9));
   CHECK_THAT(value(roll, high, "GM_m"), WithinRel(0.25 * B, 1e-9));
   CHECK_THAT(value(roll, low, "zeta"), WithinRel(0.02, 1e-9));
-  CHECK_THAT(value(roll, high, "zeta"), WithinRel(2.0, 1e-9));
+  CHECK_THAT(value(roll, high, "zeta"), WithinRel(0.5, 1e-9));
 }
 
 }  // namespace

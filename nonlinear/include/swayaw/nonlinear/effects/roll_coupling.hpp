@@ -116,23 +116,19 @@ std::array<S, 2> steady_hidden(const RollCoupling<S>& e, const ShipFacts<S>&, co
   return {-e.lever * m.u * m.r / (effect_gravity * e.GM), S(0.0)};
 }
 
-/// Moment, damping and lever of the heel are known but for factors; a steady heel tells the lever over GM, the period
-/// of her roll GM alone. A heel that is recorded is explained by rolling alone; it acts where sway force or yaw moment
-/// show it.
+/// Moment and damping of the heel are known but for factors, the lever counts with GM alone. A heel that is recorded is
+/// explained by rolling alone; it acts where sway force or yaw moment show it.
 ///
-/// From 0.05 B, GM of ships lies within 0.005 B and 0.25 B. Damping of a roll is some hundredths to a half of the
-/// critical; recorded heel in manoeuvres is often followed best by one above it (KCS 1.2), but beyond 2 heel is too
-/// stiff for the steps of a filter. The lever is half of the draught where the centre of gravity lies at the waterline;
-/// boxes on deck lift it.
+/// From 0.05 B, GM of ships lies within 0.005 B and 0.25 B; from 0.1, damping within 0.02 and half of the critical.
+/// Beyond, heel is a memory of some other kind, and too stiff for the steps of a filter.
 inline SearchForm<RollCoupling<>> search_form(const RollCoupling<>& null, const SearchContext& context) {
   auto Y = from_null(context["Y_phi"]), N = from_null(context["N_phi"]);
   Y.coordinate.acts = N.coordinate.acts = true;
-  constexpr FactorRange of_GM{.low = 0.1, .high = 5.0}, of_damping{.low = 0.2, .high = 20.0},
-      of_lever{.low = 0.4, .high = 2.5};
-  return by_moves(null,
-                  {by_factor(context["GM_m"], 1.0, of_GM), std::move(Y), std::move(N),
-                   by_factor(context["zeta"], 0.7, of_damping), by_factor(context["lever_m"], 0.4, of_lever)},
-                  {{0.0, 0.1, -0.1, 0.0, 0.0}, {-1.2, 0.1, -0.1, 0.0, 0.0}});
+  constexpr FactorRange of_GM{.low = 0.1, .high = 5.0}, of_damping{.low = 0.2, .high = 5.0};
+  return by_moves(
+      null,
+      {by_factor(context["GM_m"], 1.0, of_GM), std::move(Y), std::move(N), by_factor(context["zeta"], 0.7, of_damping)},
+      {{0.0, 0.1, -0.1, 0.0}, {-1.2, 0.1, -0.1, 0.0}});
 }
 
 }  // namespace swayaw::nonlinear
