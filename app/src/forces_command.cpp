@@ -8,7 +8,6 @@
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
-#include "spelling.hpp"
 #include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 

@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "spelling.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
+#include "swayaw/core/detail/spelling.hpp"
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -43,11 +43,9 @@ using AnyShip = std::variant<LinearShip, Ship>;
 [[noreturn]] inline void refuse_ship_name(const std::string& name) {
   std::vector<std::string_view> names;
   for (const auto& ship : published_ships()) names.push_back(ship.name);
-  const auto nearest = nearest_word(name, names);
-  throw Refusal(
-      nearest.empty()
-          ? fmt::format("there is no file and no published ship \"{}\"; published are {}", name, fmt::join(names, ", "))
-          : fmt::format("there is no file and no published ship \"{}\"; did you mean \"{}\"?", name, nearest));
+  const auto hint = core::detail::did_you_mean(name, names);
+  throw Refusal(fmt::format("there is no file and no published ship \"{}\"{}", name,
+                            hint.empty() ? fmt::format("; published are {}", fmt::join(names, ", ")) : hint));
 }
 
 /// The text of a ship file. Where no such file is there, a bare name means the published ship, which is told on stderr.

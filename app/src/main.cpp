@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "spelling.hpp"
+#include "swayaw/core/detail/spelling.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/steered_thrust.hpp"
 #include "swayaw/core/version.hpp"
@@ -407,9 +407,8 @@ bool refuse_unknown_command(int count, char** words) {
   if (count < 2 || words[1][0] == '-') return false;
   const std::string_view typed = words[1];
   if (std::ranges::count(commands, typed) > 0) return false;
-  const auto nearest = nearest_word(typed, commands);
-  fmt::print(stderr, "swayaw: there is no command \"{}\"{}\n", typed,
-             nearest.empty() ? "; try swayaw --help" : fmt::format("; did you mean \"{}\"?", nearest));
+  const auto hint = core::detail::did_you_mean(typed, commands);
+  fmt::print(stderr, "swayaw: there is no command \"{}\"{}\n", typed, hint.empty() ? "; try swayaw --help" : hint);
   return true;
 }
 

@@ -443,6 +443,17 @@ TEST_CASE("tables of cases as on board tell strong from moderate, and every case
   CHECK_THAT(table_named(lines, "factors"), ContainsSubstring("| filter: causal | 2 |"));
 }
 
+TEST_CASE("what a ship has beside her file counts neither as right nor as an alarm", "[bench][on_board][limit]") {
+  auto clean = line_of("", "roll_coupling");
+  clean["family"] = "rolling", clean["rivals"]["pooled"] = {"roll_coupling"};
+  auto other = clean;
+  other["family"] = "podded";
+  const std::vector<Json> lines{clean, other};
+  CHECK_THAT(table_named(lines, "overview"), ContainsSubstring("| false alarms | 1/2 (50 %)"));
+  CHECK_THAT(table_named(lines, "alarms"), ContainsSubstring("| roll_coupling | 1 |"));
+  CHECK_THAT(table_named(lines, "rivals"), ContainsSubstring("| pooled | 1/2 (50 %)"));
+}
+
 TEST_CASE("one regression of all runs finds a strong wind on four headings in a file of the right form",
           "[bench][on_board][second-route]") {
   const auto ship = true_ship("training", 2);

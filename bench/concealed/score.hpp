@@ -36,6 +36,6 @@ void score(const std::filesystem::path& cases, const ScoreOptions& options,
 std::vector<Json> read_lines(const std::filesystem::path& file);
 
 /// Tables in Markdown, by the names of docs/concealed.md.
-std::vector<std::pair<std::string, std::string>> tables_of(const std::vector<Json>& lines);
+std::vector<std::pair<std::string, std::string>> tables_of(const std::vector<Json>& answers);
 
 }  // namespace swayaw::concealed

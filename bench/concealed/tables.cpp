@@ -57,28 +57,19 @@ Mark mark(const Names& truth, const Names& effects, Names ranking, const Names& 
           std::ranges::all_of(truth, [&](const auto& n) { return std::ranges::count(effects, n) > 0; })};
 }
 
-/// What the ship has and her file cannot, hidden or not: to name it is right, and no answer to the question.
-bool is_native(const Json& line, const std::string& effect) {
-  return effect == "roll_coupling" && line.value("family", "") == "rolling";
-}
-
 Mark mark_of(const Json& line) {
   const auto& a = line.at("answer");
   Names effects, ranking, same;
   for (const auto& e : a.at("effects")) {
-    const auto name = e.at("effect").get<std::string>();
-    if (is_native(line, name)) continue;
     if (effects.empty()) same = e.at("indistinguishable_from").get<Names>();
-    effects.push_back(name);
+    effects.push_back(e.at("effect"));
   }
-  for (const auto& c : a.at("candidates"))
-    if (const auto name = c.at("effect").get<std::string>(); !is_native(line, name)) ranking.push_back(name);
+  for (const auto& c : a.at("candidates")) ranking.push_back(c.at("effect"));
   return mark(truth_of(line), effects, ranking, same, a.at("verdict") == "unexplained");
 }
 
 Mark mark_of_rival(const Json& line, const std::string& rival) {
-  auto names = line.at("rivals").at(rival).get<Names>();
-  std::erase_if(names, [&](const auto& name) { return is_native(line, name); });
+  const auto names = line.at("rivals").at(rival).get<Names>();
   return mark(truth_of(line), names.empty() ? Names{} : Names{names.front()}, names, {}, false);
 }
 
@@ -463,9 +454,27 @@ std::string cases_on_board(const std::vector<Json>& lines) {
   return text;
 }
 
+/// Answers without what the ship has and her file cannot, hidden or not: to name it is right, and no answer to the
+/// question.
+std::vector<Json> without_native(std::vector<Json> lines) {
+  const auto is_native = [](const Json& name) { return name == "roll_coupling"; };
+  const auto is_native_entry = [&](const Json& entry) { return is_native(entry.at("effect")); };
+  for (auto& line : lines) {
+    if (line.value("family", "") != "rolling") continue;
+    if (line.contains("answer"))
+      for (const char* list : {"effects", "candidates"}) {
+        auto& entries = line["answer"].at(list).get_ref<Json::array_t&>();
+        std::erase_if(entries, is_native_entry);
+      }
+    for (auto& names : line.at("rivals")) std::erase_if(names.get_ref<Json::array_t&>(), is_native);
+  }
+  return lines;
+}
+
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> tables_of(const std::vector<Json>& lines) {
+std::vector<std::pair<std::string, std::string>> tables_of(const std::vector<Json>& answers) {
+  const auto lines = without_native(answers);
   const auto first_effect = [](const Json& line) { return line.at("effects")[0].at("effect").get<std::string>(); };
   const bool on_board = !lines.empty() && std::ranges::all_of(lines, is_on_board);
   std::vector<std::pair<std::string, std::string>> tables{

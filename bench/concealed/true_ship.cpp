@@ -286,12 +286,13 @@ States rates(const TrueShip& s, const Concealment& h, const States& q, const Mom
     d[State::shaft] = (q[State::engine_torque] - torque(s, inflow(s, h, q), q[State::shaft])) * ordered.rev /
                       (s.inertia * s.time_unit() * ordered.torque);
   }
-  // roll about a metacentric height, damped at a tenth of critical
+  // roll about a metacentric height, damped at a tenth of critical: what holds her sideways does so half a draught
+  // below the centre of gravity, her rudders a little deeper
   if (const double GM = h.GM > 0.0 ? h.GM : s.GM; GM > 0.0) {
-    const double k = 0.4 * s.B, omega2 = gravity * GM / (k * k);
+    const double k = 0.4 * s.B, omega2 = gravity * GM / (k * k), side = d[State::v] + x_G * d[State::r] + u * r;
     d[State::phi] = q[State::roll_rate];
-    d[State::roll_rate] =
-        -0.2 * std::sqrt(omega2) * q[State::roll_rate] - omega2 * std::sin(q[State::phi]) - 0.5 * s.d * u * r / (k * k);
+    d[State::roll_rate] = -0.2 * std::sqrt(omega2) * q[State::roll_rate] - omega2 * std::sin(q[State::phi]) -
+                          s.d * (0.5 * side + 0.15 * f.rudder.Y / m) / (k * k);
   }
   if (h.memory_tau > 0.0) {
     d[State::slow_v] = (v - q[State::slow_v]) / h.memory_tau;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "swayaw/core/detail/spelling.hpp"
 #include "swayaw/core/detail/toml_text.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/steered_thrust.hpp"
@@ -110,6 +111,13 @@ class KeysReader {
     return found == keys_.end() ? nullptr : &*found;
   }
 
+  std::vector<std::string_view> keys_of(std::string_view table) const {
+    std::vector<std::string_view> keys;
+    for (const auto& k : keys_)
+      if (k.table == table) keys.push_back(k.key);
+    return keys;
+  }
+
   void require_keys(const toml::table& table, std::string_view name) const {
     const auto* missing = missing_key(table, name);
     const auto where = name.empty() ? std::string{} : fmt::format(" in [{}]", name);
@@ -117,7 +125,8 @@ class KeysReader {
       const toml::key& key = entry.first;
       const auto is_key = [&](const KnownKey& k) { return k.table == name && k.key == key.str(); };
       if (std::ranges::any_of(keys_, is_key)) continue;
-      const auto hint = missing ? fmt::format("; {} is missing", missing->name()) : std::string{};
+      const auto hint = missing ? fmt::format("; {} is missing", missing->name())
+                                : core::detail::did_you_mean(key.str(), keys_of(name));
       file_.fail(key.source().begin, fmt::format("{}{} is not known{}", key.str(), where, hint));
     }
     if (missing) file_.fail(table, fmt::format("{} is missing{}", missing->name(), where));
@@ -208,6 +217,7 @@ void refuse_steered_thrust(const ShipText& file, const toml::table& table) {
 
 FileEffect effect_of(const ShipText& text, const toml::table& table) {
   const auto place = table.source().begin;
+  if (!table.contains("kind")) text.fail(table, "kind is missing in [[effect]]");
   FileEffect effect{.kind = {}, .numbers = {}, .line = place.line, .column = place.column, .channel = {}};
   for (auto&& [key, node] : table) {
     const auto word = node.value_exact<std::string>();
@@ -219,7 +229,6 @@ FileEffect effect_of(const ShipText& text, const toml::table& table) {
       text.fail(node, fmt::format("{} in [[effect]] must be a {}", key.str(),
                                   key == "kind" || key == "channel" ? "text in quotes" : "number"));
   }
-  if (effect.kind.empty()) text.fail(table, "kind is missing in [[effect]]");
   return effect;
 }
 

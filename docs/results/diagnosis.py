@@ -11,6 +11,7 @@
     diagnosis.py candidates FILE.json [MOST]                the ranking
     diagnosis.py numbers BEFORE.toml AFTER.toml KEY...      values of a ship file and of the one refitted
     diagnosis.py zeros RUN.csv...                           zero of the gyro: slope of (integral of r) - psi
+    diagnosis.py roll RUN.csv...                            roll acceleration by regression on roll, its rate and the side acceleration
     diagnosis.py errors FILE.json                           replays before, refitted and after, used and held-out runs"""
 import argparse
 import csv
@@ -216,6 +217,47 @@ def zeros(paths):
         print(f"| {path.rsplit('/', 1)[-1]} | {math.degrees(slope):.4f} deg/s |")
 
 
+def solved(A, b):
+    """Least squares by the normal equations, columns scaled."""
+    scale = [math.sqrt(sum(row[k] ** 2 for row in A)) for k in range(len(A[0]))]
+    n = len(scale)
+    M = [[sum(row[i] * row[k] for row in A) / (scale[i] * scale[k]) for k in range(n)]
+         + [sum(row[i] * y for row, y in zip(A, b)) / scale[i]] for i in range(n)]
+    for i in range(n):
+        for k in range(i + 1, n):
+            factor = M[k][i] / M[i][i]
+            M[k] = [x - factor * y for x, y in zip(M[k], M[i])]
+    x = [0.0] * n
+    for i in reversed(range(n)):
+        x[i] = (M[i][n] - sum(M[i][k] * x[k] for k in range(i + 1, n))) / M[i][i]
+    return [value / s for value, s in zip(x, scale)]
+
+
+def explained(A, b):
+    x = solved(A, b)
+    left = sum((y - sum(c * v for c, v in zip(row, x))) ** 2 for row, y in zip(A, b))
+    return 1.0 - left / sum(y * y for y in b)
+
+
+def roll(paths, block_s=1.0):
+    print("| run | by u r | by dv/dt + u r | by both parts, each with its own lever |\n| --- | ---: | ---: | ---: |")
+    for path in paths:
+        _, columns, rows = table_of(path)
+        samples = [{c: float(x) for c, x in zip(columns, row)} for row in rows]
+        length = max(1, round(block_s * (len(samples) - 1) / (samples[-1]["time_s"] - samples[0]["time_s"])))
+        blocks = [{c: sum(s[c] for s in samples[i:i + length]) / length for c in columns}
+                  for i in range(0, len(samples) - length + 1, length)]
+        parts, b = [], []
+        for before, now, after in zip(blocks, blocks[1:], blocks[2:]):
+            h = 0.5 * (after["time_s"] - before["time_s"])
+            rate = {c: (after[c] - before[c]) / (2.0 * h) for c in ("phi_rad", "v_m_s")}
+            b.append((after["phi_rad"] - 2.0 * now["phi_rad"] + before["phi_rad"]) / h ** 2)
+            parts.append((rate["phi_rad"], now["phi_rad"], now["u_m_s"] * now["r_rad_s"], rate["v_m_s"]))
+        of = [explained([term(*p) for p in parts], b) for term in (
+            lambda p, phi, ur, dv: (p, phi, ur), lambda p, phi, ur, dv: (p, phi, ur + dv), lambda *all: all)]
+        print(f"| {path.rsplit('/', 1)[-1]} | {of[0]:.2f} | {of[1]:.2f} | {of[2]:.2f} |")
+
+
 def candidates(path, most):
     print("| candidate | gain of log evidence | probability |\n| --- | ---: | ---: |")
     for c in load(path)["candidates"][:most]:
@@ -250,7 +292,7 @@ def main():
             sub.add_argument("--key", action="append", default=[])
         sub.add_argument("--from", dest="begin", type=float)
         sub.add_argument("--to", dest="end", type=float)
-    for name in ("found", "instruments", "surroundings", "budget", "track", "zeros"):
+    for name in ("found", "instruments", "surroundings", "budget", "track", "zeros", "roll"):
         commands.add_parser(name).add_argument("files", nargs="+")
     sub = commands.add_parser("numbers")
     sub.add_argument("before")
@@ -261,7 +303,7 @@ def main():
     sub.add_argument("most", nargs="?", type=int, default=6)
     commands.add_parser("errors").add_argument("file")
     a = parser.parse_args()
-    {"prepare": prepare, "wind": wind, "found": lambda x: found(x.files), "surroundings": lambda x: surroundings(x.files), "budget": lambda x: budget(x.files), "instruments": lambda x: instruments(x.files), "track": lambda x: track(x.files), "zeros": lambda x: zeros(x.files),
+    {"prepare": prepare, "wind": wind, "found": lambda x: found(x.files), "surroundings": lambda x: surroundings(x.files), "budget": lambda x: budget(x.files), "instruments": lambda x: instruments(x.files), "track": lambda x: track(x.files), "zeros": lambda x: zeros(x.files), "roll": lambda x: roll(x.files),
      "numbers": lambda x: numbers(x.before, x.after, x.keys), "candidates": lambda x: candidates(x.file, x.most),
      "errors": lambda x: errors(x.file)}[a.command](a)
 

@@ -21,4 +21,5 @@ for run in kcs_*.csv; do helper prepare "$run" "blind_$run" --drop phi_rad; done
 helper found "roll recorded=seen.json" "roll column taken out=blind.json" > tables/found.md
 helper candidates seen.json 8 > tables/candidates.md
 helper errors seen.json > tables/errors.md
+helper roll "$recordings"/kcs_*.csv > tables/roll.md
 "$here/../papers/put_tables.sh" "$here/kcs_diagnosis.md" "$work/tables"

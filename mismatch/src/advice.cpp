@@ -12,6 +12,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/manoeuvres/pull_out.hpp"
+#include "words.hpp"
 
 namespace swayaw::inline mismatch::detail {
 namespace {
@@ -141,9 +142,9 @@ std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& s) {
   });
   const auto most = static_cast<std::size_t>(std::ranges::max_element(least) - least.begin());
   if (!(least[most] > 0.0)) return std::nullopt;
-  Advice advice{
-      fmt::format("{}: it separates them by {:.2g} in log likelihood a minute", manoeuvres[most].words, least[most]),
-      {s.accepted.back().form->id}};
+  Advice advice{fmt::format("{}: it separates them by {} in log likelihood a minute", manoeuvres[most].words,
+                            in_two_digits(least[most])),
+                {s.accepted.back().form->id}};
   for (const auto& rival : rivals) advice.separates.push_back(rival.effect);
   return advice;
 }

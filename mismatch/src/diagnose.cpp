@@ -19,6 +19,7 @@
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "trial.hpp"
+#include "words.hpp"
 
 namespace swayaw::inline mismatch {
 using namespace detail;
@@ -78,7 +79,9 @@ std::vector<ParameterEstimate> estimates(const Trial& trial, const EffectForm& f
                                                         : 0.0;
     const double value =
         parameters[i].direction && parameters[i].value < 0.0 ? parameters[i].value + 2.0 * pi : parameters[i].value;
-    const double departure = parameters[i].direction ? 1.0 : std::abs(parameters[i].value - parameters[i].null),
+    const double departure = parameters[i].direction ? 1.0
+                             : parameters[i].decides ? std::abs(parameters[i].value - parameters[i].null)
+                                                     : std::abs(parameters[i].value),
                  law = std::isfinite(departure) ? parameters[i].law * departure : 0.0;
     result.push_back(
         {std::string(parameters[i].key), value, std::hypot(std::sqrt(covariance(place, place)), law, in_it)});
@@ -139,11 +142,6 @@ std::vector<SurroundingsEstimate> surroundings_of(const Trial& trial, const Acce
   return result;
 }
 
-/// In two digits, or whole.
-std::string shown(double value) {
-  return std::abs(value) < 10.0 ? fmt::format("{:.2g}", value) : fmt::format("{:.0f}", value);
-}
-
 /// Why something that was tried is not among what was found.
 std::string why_not(const FittedCandidate& tried, const Search& s, double needed) {
   if (tried.refuted) return "a part of the runs speaks against what the others tell";
@@ -151,8 +149,8 @@ std::string why_not(const FittedCandidate& tried, const Search& s, double needed
   if (tried.gain > needed && !s.accepted.empty())
     return fmt::format("{} explains the runs as well", text_of(s.accepted.front().effect).phrase);
   if (tried.gain > needed) return "held-out runs lose what the others gain by it";
-  return fmt::format("it explains the runs better by {} in log evidence, {} are needed", shown(tried.gain),
-                     shown(needed));
+  return fmt::format("it explains the runs better by {} in log evidence, {} are needed", in_two_digits(tried.gain),
+                     in_two_digits(needed));
 }
 
 /// Where no wind or stream was found, but one would explain the runs better: it cannot be told.
@@ -307,8 +305,8 @@ std::string discrepancy_words(const Diagnosis& d) {
   auto words = fmt::format(
       "The yaw rate is off by {} % of its variation as given, by {} % with the coefficients moved within what is known "
       "of them",
-      shown(100.0 * by.given), shown(100.0 * by.refitted));
-  if (!d.effects.empty()) words += fmt::format(", by {} % with what was found", shown(100.0 * by.after));
+      in_two_digits(100.0 * by.given), in_two_digits(100.0 * by.refitted));
+  if (!d.effects.empty()) words += fmt::format(", by {} % with what was found", in_two_digits(100.0 * by.after));
   return words + ". ";
 }
 

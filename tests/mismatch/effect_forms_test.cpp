@@ -116,7 +116,7 @@ TEST_CASE("an effect of one number is not searched beyond what a ship can have, 
   low[3] = roll.coordinates[3].low, high[3] = roll.coordinates[3].high;
   const double B = std::get<MmgShip<double>>(ship.model).particulars.B;
   CHECK_FALSE(is_at_its_end(roll, high));
-  CHECK_THAT(value(roll, low, "GM_m"), WithinRel(0.005 * B, 1e-9));
+  CHECK_THAT(value(roll, low, "GM_m"), WithinRel(0.01 * B, 1e-9));
   CHECK_THAT(value(roll, high, "GM_m"), WithinRel(0.25 * B, 1e-9));
   CHECK_THAT(value(roll, low, "zeta"), WithinRel(0.02, 1e-9));
   CHECK_THAT(value(roll, high, "zeta"), WithinRel(0.5, 1e-9));

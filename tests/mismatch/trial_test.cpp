@@ -59,8 +59,6 @@ struct Fitted {
 
 }  // namespace
 
-// A baseline that took in a hidden effect as far as its prior let it is relieved by the effect itself: a predicted gain
-// that forgets this sees nothing.
 TEST_CASE("each term of another form is moved by one coordinate, and by no other", "[mismatch][limit]") {
   const auto ship = test_ship();
   const auto runs = runs_of(ship, 5);
@@ -80,6 +78,8 @@ TEST_CASE("each term of another form is moved by one coordinate, and by no other
   CHECK(size == moved.size());
 }
 
+// A baseline that took in a hidden effect as far as its prior let it is relieved by the effect itself: a predicted gain
+// that forgets this sees nothing.
 TEST_CASE("a screening promises what the converged fit gains", "[mismatch][second-route]") {
   const Ship ship = test_ship();
   for (const Effect& hidden :

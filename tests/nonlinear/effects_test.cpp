@@ -509,6 +509,39 @@ TEST_CASE("heel settles where the centrifugal force holds it, and a memory forge
   for (const double r : rate) CHECK_THAT(r, WithinAbs(0.0, 1e-14));
 }
 
+// The roll of a zigzag, by differences of what was sailed: the hidden quantities that carry it need no acceleration.
+TEST_CASE("a ship rolls about the force that holds her sideways", "[nonlinear][second-route]") {
+  const auto model = sailing_ship<MmgShip<double>>();
+  constexpr double GM = 0.04, zeta = 0.15, lever = 0.1;
+  const auto run = zigzag_of(
+      with_effect(test::with_areas(model), RollCoupling<>{.GM = GM, .Y_phi = -0.01, .zeta = zeta, .lever = lever}),
+      5.0);
+  const auto &phi = run[Channel::phi], &u = run[Channel::u], &v = run[Channel::v], &r = run[Channel::r];
+  const double h = run.time[1] - run.time[0], k_xx = 0.4 * model.particulars.B,
+               omega = std::sqrt(effect_gravity * GM) / k_xx;
+  double heaviest = 0.0, most = 0.0;
+  for (std::size_t i = 1; i + 1 < run.samples(); ++i) {
+    const double p = (phi[i + 1] - phi[i - 1]) / (2.0 * h), dp = (phi[i + 1] - 2.0 * phi[i] + phi[i - 1]) / (h * h),
+                 side = (v[i + 1] - v[i - 1]) / (2.0 * h) + u[i] * r[i];
+    const double moment = -lever * side / (k_xx * k_xx);
+    heaviest = std::max(heaviest, std::abs(moment));
+    most = std::max(most, std::abs(dp + 2.0 * zeta * omega * p + omega * omega * phi[i] - moment));
+  }
+  CHECK(heaviest > 0.0);
+  CHECK(most < 1e-2 * heaviest);
+}
+
+// KG 18.6 m and GM 5.7 m of the full-scale ship, as the SIMMAN workshops give them.
+TEST_CASE("metacentre and side force of a tanker and a container ship are where published data have them",
+          "[nonlinear][published]") {
+  const auto tanker = ship_facts(std::get<MmgShip<double>>(test::kvlcc2_l7().model));
+  CHECK_THAT(metacentre(tanker), WithinRel((18.6 + 5.7) * tanker.L / 320.0, 0.02));
+  // [Son1982] as [MSS] tables her: KM, GM and K_v/Y_v L
+  const ShipFacts<double> container{.L = 175.0, .B = 25.4, .d = 8.5, .nabla = 21222.0};
+  CHECK_THAT(metacentre(container), WithinRel(10.39, 0.06));
+  CHECK_THAT(completed(RollCoupling<>{.GM = 0.3}, container).lever, WithinRel(0.0003026 / 0.0116 * 175.0, 0.15));
+}
+
 TEST_CASE("a heeling ship in a long turn comes to the steady motion of her effects", "[nonlinear][second-route]") {
   auto ship = test::kvlcc2_l7();
   for (const Effect& effect :

@@ -226,7 +226,7 @@ TEST_CASE("every key that is misspelt is named, where it stands, with the key th
     misspelt[i].insert(1, "_");
     const auto table = table_line(lines, i);
     const std::string where = table == 1 ? "" : " in " + lines[table - 1];
-    const std::string hint = is_optional(key) ? "" : "; " + key + " is missing";
+    const std::string hint = is_optional(key) ? "; did you mean \"" + key + "\"?" : "; " + key + " is missing";
     CHECK(refusal_of(joined(misspelt)) ==
           place(i + 1, 1) + key.substr(0, 1) + "_" + key.substr(1) + where + " is not known" + hint);
   }
@@ -339,6 +339,13 @@ TEST_CASE("an effect surrounds the ship or is refused in words", "[nonlinear][re
     return refusal_of(text_with_tail("\n[[effect]]\n" + std::string(lines)));
   };
   CHECK(refusal("kind = \"kelp\"\n") == place(line, 1) + "effect kelp is not understood by this version");
+  CHECK(refusal("kind = \"stedy_current\"\n") ==
+        place(line, 1) + "effect stedy_current is not understood by this version; did you mean \"steady_current\"?");
+  CHECK(refusal("id = \"steady_current\"\n") == place(line, 1) + "kind is missing in [[effect]]");
+  CHECK(refusal("kind = \"steady_current\"\ncurrent_speed = 1\n") ==
+        place(line, 1) + "current_speed is not a number of steady_current; did you mean \"current_speed_m_s\"?");
+  CHECK(refusal_of(text_with_tail("\n[effects]\nwind = 1\n")) ==
+        place(line, 2) + "effects is not known; did you mean \"effect\"?");
   CHECK(refusal("current_to_rad = 1\n") == place(line, 1) + "kind is missing in [[effect]]");
   CHECK(refusal("kind = \"steady_current\"\ncurrent_to_rad = 1\n") ==
         place(line, 1) + "steady_current needs current_speed_m_s");

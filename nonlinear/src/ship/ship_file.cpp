@@ -9,9 +9,11 @@
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
+#include "swayaw/core/detail/spelling.hpp"
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/parts_writer.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/effects.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/models/mmg/mmg_labels.hpp"
 #include "swayaw/nonlinear/surroundings/windage_sources.hpp"
@@ -63,12 +65,12 @@ void apply_labels(Model&, Confidence&) {}
 
 /// The numbers of the effect from its table; those that need not be given may be missing.
 void read_numbers(Effect& effect, const FileEffect& given, const PartsReader& file) {
-  for (const auto& number : given.numbers) {
-    const auto& key = number.first;
-    bool known = false;
-    for_each_parameter(effect, [&](const auto& p, double&) { known = known || p.key == key; });
-    if (!known) file.fail(given, fmt::format("{} is not a number of {}", key, given.kind));
-  }
+  std::vector<std::string_view> keys;
+  for_each_parameter(effect, [&](const auto& p, double&) { keys.push_back(p.key); });
+  for (const auto& number : given.numbers)
+    if (const auto& key = number.first; std::ranges::count(keys, key) == 0)
+      file.fail(given,
+                fmt::format("{} is not a number of {}{}", key, given.kind, core::detail::did_you_mean(key, keys)));
   bool some = false;
   for_each_parameter(effect, [&](const auto& p, double& number) {
     const auto found = std::ranges::find(given.numbers, p.key, &std::pair<std::string, double>::first);
@@ -99,7 +101,9 @@ bool same_kind(const Effect& a, const Effect& b) {
 
 Effect read_effect(const FileEffect& given, const PartsReader& file) {
   auto effect = effect_named(given.kind);
-  if (!effect) file.fail(given, fmt::format("effect {} is not understood by this version", given.kind));
+  if (!effect)
+    file.fail(given, fmt::format("effect {} is not understood by this version{}", given.kind,
+                                 core::detail::did_you_mean(given.kind, effect_ids())));
   read_numbers(*effect, given, file);
   read_channel(*effect, given, file);
   return *effect;

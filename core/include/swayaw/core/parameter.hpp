@@ -73,7 +73,8 @@ struct ParameterOf {
   double null = 0.0;   ///< where the effect does nothing; `unchanged`: at the ship's own value
   double prior = 0.0;  ///< standard deviation before any data, in `scale`
   double floor = 0.0;  ///< a smaller departure from null is a trace, in `scale`
-  double law = 0.03;   ///< what its law is worth: standard deviation over departure from null, of directions in radians
+  double law = 0.03;   ///< what its law is worth: standard deviation over departure from null, of what does not decide
+                       ///< over its value, of directions in radians
   ShipUnit scale = ShipUnit::one;
   bool decides = true;     ///< the effect is off while every parameter that decides has its null value
   bool direction = false;  ///< on the earth, clockwise from north

@@ -244,6 +244,7 @@ ShipFacts<S> ship_facts(const Model& model) {
   if constexpr (requires { model.particulars.d; }) {
     f.B = model.particulars.B;
     f.d = model.particulars.d;
+    f.nabla = model.particulars.nabla;
     f.k_xx = 0.4 * f.B;
   }
   if constexpr (requires { model.propeller.x_P; }) f.x_P = model.propeller.x_P;

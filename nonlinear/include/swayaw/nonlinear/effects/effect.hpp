@@ -108,6 +108,7 @@ bool acts_at(const Kind& effect, double time) {
 template <class S = double>
 struct ShipFacts {
   S rho{}, L{}, B{}, d{};
+  S nabla{};   ///< displaced volume [m³]
   S U_0{1.0};  ///< service speed [m/s]
   S x_P{};     ///< propeller forward of midship [m]
   S k_xx{};    ///< radius of gyration in roll, 0.4 B [m]
@@ -116,7 +117,7 @@ struct ShipFacts {
 /// The same with another scalar.
 template <class To, class From>
 ShipFacts<To> cast(const ShipFacts<From>& f) {
-  return {To(f.rho), To(f.L), To(f.B), To(f.d), To(f.U_0), To(f.x_P), To(f.k_xx)};
+  return {To(f.rho), To(f.L), To(f.B), To(f.d), To(f.nabla), To(f.U_0), To(f.x_P), To(f.k_xx)};
 }
 
 /// What a force of an effect acts in.

@@ -5,21 +5,39 @@
 
 namespace swayaw::inline nonlinear {
 
-/// Heel that changes sway force and yaw moment. The ship heels as the centrifugal force of a turn makes her.
+/// Height of the metacentre over the keel [m], KM = KB + BM, of a ship of usual form:
+///
+///     KB = d (5/6 − C_B/(3 C_W)),   BM = (0.1216 C_W − 0.0410) B²/(C_B d),   C_W = (1 + 2 C_B)/3   [Parsons2003]
+///
+/// 23.9 m for KVLCC2 and 13.7 m for KCS, where SIMMAN has 24.3 m and 14.9 m.
+template <class S>
+S metacentre(const ShipFacts<S>& ship) {
+  const S C_B = ship.nabla / (ship.L * ship.B * ship.d), C_W = (1.0 + 2.0 * C_B) / 3.0;
+  const S KB = ship.d * (5.0 / 6.0 - C_B / (3.0 * C_W));
+  return KB + (0.1216 * C_W - 0.0410) * ship.B * ship.B / (C_B * ship.d);
+}
+
+/// Heel that changes sway force and yaw moment. The water that holds the hull sideways, m (dv/dt + u r), does so below
+/// the centre of gravity, and heels her.
 ///
 ///     Y = ½ρLdU² Y_phi phi,   N = ½ρL²dU² N_phi phi
-///     d²phi/dt² + 2 zeta omega d(phi)/dt + omega² phi = −lever u r/k_xx²,   omega² = g GM/k_xx²
+///     d²phi/dt² + 2 zeta omega d(phi)/dt + omega² phi = −lever (dv/dt + u r)/k_xx²,   omega² = g GM/k_xx²
 ///
-/// Y_phi and N_phi where a file gives neither: the container ship of [Son1982]. k_xx = 0.4 B, GM and the lever are
-/// customary guesses.
+/// Solved for phi and q = d(phi)/dt + lever v/k_xx², whose rates need no acceleration:
+///
+///     d(phi)/dt = q − lever v/k_xx²,   dq/dt = −lever u r/k_xx² − 2 zeta omega d(phi)/dt − omega² phi
+///
+/// Y_phi and N_phi where a file gives neither: the container ship of [Son1982]. k_xx = 0.4 B and GM are customary
+/// guesses. The lever is KM − GM − 0.65 d: there, over the keel, the side force of that ship goes, by K_v/Y_v =
+/// K_r/Y_r.
 template <class S = double>
 struct RollCoupling {
   S GM{unchanged};     ///< metacentric height [m]; 0.05 B unless given
   S Y_phi{};           ///< sway force by heel over ½ρLdU²
   S N_phi{};           ///< yaw moment by heel over ½ρL²dU²
   S zeta{0.1};         ///< damping over critical
-  S lever{unchanged};  ///< height of the centre of gravity over the point where the water holds the hull [m]; d/2
-                       ///< unless given
+  S lever{unchanged};  ///< height of the centre of gravity over the point where the water holds the hull [m]; as
+                       ///< `metacentre` and GM tell unless given
 
   static constexpr std::string_view id = "roll_coupling";
   static constexpr EffectPlace place = EffectPlace::force;
@@ -28,13 +46,13 @@ struct RollCoupling {
       .phrase = "heel that acts on sway and yaw",
       .label = "roll coupling",
       .law =
-          "Y = ½ρLdU² Y_φ φ, N = ½ρL²dU² N_φ φ, φ'' + 2ζω φ' + ω² φ = −lever u r/k_xx², ω² = g GM/k_xx², k_xx = 0.4 "
-          "B; GM is 0.05 B and the lever d/2 unless given, one parameter at least is",
+          "Y = ½ρLdU² Y_φ φ, N = ½ρL²dU² N_φ φ, φ'' + 2ζω φ' + ω² φ = −lever (v' + u r)/k_xx², ω² = g GM/k_xx², k_xx "
+          "= 0.4 B; GM is 0.05 B and the lever KM − GM − 0.65 d unless given, one parameter at least is",
       .confused_with = "fluid memory → resonance at ω"};
 
-  /// Heel, starboard side down [rad], and its rate.
+  /// Heel, starboard side down [rad], and q [rad/s].
   static constexpr std::array hidden{HiddenQuantity{"phi", ShipUnit::one, Channel::phi},
-                                     HiddenQuantity{"p", ShipUnit::yaw_rate}};
+                                     HiddenQuantity{"q", ShipUnit::yaw_rate}};
 
   static constexpr auto parameters() {
     using P = ParameterOf<RollCoupling, S>;
@@ -48,6 +66,7 @@ struct RollCoupling {
                         .fallback = unchanged,
                         .null = unchanged,
                         .prior = 0.5,
+                        .law = 0.2,
                         .scale = ShipUnit::own,
                         .decides = false},
                       P{.key = "Y_phi",
@@ -91,7 +110,7 @@ struct RollCoupling {
   RollCoupling completed(const ShipFacts<S>& ship) const {
     auto e = *this;
     if (std::isnan(value_of(e.GM))) e.GM = 0.05 * ship.B;
-    if (std::isnan(value_of(e.lever))) e.lever = 0.5 * ship.d;
+    if (std::isnan(value_of(e.lever))) e.lever = metacentre(ship) - e.GM - 0.65 * ship.d;
     return e;
   }
 };
@@ -106,25 +125,27 @@ PlanarForce<S> force(const RollCoupling<S>& e, const Model&, const Circumstances
 template <class S>
 std::array<S, 2> hidden_rates(const RollCoupling<S>& e, const ShipFacts<S>& ship, const PlanarMotion<S>& m,
                               std::span<const S> hidden) {
-  const S over_kk = 1.0 / (ship.k_xx * ship.k_xx), omega = sqrt(effect_gravity * e.GM * over_kk);
-  return {hidden[1], -e.lever * m.u * m.r * over_kk - omega * (2.0 * e.zeta * hidden[1] + omega * hidden[0])};
+  const S over_kk = 1.0 / (ship.k_xx * ship.k_xx), lever = e.lever * over_kk, p = hidden[1] - lever * m.v;
+  const S omega = sqrt(effect_gravity * e.GM * over_kk);
+  return {p, -lever * m.u * m.r - omega * (2.0 * e.zeta * p + omega * hidden[0])};
 }
 
-/// phi = −lever u r/(g GM)
+/// phi = −lever u r/(g GM), and no roll rate
 template <class S>
-std::array<S, 2> steady_hidden(const RollCoupling<S>& e, const ShipFacts<S>&, const PlanarMotion<S>& m) {
-  return {-e.lever * m.u * m.r / (effect_gravity * e.GM), S(0.0)};
+std::array<S, 2> steady_hidden(const RollCoupling<S>& e, const ShipFacts<S>& ship, const PlanarMotion<S>& m) {
+  return {-e.lever * m.u * m.r / (effect_gravity * e.GM), e.lever * m.v / (ship.k_xx * ship.k_xx)};
 }
 
 /// Moment and damping of the heel are known but for factors, the lever counts with GM alone. A heel that is recorded is
 /// explained by rolling alone; it acts where sway force or yaw moment show it.
 ///
-/// From 0.05 B, GM of ships lies within 0.005 B and 0.25 B; from 0.1, damping within 0.02 and half of the critical.
-/// Beyond, heel is a memory of some other kind, and too stiff for the steps of a filter.
+/// From 0.05 B, GM of ships lies within 0.01 B (the container ship of [Son1982] has 0.012 B) and 0.25 B; from 0.1,
+/// damping within 0.02 and half of the critical. Beyond, heel is a memory of some other kind, and too stiff for the
+/// steps of a filter.
 inline SearchForm<RollCoupling<>> search_form(const RollCoupling<>& null, const SearchContext& context) {
   auto Y = from_null(context["Y_phi"]), N = from_null(context["N_phi"]);
   Y.coordinate.acts = N.coordinate.acts = true;
-  constexpr FactorRange of_GM{.low = 0.1, .high = 5.0}, of_damping{.low = 0.2, .high = 5.0};
+  constexpr FactorRange of_GM{.low = 0.2, .high = 5.0}, of_damping{.low = 0.2, .high = 5.0};
   return by_moves(
       null,
       {by_factor(context["GM_m"], 1.0, of_GM), std::move(Y), std::move(N), by_factor(context["zeta"], 0.7, of_damping)},

@@ -70,17 +70,17 @@ inline ParameterMove from_null(const Parameter& p) {
           [null = p.null, deviation = p.deviation](double c) { return null + deviation * c; }};
 }
 
-/// Between which factors a parameter may be searched.
-struct FactorRange {
-  double low = 0.02, high = 50.0;
-};
-
 /// From null between two values of the parameter.
 inline ParameterMove from_null(const Parameter& p, double least, double most) {
   auto move = from_null(p);
   move.coordinate.low = (least - p.null) / p.deviation, move.coordinate.high = (most - p.null) / p.deviation;
   return move;
 }
+
+/// Between which factors a parameter may be searched.
+struct FactorRange {
+  double low = 0.02, high = 50.0;
+};
 
 /// A positive parameter that is known but for a factor: exp(c) times its null value.
 inline ParameterMove by_factor(const Parameter& p, double deviation, const FactorRange& range = {}) {

@@ -1,10 +1,12 @@
-#include "spelling.hpp"
+#include "swayaw/core/detail/spelling.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
 #include <vector>
 
-namespace swayaw::app {
+namespace swayaw::inline core::detail {
 namespace {
 
 /// Insertions, deletions and replacements that turn one word into the other (Levenshtein).
@@ -23,12 +25,18 @@ std::size_t edits(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-}  // namespace
-
+/// The word most like `typed`, or nothing when none is near.
 std::string_view nearest_word(std::string_view typed, std::span<const std::string_view> words) {
   const auto nearest = std::ranges::min_element(words, {}, [&](std::string_view word) { return edits(typed, word); });
   if (nearest == words.end() || edits(typed, *nearest) > std::max<std::size_t>(2, typed.size() / 3)) return {};
   return *nearest;
 }
 
-}  // namespace swayaw::app
+}  // namespace
+
+std::string did_you_mean(std::string_view typed, std::span<const std::string_view> words) {
+  const auto nearest = nearest_word(typed, words);
+  return nearest.empty() ? std::string{} : fmt::format("; did you mean \"{}\"?", nearest);
+}
+
+}  // namespace swayaw::inline core::detail
