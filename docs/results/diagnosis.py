@@ -12,6 +12,7 @@
     diagnosis.py numbers BEFORE.toml AFTER.toml KEY...      values of a ship file and of the one refitted
     diagnosis.py zeros RUN.csv...                           zero of the gyro: slope of (integral of r) - psi
     diagnosis.py roll RUN.csv...                            roll acceleration by regression on roll, its rate and the side acceleration
+    diagnosis.py lag RUN.csv...                             yaw acceleration by regression on the order, by how late the order is taken
     diagnosis.py errors FILE.json                           replays before, refitted and after, used and held-out runs"""
 import argparse
 import csv
@@ -258,6 +259,45 @@ def roll(paths, block_s=1.0):
         print(f"| {path.rsplit('/', 1)[-1]} | {of[0]:.2f} | {of[1]:.2f} | {of[2]:.2f} |")
 
 
+def delayed(samples, dead_s, lag_s):
+    """The order of each sample after a dead time, then followed by a first-order lag."""
+    step = samples[1]["time_s"] - samples[0]["time_s"]
+    keep = math.exp(-step / lag_s) if lag_s > 0.0 else 0.0
+    shift = round(dead_s / step)
+    followed, out = samples[0]["delta_order_rad"], []
+    for i in range(len(samples)):
+        followed = keep * followed + (1.0 - keep) * samples[max(0, i - shift)]["delta_order_rad"]
+        out.append(followed)
+    return out
+
+
+def smoothed(x, width=5):
+    return [sum(x[i:i + width]) / width for i in range(len(x) - width + 1)]
+
+
+def lag(paths, dead_times=(0.0, 0.5, 1.0, 2.0, 3.0), lags=(0.0, 0.5, 1.0, 2.0, 3.0, 4.0)):
+    """R^2 of dr/dt by (u^2, n u, n^2) times the order, late in two ways, beside u v, u r, v|v|, r|r| and 1, all runs together. All channels are means
+    over 2 s, the late order, too."""
+    print("| dead time | " + " | ".join(f"lag {T:g} s" for T in lags) + " |\n| --- |" + " ---: |" * len(lags))
+    runs = []
+    for path in paths:
+        _, columns, rows = table_of(path)
+        runs.append([{c: float(x) for c, x in zip(columns, row)} for row in rows])
+    for dead in dead_times:
+        cells = []
+        for T in lags:
+            A, b = [], []
+            for samples in runs:
+                step = samples[1]["time_s"] - samples[0]["time_s"]
+                u, v, r, n = (smoothed([s[c] for s in samples]) for c in ("ug_m_s", "vg_m_s", "r_rad_s", "rev_rpm"))
+                d = smoothed(delayed(samples, dead, T))
+                for i in range(1, len(r) - 1):
+                    b.append((r[i + 1] - r[i - 1]) / (2.0 * step))
+                    A.append((u[i] * u[i] * d[i], n[i] * u[i] * d[i], n[i] * n[i] * d[i], u[i] * v[i], u[i] * r[i], v[i] * abs(v[i]), r[i] * abs(r[i]), 1.0))
+            cells.append(f"{explained(A, b):.2f}")
+        print(f"| {dead:g} s | " + " | ".join(cells) + " |")
+
+
 def candidates(path, most):
     print("| candidate | gain of log evidence | probability |\n| --- | ---: | ---: |")
     for c in load(path)["candidates"][:most]:
@@ -292,7 +332,7 @@ def main():
             sub.add_argument("--key", action="append", default=[])
         sub.add_argument("--from", dest="begin", type=float)
         sub.add_argument("--to", dest="end", type=float)
-    for name in ("found", "instruments", "surroundings", "budget", "track", "zeros", "roll"):
+    for name in ("found", "instruments", "surroundings", "budget", "track", "zeros", "roll", "lag"):
         commands.add_parser(name).add_argument("files", nargs="+")
     sub = commands.add_parser("numbers")
     sub.add_argument("before")
@@ -303,7 +343,7 @@ def main():
     sub.add_argument("most", nargs="?", type=int, default=6)
     commands.add_parser("errors").add_argument("file")
     a = parser.parse_args()
-    {"prepare": prepare, "wind": wind, "found": lambda x: found(x.files), "surroundings": lambda x: surroundings(x.files), "budget": lambda x: budget(x.files), "instruments": lambda x: instruments(x.files), "track": lambda x: track(x.files), "zeros": lambda x: zeros(x.files), "roll": lambda x: roll(x.files),
+    {"prepare": prepare, "wind": wind, "found": lambda x: found(x.files), "surroundings": lambda x: surroundings(x.files), "budget": lambda x: budget(x.files), "instruments": lambda x: instruments(x.files), "track": lambda x: track(x.files), "zeros": lambda x: zeros(x.files), "roll": lambda x: roll(x.files), "lag": lambda x: lag(x.files),
      "numbers": lambda x: numbers(x.before, x.after, x.keys), "candidates": lambda x: candidates(x.file, x.most),
      "errors": lambda x: errors(x.file)}[a.command](a)
 

@@ -25,4 +25,5 @@ helper candidates order.json 8 > tables/order.md
 helper candidates speed.json 8 > tables/speed.md
 helper errors order.json > tables/errors.md
 helper track "$recordings"/*.csv > tables/track.md
+helper lag "$recordings"/*zigzag*.csv > tables/lag.md
 "$here/../papers/put_tables.sh" "$here/gunnerus_diagnosis.md" "$work/tables"

@@ -870,7 +870,8 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
     for (auto& t : tried) t.gain -= less;
     best->gain -= less;
     if (s.accepted.empty()) s.null = *without, s.first = tried;
-    if (!(whole_gain(*best) > needed)) {
+    // what held-out runs gain was asked of the baseline before, so the runs used must gain by themselves, too
+    if (!(whole_gain(*best) > needed && best->gain > 0.0)) {
       if (std::exchange(progress.anew_beside, before.size()) == before.size()) return false;
       take_sizes(s, best->sizes);
       s.now = *without;

@@ -27,11 +27,13 @@ void put_prior(Trial& trial) {
 }  // namespace
 
 double heel_of(std::span<const PreparedRun> runs) {
-  double squares = 0.0, count = 0.0;
-  for (const auto& run : runs)
-    for (const double phi : (*run.run)[Channel::phi])
-      if (!std::isnan(phi)) squares += phi * phi, ++count;
-  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+  double squares = 0.0, time = 0.0;
+  for (const auto& run : runs) {
+    if (!run.run->has(Channel::phi)) continue;
+    const double duration = run.run->time.back() - run.run->time.front();
+    squares += run.heel * run.heel * duration, time += duration;
+  }
+  return time > 0.0 ? std::sqrt(squares / time) : 0.0;
 }
 
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {

@@ -176,4 +176,28 @@ TEST_CASE("a value that is rounded, and repeated on a straight course, counts on
   CHECK(prepared.deviation[index_of(Channel::psi)] >= step / std::sqrt(12.0));
 }
 
+TEST_CASE("of a recorded heel one value in four lengths at service speed is kept, at any rate, and its size",
+          "[identification][law]") {
+  const Curve curve;
+  const double apart = 4.0 * curve.unit;
+  constexpr std::array with_heel{Channel::x, Channel::y, Channel::psi, Channel::u, Channel::r, Channel::phi};
+  for (const double rate : {0.1, 1.0, 10.0}) {
+    auto run = curve.recorded(rate, 600.0, [](Channel, double) { return 0.0; });
+    std::ranges::fill(run.fill(Channel::phi), radians(3.0));
+    for (const auto& prepared :
+         {prepared_runs(curve.ship, {&run, 1}, with_heel), lean_runs(curve.ship, {&run, 1}, with_heel)}) {
+      const auto& kept = *prepared.front().run;
+      CHECK_THAT(prepared.front().heel, WithinAbs(radians(3.0), 1e-12));
+      double last = -apart, count = 0.0;
+      for (std::size_t k = 0; k < kept.samples(); ++k) {
+        if (std::isnan(kept[Channel::phi][k])) continue;
+        CHECK(kept.time[k] - last >= apart);
+        last = kept.time[k], ++count;
+      }
+      INFO("at " << rate << " Hz, one in " << apart << " s");
+      CHECK(count >= std::floor(600.0 / (apart + 1.0 / rate)));
+    }
+  }
+}
+
 }  // namespace swayaw

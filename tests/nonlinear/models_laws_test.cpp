@@ -96,6 +96,29 @@ TEMPLATE_TEST_CASE("derivatives of the acceleration by duals equal extrapolated 
   }
 }
 
+// The race behind a propeller that is dragged stands still at some speed; its slope by the speed is no number there.
+TEMPLATE_TEST_CASE("derivatives are numbers where the ship drags her propellers", "[nonlinear][limit]", EVERY_MODEL) {
+  using D = Dual<static_cast<int>(inputs)>;
+  RandomModels random(62);
+  for (int i = 0; i < 20; ++i) {
+    const auto ship = random.ship<TestType>();
+    const auto motion = random.motion(ship);
+    auto controls = random.controls(ship);
+    controls.by_thrust = true;
+    for (const double drag : {0.0, 0.01, 0.1, 1.0}) {
+      controls.thrust.port = controls.thrust.starboard = -drag * force_unit(ship, speed(motion));
+      const auto x = inputs_of(motion, controls);
+      Inputs<D> seeded;
+      for (std::size_t k = 0; k < inputs; ++k) seeded[k] = D(x[k], static_cast<int>(k));
+      for (const auto& a : acceleration_on(cast<D>(ship), seeded, true, branch_at(ship, motion, controls))) {
+        INFO("thrust " << controls.thrust.port << " N on each side");
+        CHECK(std::isfinite(a.a));
+        CHECK(a.v.allFinite());
+      }
+    }
+  }
+}
+
 // ---------------------------------------------------------------- forces
 
 TEMPLATE_TEST_CASE("a ship without asymmetric numbers feels mirrored forces in mirrored motion",

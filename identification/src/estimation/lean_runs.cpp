@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "prepared_runs.hpp"
 #include "swayaw/core/detail/median.hpp"
-#include "swayaw/identification/map_fit.hpp"
 
 /// Runs with as few samples as tell what they tell: means over times that are short for the ship and long for the
 /// errors of instruments.
 namespace swayaw::inline identification {
+using namespace detail;
 namespace {
 
 /// A parabola through samples about a time, by least squares.
@@ -262,11 +263,12 @@ PreparedRun thinned(PreparedRun run, double time_unit, const Density& density, d
 std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> runs,
                                    std::span<const Channel> channels) {
   const double time_unit = length(ship) / service_speed(ship);
-  auto prepared = prepared_runs(ship, runs, own_channels(channels));
+  auto prepared = runs_with_all_samples(ship, runs, own_channels(channels));
   for (auto& run : prepared) {
     const double wave = wave_period(*run.run, time_unit);
     run.longest_step = 1.0 / beside_memory.rows;
     run = thinned(std::move(run), time_unit, beside_memory, wave);
+    thin_heel(run, time_unit);
   }
   return prepared;
 }
@@ -274,10 +276,12 @@ std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> 
 std::vector<PreparedRun> thinned_runs(const Ship& ship, std::span<const Recording> runs,
                                       std::span<const Channel> channels) {
   const double time_unit = length(ship) / service_speed(ship);
-  auto prepared = prepared_runs(ship, runs, channels);
-  for (auto& run : prepared)
+  auto prepared = runs_with_all_samples(ship, runs, channels);
+  for (auto& run : prepared) {
     if (rows_in(*run.run, time_unit) > 2.0 * beside_white_noise.rows)
       run = thinned(std::move(run), time_unit, beside_white_noise, 0.0);
+    thin_heel(run, time_unit);
+  }
   return prepared;
 }
 

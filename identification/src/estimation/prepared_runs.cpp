@@ -1,9 +1,10 @@
+#include "prepared_runs.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "../compatibility/channel_character.hpp"
 #include "../filter/run_filter.hpp"
-#include "swayaw/identification/map_fit.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw::inline identification {
@@ -31,6 +32,13 @@ double rounding_of(std::span<const double> values, double step) {
   return step / std::sqrt(12.0) * std::sqrt(std::min(longest, samples / changes));
 }
 
+double root_mean_square(std::span<const double> values) {
+  double squares = 0.0, count = 0.0;
+  for (const double x : values)
+    if (!std::isnan(x)) squares += x * x, ++count;
+  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+}
+
 PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Channel> channels) {
   const double L = length(ship), U = service_speed(ship);
   std::vector<ChannelCharacter> characters;
@@ -40,7 +48,8 @@ PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Cha
                      .channels = {},
                      .start = recorded_state(ship, run, run.time.front()),
                      .measurements = 0,
-                     .longest_step = usual_longest_step};
+                     .longest_step = usual_longest_step,
+                     .heel = root_mean_square(run[Channel::phi])};
   for (const auto& c : characters) {
     const auto values = (*result.run)[c.channel];
     result.channels.push_back(c.channel);
@@ -53,10 +62,31 @@ PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Cha
 
 }  // namespace
 
-std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
-                                       std::span<const Channel> channels) {
+std::vector<PreparedRun> detail::runs_with_all_samples(const Ship& ship, std::span<const Recording> runs,
+                                                       std::span<const Channel> channels) {
   std::vector<PreparedRun> result;
   for (const auto& run : runs) result.push_back(prepared(ship, run, channels));
+  return result;
+}
+
+void detail::thin_heel(PreparedRun& run, double time_unit) {
+  if (std::ranges::count(run.channels, Channel::phi) == 0) return;
+  constexpr double apart = 4.0;  // time units
+  auto fewer = *run.run;
+  double next = fewer.time.front();
+  for (std::size_t k = 0; k < fewer.samples(); ++k) {
+    double& phi = fewer.channels[index_of(Channel::phi)][k];
+    if (std::isnan(phi)) continue;
+    if (fewer.time[k] < next) phi = missing, --run.measurements;
+    else next = fewer.time[k] + apart * time_unit;
+  }
+  run.run = std::make_shared<const Recording>(std::move(fewer));
+}
+
+std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
+                                       std::span<const Channel> channels) {
+  auto result = runs_with_all_samples(ship, runs, channels);
+  for (auto& run : result) thin_heel(run, length(ship) / service_speed(ship));
   return result;
 }
 

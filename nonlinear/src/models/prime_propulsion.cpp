@@ -27,7 +27,7 @@ double first_guess(const Ship& ship, const PlanarMotion<double>& ahead) {
   // k_0 (nD)² + k_1 V_A nD + k_2 V_A² = T/(ρD²), T of one propeller; the larger root
   const double V_A = ahead.u * (1.0 - p.w_f), half = 0.5 * p.k_1 * V_A;
   const double constant = p.k_2 * V_A * V_A - T / (p.twin() ? 2.0 : 1.0) / (ship.water.rho * p.D * p.D);
-  return (-half + std::sqrt(positive_part(half * half - p.k_0 * constant))) / (p.k_0 * p.D);
+  return (-half + root_of_positive(half * half - p.k_0 * constant)) / (p.k_0 * p.D);
 }
 
 /// Newton's method with the exact derivative.

@@ -106,4 +106,10 @@ Scalar positive_part(const Scalar& x) {
   return select(x > Scalar(0.0), x, Scalar(0.0));
 }
 
+/// √x where x is positive, else 0. Its slope is 0 there, too, where that of √(positive_part(x)) is no number.
+template <class Scalar>
+Scalar root_of_positive(const Scalar& x) {
+  return select(x > Scalar(0.0), Scalar(sqrt(select(x > Scalar(0.0), x, Scalar(1.0)))), Scalar(0.0));
+}
+
 }  // namespace swayaw::core

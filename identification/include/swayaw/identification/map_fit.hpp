@@ -26,12 +26,14 @@ struct PreparedRun {
   ShipState<double> start;                            ///< recorded; little is known of it
   Eigen::Index measurements;                          ///< samples of these channels that are there
   double longest_step;                                ///< of the filter, in ship lengths of way
+  double heel = 0.0;                                  ///< root mean square of what was recorded [rad]
   std::shared_ptr<const Recording> finer_controls{};  ///< the same run with more rows, where they are too few in `run`
                                                       ///< to tell rudder and propulsion between them
 
   Eigen::Index rows() const { return measurements; }
 };
 
+/// With all samples, but of a heel one in four L/U: what its equation leaves out lasts as long as the motion.
 std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
                                        std::span<const Channel> channels);
 

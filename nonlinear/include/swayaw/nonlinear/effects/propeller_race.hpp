@@ -18,7 +18,7 @@ struct RaceOnRudder {
                                    .confused_with = "rudder effectiveness → step of shaft speed"};
 
   static constexpr auto parameters() {
-    return std::array{other_value<RaceOnRudder, S>("kappa", &RaceOnRudder::kappa, "rudder", "kappa")};
+    return std::array{other_value<RaceOnRudder, S>("kappa", &RaceOnRudder::kappa, "rudder", "kappa", {}, non_negative)};
   }
 };
 

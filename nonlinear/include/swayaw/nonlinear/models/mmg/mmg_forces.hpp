@@ -57,7 +57,7 @@ S rev_at_full_torque(const MmgShip<S>& ship, const S& u_P) {
   const S half = 0.5 * p.q_1 * u_P;
   const S constant = p.q_2 * u_P * u_P - ship.engine.Q_max / (ship.water.rho * p.D * p.D * p.D);
   // q_0 (nD)² + q_1 u_P nD + constant = 0, the larger root
-  return (-half + sqrt(positive_part(half * half - p.q_0 * constant))) / (p.q_0 * p.D);
+  return (-half + root_of_positive(half * half - p.q_0 * constant)) / (p.q_0 * p.D);
 }
 
 /// beta_P selects C_2, beta_R selects gamma_R, and the torque of the ordered shaft speed what the engine can do.
@@ -154,7 +154,7 @@ PlanarForce<S> rudder_force(const MmgShip<S>& ship, const PlanarMotion<S>& motio
   const S& D = ship.propeller.D;
   const S u_P = flow.u_P;
   // axial speed far behind the propeller, from the momentum theorem
-  const S u_race = sqrt(positive_part(u_P * u_P + (8.0 / pi) * flow.thrust / (ship.water.rho * D * D)));
+  const S u_race = root_of_positive(u_P * u_P + (8.0 / pi) * flow.thrust / (ship.water.rho * D * D));
   const S u_behind = u_P + k.kappa * (u_race - u_P);
   const S eta = D / k.H_R;
   const S u_R = k.epsilon * sqrt(eta * u_behind * u_behind + (1.0 - eta) * u_P * u_P);

@@ -29,11 +29,11 @@ struct PropellerRace {
 /// Source: [Alexandersson2024] eqs (B.12)–(B.19), (B.17) divided by (r_inf/r_0)³
 template <class S>
 PropellerRace<S> race_at(const S& x, const S& r_0, const S& rho, const S& V_A, const S& T) {
-  const S V_inf = sqrt(positive_part(V_A * V_A + (2.0 / pi) * T / (rho * r_0 * r_0)));
+  const S V_inf = root_of_positive(V_A * V_A + (2.0 / pi) * T / (rho * r_0 * r_0));
   const S sum = V_A + V_inf;
   const S qq = 2.0 * V_inf / sum;
   const S k = x / r_0 * sqrt(x / r_0);
-  const S contraction = (0.14 + k * qq) / (0.14 + k * qq * sqrt(qq));  // r_x/r_0
+  const S contraction = (0.14 + k * qq) / (0.14 + k * qq * root_of_positive(qq));  // r_x/r_0
   const S V_xC = 0.5 * sum / (contraction * contraction);
   const S r_x = r_0 * contraction;
   const S r = r_x + 0.15 * x * (V_xC - V_A) / (V_xC + V_A);
