@@ -353,6 +353,7 @@ function remarkOf(candidate, report) {
   const rivalOf = report.effects.find(({ indistinguishable_from: rivals }) => (rivals || []).includes(candidate.effect));
   if (rivalOf) return `explains the runs as well as ${nameOf(rivalOf.effect)}`;
   if (candidate.refuted) return 'runs that were not used speak against it';
+  if (candidate.as_form) return 'an error in the form of her forces explains the runs as well';
   if (candidate.trace) return 'a trace, too small to matter';
   return candidate.log_evidence_gain > 0 && candidate.log_evidence_gain < report.needed_gain ? 'gains less than a finding needs' : '';
 }

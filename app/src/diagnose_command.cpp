@@ -146,6 +146,7 @@ Json document_of(const Diagnosis& d) {
                           {"holdout_log_likelihood_gain", number(c.holdout_log_likelihood_gain)},
                           {"holdout_gain", number(c.holdout_gain)},
                           {"trace", c.trace},
+                          {"as_form", c.as_form},
                           {"refuted", c.refuted}});
   return {{"schema", "swayaw.diagnosis/2"},
           {"version", version()},
@@ -158,6 +159,7 @@ Json document_of(const Diagnosis& d) {
           {"imperfection", {{"refitted", number(d.refitted_process_noise)}, {"after", number(d.process_noise)}}},
           {"symmetry", d.symmetry},
           {"traces", d.traces},
+          {"as_form", d.as_form},
           {"baseline_shift", shifts_json(d.shifts)},
           {"budget", budget_json(d.budget)},
           {"instruments", instruments_json(d.instruments)},
@@ -244,7 +246,9 @@ void print_diagnosis(const Ship& ship, const Diagnosis& d, const Json& document)
   fmt::print("\ncandidates\n");
   for (const auto& c : d.candidates)
     fmt::print("  {:<26}{:>12.1f}  {:.3f}{}\n", c.effect, c.log_evidence_gain, c.probability,
-               c.trace ? "  too small to matter" : "");
+               c.as_form ? "  not told from an error in the form of her forces"
+               : c.trace ? "  too small to matter"
+                         : "");
   print_runs("runs used", d.train);
   print_runs("runs held out", d.holdout);
   for (const auto& line : document["not_written"]) fmt::print("{}\n", line.get<std::string>());

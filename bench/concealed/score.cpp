@@ -92,8 +92,12 @@ Json diagnosis_of(const Riddle& riddle) {
           {"holdout", holdout_errors(d)}};
 }
 
-/// Time that the program has worked on one core, whatever else the machine does; of all threads together.
-double work_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+/// Time that this thread has worked, whatever others and the machine do: a case is diagnosed on one thread.
+double work_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 /// The answers to one case beside its truth. What cannot be diagnosed is a wrong answer.
 Json answered(const fs::path& folder, bool rivals_only) {

@@ -279,8 +279,10 @@ std::string verdict_words(const Diagnosis& d) {
   std::vector<std::string> names;
   for (const auto& e : d.effects)
     if (!is_nameless(e)) names.emplace_back(phrase(id_of(e.effect)));
-  const std::string traces =
-      d.traces.empty() ? "" : fmt::format(" A trace, too small to matter: {}.", fmt::join(d.traces, ", "));
+  std::string traces;
+  if (!d.as_form.empty())
+    traces += fmt::format(" Not told from an error in the form of her forces: {}.", fmt::join(d.as_form, ", "));
+  if (!d.traces.empty()) traces += fmt::format(" A trace, too small to matter: {}.", fmt::join(d.traces, ", "));
   if (d.verdict == DiagnosisVerdict::nothing_missing)
     return (d.shifts.empty() ? "Nothing is missing: the model explains the runs within its confidence and their noise."
                              : shifted_words(d.shifts)) +
@@ -554,13 +556,13 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
     // what was told when it was found may be told no longer beside what was found after it
     const MapFit beside_all{.point = s.now.point.segment(from, size),
                             .covariance = s.now.covariance.block(from, from, size, size)};
-    if (!accepted.trace && !too_large && is_told(trial.ship, *accepted.form, beside_all) &&
-        is_more_than_form(trial, s, i, from, d.budget, runs, holdout)) {
+    const bool trace = accepted.trace || !is_told(trial.ship, *accepted.form, beside_all);
+    if (!trace && !too_large && is_more_than_form(trial, s, i, from, d.budget, runs, holdout)) {
       d.effects.push_back(std::move(found));
     } else {
-      if (!too_large) d.traces.emplace_back(phrase(accepted.form->id));
+      if (!too_large) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
       for (auto& c : d.candidates)
-        if (c.effect == accepted.form->id) c.trace = true, c.probability = 0.0;
+        if (c.effect == accepted.form->id) c.trace = trace || too_large, c.as_form = !c.trace, c.probability = 0.0;
     }
     from += size;
   }
@@ -652,6 +654,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
               .linear = {},
               .effects = {},
               .traces = {},
+              .as_form = {},
               .candidates = ranked(s.first, options.detection),
               .shifts = shifts_of(trial, s.now.point),
               .train = {},

@@ -68,6 +68,7 @@ struct Candidate {
   std::optional<double> holdout_gain;  ///< fall of the replay errors of held-out runs over the refitted baseline
   bool trace;                          ///< too small to matter, or not told from nothing
   bool refuted;                        ///< by runs that were not used
+  bool as_form = false;                ///< an error in the form of her forces explains the runs as well
 };
 
 /// Where force is missing in a run.
@@ -143,6 +144,7 @@ struct Diagnosis {
   std::vector<LinearView> linear;     ///< zigzags and the refitted ship, by K, T and the drift–yaw loop
   std::vector<FoundEffect> effects;   ///< most important first
   std::vector<std::string> traces;    ///< effects too small to matter, in words; the improved ship has them
+  std::vector<std::string> as_form;   ///< effects that an error in the form of her forces explains as well; likewise
   std::vector<Candidate> candidates;  ///< best first
   std::vector<BaselineShift> shifts;  ///< largest first
   std::vector<RunErrors> train, holdout;
