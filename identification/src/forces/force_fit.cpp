@@ -6,16 +6,36 @@
 #include <array>
 #include <cmath>
 
-#include "bare_ship.hpp"
 #include "force_component.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/identification/inverse_dynamics.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw::inline identification {
 using namespace detail;
 namespace {
+
+/// Force of a model whose parameters are as effects change them, and whose shaft turns as the engine drives it. What
+/// effects add is no force of the model: it is in the states of the filter, and on both sides of an equation.
+template <class Model, class S>
+class OwnForce {
+ public:
+  explicit OwnForce(const Ship& ship) : OwnForce(acting_ship(ship, std::get<Model>(ship.model))) {}
+
+  const auto& model() const { return model_; }
+
+  PlanarForce<S> at(const PlanarMotion<S>& motion, const Controls<S>& controls) const {
+    return forces(model_, motion, driven(added_, motion, controls)).total();
+  }
+
+ private:
+  explicit OwnForce(const ActingShip<Model>& acting) : model_(cast<S>(acting.model)), added_(cast<S>(acting.added)) {}
+
+  decltype(cast<S>(std::declval<Model>())) model_;
+  ActingEffects<S> added_;
+};
 
 /// Force of the ship, and what one more of each number adds to it: a column X, Y, N for each.
 template <class S>
@@ -24,27 +44,32 @@ struct ForceAndFeatures {
   Eigen::Matrix<S, 3, Eigen::Dynamic> by_parameter;
 };
 
-template <class S>
-ForceAndFeatures<S> force_and_features(const Ship& ship, std::span<const Parameter> parameters,
-                                       const PlanarMotion<S>& motion, const Controls<double>& controls) {
-  const auto of_model = [&](const auto& model) {
-    const auto base = cast<S>(model);
-    const auto total = [&](const auto& with) { return forces(with, motion, cast<S>(controls)).total(); };
-    ForceAndFeatures<S> result{total(base), {3, static_cast<Eigen::Index>(parameters.size())}};
-    for (std::size_t j = 0; j < parameters.size(); ++j) {
-      auto more = base;
-      std::size_t place = 0;
-      for_each_value(more, [&](S& value) {
-        if (place++ == parameters[j].index) value = value + S(1.0);
-      });
-      const auto f = total(more);
-      result.by_parameter.col(static_cast<Eigen::Index>(j)) << f.X - result.force.X, f.Y - result.force.Y,
-          f.N - result.force.N;
+/// The force of a ship as a linear function of parameters, about values of theirs.
+template <class Model, class S>
+class LinearForce {
+ public:
+  LinearForce(const Ship& ship, std::span<const Parameter> parameters, std::vector<double> values)
+      : base_(with_values(ship, parameters, values)) {
+    for (double& value : values) {
+      value += 1.0;
+      one_more_.emplace_back(with_values(ship, parameters, values));
+      value -= 1.0;
+    }
+  }
+
+  ForceAndFeatures<S> at(const PlanarMotion<S>& motion, const Controls<S>& controls) const {
+    ForceAndFeatures<S> result{base_.at(motion, controls), {3, static_cast<Eigen::Index>(one_more_.size())}};
+    for (Eigen::Index j = 0; const auto& more : one_more_) {
+      const auto f = more.at(motion, controls);
+      result.by_parameter.col(j++) << f.X - result.force.X, f.Y - result.force.Y, f.N - result.force.N;
     }
     return result;
-  };
-  return std::visit(of_model, ship.model);
-}
+  }
+
+ private:
+  OwnForce<Model, S> base_;
+  std::vector<OwnForce<Model, S>> one_more_;
+};
 
 // ---------------------------------------------------------------- which number acts where
 
@@ -67,19 +92,24 @@ std::vector<ForceComponent> acts_in(const Eigen::Vector3d& by_parameter, double 
   return result;
 }
 
+/// What one more of each number adds to the force of the probe, where each of them has that value.
+Eigen::Matrix3Xd features_of_probe(const Ship& ship, std::span<const Parameter> parameters, double value) {
+  const auto [motion, controls] = probe_of(ship);
+  const auto of_model = [&]<class Model>(const Model&) {
+    const std::vector<double> values(parameters.size(), value);
+    return LinearForce<Model, double>(ship, parameters, values).at(motion, controls).by_parameter;
+  };
+  return std::visit(of_model, ship.model);
+}
+
 /// Where each number acts, which is one equation, and linearly.
-std::vector<ForceComponent> equations_of(const Ship& at_zero, std::span<const Parameter> parameters) {
-  const auto [motion, controls] = probe_of(at_zero);
-  const auto zero = force_and_features(at_zero, parameters, motion, controls);
-  const auto ones = with_values(at_zero, parameters, std::vector<double>(parameters.size(), 1.0));
-  const auto one = force_and_features(ones, parameters, motion, controls);
+std::vector<ForceComponent> equations_of(const Ship& ship, std::span<const Parameter> parameters) {
+  const auto zero = features_of_probe(ship, parameters, 0.0), one = features_of_probe(ship, parameters, 1.0);
   std::vector<ForceComponent> result;
   for (std::size_t j = 0; j < parameters.size(); ++j) {
-    const Eigen::Vector3d slope = zero.by_parameter.col(static_cast<Eigen::Index>(j)),
-                          other = one.by_parameter.col(static_cast<Eigen::Index>(j));
+    const Eigen::Vector3d slope = zero.col(static_cast<Eigen::Index>(j)), other = one.col(static_cast<Eigen::Index>(j));
     const double scale = slope.cwiseAbs().maxCoeff() + other.cwiseAbs().maxCoeff();
-    if (!(scale > 0.0))
-      throw Refusal(fmt::format("{} does not act on the force of {}", parameters[j].name, at_zero.name));
+    if (!(scale > 0.0)) throw Refusal(fmt::format("{} does not act on the force of {}", parameters[j].name, ship.name));
     if ((slope - other).cwiseAbs().maxCoeff() > 1e-9 * scale)
       throw Refusal(fmt::format("the force is not linear in {}, which is found on trajectories only (--refine)",
                                 parameters[j].name));
@@ -94,12 +124,6 @@ std::vector<ForceComponent> equations_of(const Ship& at_zero, std::span<const Pa
 
 // ---------------------------------------------------------------- rows
 
-/// What is known of a ship at a sample.
-struct Known {
-  Ship ship;     ///< as given, with which the states were estimated
-  Ship at_zero;  ///< without the coefficients to be found
-};
-
 /// Changes of (features, y) of an equation with u, v, r and the unmodelled acceleration.
 using Slopes = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
@@ -110,36 +134,46 @@ struct Rows {
   std::array<Slopes, 3> slopes;
 };
 
-Rows rows_at(const Known& known, std::span<const Parameter> parameters, const EstimatedState& s,
-             const Controls<double>& controls) {
+/// Rows at the samples of a run.
+template <class Model>
+class RowsOf {
+ public:
   using D = Dual<6>;
-  const auto& m = s.state.motion;
-  const PlanarMotion<D> motion{D(m.u, 0), D(m.v, 1), D(m.r, 2)};
-  const auto [force, by_parameter] = force_and_features(known.at_zero, parameters, motion, controls);
-  const auto damping = std::visit(
-      [&](const auto& model) {
-        const auto ship = cast<D>(model);
-        auto a = acceleration(ship, motion, forces(ship, motion, cast<D>(controls)).total());
-        a.u += D(s.unmodelled.u, 3), a.v += D(s.unmodelled.v, 4), a.r += D(s.unmodelled.r, 5);
-        return force_of(ship, motion, a);
-      },
-      known.ship.model);
-  const auto n = by_parameter.cols();
-  Rows rows{Eigen::Matrix3Xd(3, n), {}, {}};
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    const auto component = force_components[static_cast<std::size_t>(i)];
-    const D unit = force_unit(known.ship, speed(motion), component),
-            y = (component_of(damping, component) - component_of(force, component)) / unit;
-    auto& slopes = rows.slopes[static_cast<std::size_t>(i)];
-    slopes.resize(n + 1, 6);
-    for (Eigen::Index j = 0; j < n; ++j) {
-      const D x = by_parameter(i, j) / unit;
-      rows.X(i, j) = x.a, slopes.row(j) = x.v.transpose();
+
+  /// @param ship  as given, with which the states were estimated
+  RowsOf(const Ship& ship, std::span<const Parameter> parameters)
+      : ship_(ship), as_given_(ship), at_zero_(ship, parameters, std::vector<double>(parameters.size(), 0.0)) {}
+
+  Rows at(const EstimatedState& s, const Controls<double>& controls) const {
+    const auto& m = s.state.motion;
+    const PlanarMotion<D> motion{D(m.u, 0), D(m.v, 1), D(m.r, 2)};
+    const auto in_duals = cast<D>(controls);
+    const auto [force, by_parameter] = at_zero_.at(motion, in_duals);
+    auto a = acceleration(as_given_.model(), motion, as_given_.at(motion, in_duals));
+    a.u += D(s.unmodelled.u, 3), a.v += D(s.unmodelled.v, 4), a.r += D(s.unmodelled.r, 5);
+    const auto damping = force_of(as_given_.model(), motion, a);
+    const auto n = by_parameter.cols();
+    Rows rows{Eigen::Matrix3Xd(3, n), {}, {}};
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const auto component = force_components[static_cast<std::size_t>(i)];
+      const D unit = force_unit(ship_, speed(motion), component),
+              y = (component_of(damping, component) - component_of(force, component)) / unit;
+      auto& slopes = rows.slopes[static_cast<std::size_t>(i)];
+      slopes.resize(n + 1, 6);
+      for (Eigen::Index j = 0; j < n; ++j) {
+        const D x = by_parameter(i, j) / unit;
+        rows.X(i, j) = x.a, slopes.row(j) = x.v.transpose();
+      }
+      rows.y[i] = y.a, slopes.row(n) = y.v.transpose();
     }
-    rows.y[i] = y.a, slopes.row(n) = y.v.transpose();
+    return rows;
   }
-  return rows;
-}
+
+ private:
+  const Ship& ship_;
+  OwnForce<Model, D> as_given_;
+  LinearForce<Model, D> at_zero_;
+};
 
 // ---------------------------------------------------------------- equations
 
@@ -147,20 +181,21 @@ Rows rows_at(const Known& known, std::span<const Parameter> parameters, const Es
 class Equations {
  public:
   Equations(const Ship& ship, std::span<const Parameter> parameters)
-      : parameters_(parameters),
-        known_{ship, with_values(ship, parameters, std::vector<double>(parameters.size(), 0.0))},
-        acts_in_(equations_of(known_.at_zero, parameters)) {}
+      : ship_(ship), parameters_(parameters), acts_in_(equations_of(ship, parameters)) {}
 
   void add(const Recording& run, const StateEstimate& estimate) {
-    const RecordedControls controls(known_.ship, run);
+    const RecordedControls controls(ship_, run);
     run_starts_.push_back(static_cast<Eigen::Index>(rows_.size()));
+    const auto of_model = [&]<class Model>(const Model&) {
+      const RowsOf<Model> rows(ship_, parameters_);
+      for (const auto& s : estimate.states) rows_.push_back(rows.at(s, controls.at(s.time)));
+    };
+    std::visit(of_model, ship_.model);
     for (const auto& s : estimate.states) {
-      const auto c = controls.at(s.time);
-      const auto& rows = rows_.emplace_back(rows_at(known_, parameters_, s, c));
+      const auto& rows = rows_[errors_.size()];
       const auto P = s.covariance.of<6>(3);  // u, v, r and the unmodelled acceleration
-      std::array<Eigen::MatrixXd, 3> covariance;
+      auto& covariance = errors_.emplace_back();
       for (std::size_t i = 0; i < 3; ++i) covariance[i] = rows.slopes[i] * P * rows.slopes[i].transpose();
-      errors_.push_back(std::move(covariance));
     }
   }
 
@@ -206,8 +241,8 @@ class Equations {
   }
 
  private:
+  const Ship& ship_;  ///< with which the states were estimated
   std::span<const Parameter> parameters_;
-  Known known_;
   std::vector<ForceComponent> acts_in_;
   std::vector<Rows> rows_;
   std::vector<std::array<Eigen::MatrixXd, 3>> errors_;
@@ -254,7 +289,6 @@ std::vector<double> attenuations(const Regression& fit) {
 ForceFit fit_forces(const Ship& ship, std::span<const Recording> runs, std::vector<StateEstimate> states,
                     const ForceFitOptions& options) {
   if (options.parameters.empty()) throw Refusal("no coefficient is to be found");
-  require_known_effects(ship, "force fit", true);
   const auto parameters = parameters_of(ship, options.parameters);
   Equations equations(ship, parameters);
   for (std::size_t i = 0; i < runs.size(); ++i) equations.add(runs[i], states[i]);

@@ -30,16 +30,22 @@ EstimatedForce estimated(const PlanarForce<D>& f, const StateCovariance& P) {
   return result;
 }
 
-/// Forces on one model of a ship.
+/// Forces on one model of a ship. Those that effects and a gust add are in the states of the filter already: they stand
+/// on both sides.
 template <class Model>
 class Dynamics {
  public:
-  Dynamics(const Model& model, const Surroundings<double>& around)
-      : ship_(model), dual_(cast<D>(model)), around_(cast<D>(around)) {}
+  explicit Dynamics(const ActingShip<Model>& acting)
+      : ship_(acting.model),
+        dual_(cast<D>(acting.model)),
+        around_(cast<D>(acting.surroundings)),
+        added_(acting.added),
+        dual_added_(cast<D>(acting.added)) {}
 
   InverseDynamics at(const EstimatedState& estimate, const Controls<double>& controls) const {
     const auto s = in_seven(estimate.state);
-    const auto parts = forces(dual_, s.motion, cast<D>(controls), branch_at(ship_, estimate.state.motion, controls));
+    const auto parts = forces(dual_, s.motion, driven(dual_added_, s.motion, cast<D>(controls)),
+                              branch_at(ship_, estimate.state.motion, driven(added_, estimate.state.motion, controls)));
     const auto wind = wind_load(around_, s);
     auto a = acceleration(dual_, s.motion, parts.total() + wind);
     a.u += D(estimate.unmodelled.u, 4);
@@ -58,6 +64,8 @@ class Dynamics {
   Model ship_;
   decltype(cast<D>(std::declval<Model>())) dual_;
   Surroundings<D> around_;
+  ActingEffects<double> added_;
+  ActingEffects<D> dual_added_;
 };
 
 }  // namespace
@@ -67,14 +75,12 @@ std::vector<InverseDynamics> inverse_dynamics(const Ship& ship, const Recording&
     throw Refusal(
         fmt::format("{}: {} samples, but {} in the estimate", run.name, run.samples(), estimate.states.size()));
   const RecordedControls controls(ship, run);
-  const auto acting = with_effects_applied(in_depth(ship, recorded_depth(run)).value_or(ship));
   std::vector<InverseDynamics> result;
   result.reserve(run.samples());
-  const auto of_model = [&](const auto& model) {
-    const Dynamics dynamics(model, acting.surroundings);
+  visit_acting(in_depth(ship, recorded_depth(run)).value_or(ship), [&](const auto& acting) {
+    const Dynamics dynamics(acting);
     for (const auto& state : estimate.states) result.push_back(dynamics.at(state, controls.at(state.time)));
-  };
-  std::visit(of_model, acting.model);
+  });
   return result;
 }
 

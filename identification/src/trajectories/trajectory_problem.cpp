@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "../forces/bare_ship.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw::inline identification::detail {
@@ -81,6 +81,18 @@ void add_bounds(TrajectoryProblem& problem, const Parameter& number) {
   problem.high.push_back(number.range.high);
 }
 
+/// Steady wind, current, and what lies between indicator and rudder act on a trajectory; other effects are refused.
+void require_known_effects(const Ship& ship) {
+  for (const auto& effect : ship.effects) {
+    const auto acts = []<class Kind>(const Kind&) {
+      return GivesCurrent<Kind> || (GivesWind<Kind> && !BeginsAndEnds<Kind>) || ActuatesRudder<Kind>;
+    };
+    const bool known = place_of(effect) != EffectPlace::sensor && std::visit(acts, effect);
+    if (!known && !is_null(effect))
+      throw Refusal(fmt::format("the trajectory fit does not know {}; take it out of the ship file", id_of(effect)));
+  }
+}
+
 void check(const TrajectoryFitOptions& options) {
   require_positive(options.segment, "segment [ship lengths]");
   require_positive(options.step, "step [ship lengths]");
@@ -94,7 +106,7 @@ void check(const TrajectoryFitOptions& options) {
 
 TrajectoryProblem problem_of(const Ship& ship, std::span<const Recording> runs, const TrajectoryFitOptions& options) {
   check(options);
-  require_known_effects(ship, "trajectory fit", false);
+  require_known_effects(ship);
   if (runs.empty()) throw Refusal("no recording to fit to");
   TrajectoryProblem problem{.parameters = parameters_to_fit(ship, options),
                             .L = length(ship),
