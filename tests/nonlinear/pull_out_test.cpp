@@ -61,7 +61,7 @@ TEST_CASE("a stable ship comes back to a straight course from both sides, after 
 }
 
 TEST_CASE("residual yaw rates of an unstable ship differ by the height of her loop", "[nonlinear][second-route]") {
-  const auto model = test::symmetric(test::mmg(test::kvlcc2_l7()));
+  const auto model = test::symmetric_as_negative(test::mmg(test::kvlcc2_l7()));
   const auto result = patient_pull_out(model);
   const auto loop = instability_loop(steady_turn_curve(with_model(model), result.propulsion, 0.6, 0.002));
   REQUIRE(loop);

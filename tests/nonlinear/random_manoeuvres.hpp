@@ -11,8 +11,8 @@ inline Ship with_model(const MmgShip<double>& model) {
   return {.name = "test ship", .model = model, .confidence = {}, .surroundings = {}};
 }
 
-/// The same to both sides.
-inline MmgShip<double> symmetric(MmgShip<double> ship) {
+/// To both sides what she is to that of negative beta_R; `symmetric` of model_ships.hpp takes the other.
+inline MmgShip<double> symmetric_as_negative(MmgShip<double> ship) {
   ship.rudder.gamma_R_positive = ship.rudder.gamma_R_negative;
   ship.propeller.C_2_positive = ship.propeller.C_2_negative;
   return ship;

@@ -72,7 +72,7 @@ TEST_CASE("the spiral of a stable ship has no loop", "[nonlinear][limit]") {
 
 TEST_CASE("the loop of an unstable ship's spiral is that of her steady turns, seen in steps",
           "[nonlinear][second-route]") {
-  const auto model = test::symmetric(test::mmg(test::kvlcc2_l7()));
+  const auto model = test::symmetric_as_negative(test::mmg(test::kvlcc2_l7()));
   const double step = radians(0.1);
   const auto result =
       spiral(with_model(model), {.largest = radians(3.0), .step = step, .settling = test::patient}, test::precise);
@@ -198,7 +198,7 @@ double simulated_helm(const MmgShip<double>& ship, const Controls<double>& propu
 
 TEST_CASE("a helmsman who keeps the yaw rates of an unstable ship comes to the angles of the reverse spiral",
           "[nonlinear][second-route]") {
-  const auto model = test::symmetric(test::mmg(test::kvlcc2_l7()));
+  const auto model = test::symmetric_as_negative(test::mmg(test::kvlcc2_l7()));
   const auto result = reverse_spiral(with_model(model), {.largest = radians(10.0), .steps = 8});
   int unstable = 0;
   for (const auto& [r, turn] : result.points) {

@@ -84,7 +84,7 @@ TEST_CASE("nothing accelerates on a straight run in wind, and what is to be kept
 TEST_CASE("a symmetric ship needs no helm without wind, nor in wind from ahead or astern", "[nonlinear][limit]") {
   RandomRuns random(92);
   for (int i = 0; i < 20; ++i) {
-    const auto model = test::symmetric(random.model());
+    const auto model = test::symmetric_as_negative(random.model());
     const double U = model.particulars.U_0, psi = random.uniform(-pi, pi);
     const auto windage = random.windage(model);
     for (const Wind<double>& wind :
@@ -174,7 +174,7 @@ TEST_CASE("the heading of a kept course, kept as heading, gives that course", "[
 TEST_CASE("without wind a current sets the heading by the triangle of velocities", "[nonlinear][second-route]") {
   RandomRuns random(97);
   for (int i = 0; i < 20; ++i) {
-    const auto model = test::symmetric(random.model());
+    const auto model = test::symmetric_as_negative(random.model());
     const auto current = random.current(model);
     const double U = model.particulars.U_0, chi = random.uniform(-pi, pi);
     const auto run = steady_run_in_wind(in_current(model, current), Windage<double>{}, {}, {.direction = chi});
@@ -254,7 +254,7 @@ TEST_CASE("a wind too strong for the rudder is told, and one that no helm balanc
 }
 
 TEST_CASE("a table over wind directions has the run of each, mirrored on a symmetric ship", "[nonlinear][symmetry]") {
-  const auto model = test::symmetric(test::mmg(test::kvlcc2_l7()));
+  const auto model = test::symmetric_as_negative(test::mmg(test::kvlcc2_l7()));
   const Windage<double> windage{.A_F = 0.6, .A_L = 1.75, .L_OA = 7.0};
   const std::vector<double> directions{radians(-120), radians(-45), 0.0, radians(45), radians(120)};
   const auto rows = steady_runs_in_wind(with_model(model), windage, 2.0, directions, {.direction = 0.4});
