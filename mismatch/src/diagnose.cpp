@@ -553,10 +553,15 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
     const auto size = std::ssize(accepted.form->coordinates);
     const bool too_large =
         is_at_its_end(*accepted.form, {s.now.point.data() + from, accepted.form->coordinates.size()});
-    // what was told when it was found may be told no longer beside what was found after it
-    const MapFit beside_all{.point = s.now.point.segment(from, size),
-                            .covariance = s.now.covariance.block(from, from, size, size)};
-    const bool trace = accepted.trace || !is_told(trial.ship, *accepted.form, beside_all);
+    // what was told when it was found may be told no longer, and be no more than ordinary, beside what was found after
+    // it; terms that were tried with it and dropped are as uncertain as they were
+    Point widening = Point::Ones(size);
+    if (!accepted.widening.empty()) widening = Eigen::Map<const Point>(accepted.widening.data(), size);
+    const Eigen::MatrixXd covariance =
+        widening.asDiagonal() * s.now.covariance.block(from, from, size, size) * widening.asDiagonal();
+    const MapFit beside_all{.point = s.now.point.segment(from, size), .covariance = covariance};
+    const bool trace = accepted.trace || !is_told(trial.ship, *accepted.form, beside_all) ||
+                       is_as_ordinary(trial, *accepted.form, s.now.point, from);
     if (!trace && !too_large && is_more_than_form(trial, s, i, from, d.budget, runs, holdout)) {
       d.effects.push_back(std::move(found));
     } else {

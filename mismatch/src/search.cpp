@@ -447,7 +447,7 @@ std::vector<FittedCandidate> confirmed(const Search& s, const Hypothesis& accept
       LikelyForm likely{candidates[i].sizes, 0.0};
       if (s.on_board) likely = likely_form(trial_with(s, usual_sizes), trial, likely.sizes, hypothesis, found);
       gain += likely.gain;
-      if (ordinary_deviations(trial, form, last_coordinates(form, found.point)) < beyond_the_ordinary) return;
+      if (is_as_ordinary(trial, form, found.point, found.point.size() - std::ssize(form.coordinates))) return;
       gain += pruned(form, found).gain + likely_spread(problem_of(trial, hypothesis), form, found).gain;
       if (is_unknown(form)) gain -= worth_of_a_name;
       if (form.id == WaveDrift<>::id) gain -= worth_of_waves;
@@ -771,6 +771,10 @@ bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
   for (std::size_t part = 0; part < std::max<std::size_t>(1, form.parts.size()); ++part)
     if (is_told_in(ship, form, found, part_map(form, part))) return true;
   return false;
+}
+
+bool is_as_ordinary(const Trial& trial, const EffectForm& form, const Point& point, Eigen::Index first) {
+  return ordinary_deviations(trial, form, {point.data() + first, form.coordinates.size()}) < beyond_the_ordinary;
 }
 
 ActiveTime active_time(const Trial& trial, const Search& s, std::size_t accepted, double needed) {

@@ -85,6 +85,10 @@ Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covarianc
 /// kicked her for an instant may gain much, and yet be of any size. The effect is the last of the fit.
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found);
 
+/// Whether an effect in the place of an ordinary error of an instrument, a rudder or a day is no larger than such
+/// errors are. Its coordinates begin at `first`.
+bool is_as_ordinary(const Trial& trial, const EffectForm& form, const Point& point, Eigen::Index first);
+
 /// When an effect that was accepted begins and ends to act, in the time of the runs.
 struct ActiveTime {
   std::optional<double> onset, end;  ///< [s]; nothing where it acts from the first, to the last

@@ -285,6 +285,15 @@ std::optional<UsualNumber> usual_number(const Trial& trial, const EffectForm& fo
   return std::nullopt;
 }
 
+/// Whether an effect does what the ordinary error in whose place it stands cannot: a largest rate beside a lag.
+bool does_more_than_usual(const Trial& trial, const EffectForm& form, const Effect& effect) {
+  const auto usual = usual_number(trial, form);
+  const auto parameters = parameters_of(trial.ship, effect);
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (!(usual && i == usual->index) && parameters[i].value != parameters[i].null) return true;
+  return false;
+}
+
 double ordinary_deviations(const Trial& trial, const EffectForm& form, const Effect& effect) {
   const auto usual = usual_number(trial, form);
   if (!usual) return HUGE_VAL;
@@ -352,10 +361,12 @@ double ordinary_size(const Trial& trial, const EffectForm& form) {
 
 double ordinary_deviations(const Trial& trial, const EffectForm& form, std::span<const double> coordinates) {
   const auto has_less = [&](const EffectForm& o) { return stands_for(form, o) && o.common() < form.common(); };
-  if (std::ranges::any_of(trial.ordinary, has_less)) return HUGE_VAL;
+  const bool has_more = std::ranges::any_of(trial.ordinary, has_less);
   double most = 0.0;
-  for (const auto& effect : effects_in_parts(form, coordinates))
+  for (const auto& effect : effects_in_parts(form, coordinates)) {
+    if (has_more && does_more_than_usual(trial, form, effect)) return HUGE_VAL;
     most = std::max(most, ordinary_deviations(trial, form, effect));
+  }
   return most;
 }
 

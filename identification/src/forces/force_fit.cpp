@@ -94,10 +94,10 @@ std::vector<ForceComponent> acts_in(const Eigen::Vector3d& by_parameter, double 
 
 /// What one more of each number adds to the force of the probe, where each of them has that value.
 Eigen::Matrix3Xd features_of_probe(const Ship& ship, std::span<const Parameter> parameters, double value) {
-  const auto [motion, controls] = probe_of(ship);
+  const auto probe = probe_of(ship);
   const auto of_model = [&]<class Model>(const Model&) {
     const std::vector<double> values(parameters.size(), value);
-    return LinearForce<Model, double>(ship, parameters, values).at(motion, controls).by_parameter;
+    return LinearForce<Model, double>(ship, parameters, values).at(probe.motion, probe.controls).by_parameter;
   };
   return std::visit(of_model, ship.model);
 }
