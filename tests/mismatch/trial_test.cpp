@@ -198,6 +198,24 @@ TEST_CASE("an effect that stands in the place of what is ordinary begins where t
   CHECK(standing >= 6);
 }
 
+TEST_CASE("a lag as small as an ordinary one is ordinary, unless it does what that cannot", "[mismatch][limit]") {
+  const Ship ship = test_ship();
+  const auto runs = runs_of(ship, 16);
+  const auto channels = recorded_channels(runs, motion_channels());
+  const auto trial = as_on_board(trial_of(ship, runs, channels), runs, channels);
+  const auto forms = effect_forms(ship, channels, 90.0);
+  const auto& lag = *std::ranges::find(forms, SteeringGearLag<>::id, &EffectForm::id);
+  const double ordinary = ordinary_size(trial, lag);
+  REQUIRE(ordinary > 0.0);
+  const double one = std::get<SteeringGearLag<>>(lag.at(std::vector{1.0, 0.0})).lag;
+  const auto deviations_of = [&](double size, double slowness) {
+    return ordinary_deviations(trial, lag, std::vector{size / one, slowness});
+  };
+  CHECK(deviations_of(1.5 * ordinary, 0.0) == Approx(1.5));
+  CHECK(deviations_of(4.0 * ordinary, 0.0) == Approx(4.0));
+  CHECK(deviations_of(1.5 * ordinary, 2.0) == HUGE_VAL);
+}
+
 TEST_CASE("numbers of an effect change with its coordinates as their slopes say", "[mismatch][second-route]") {
   const Ship ship = test_ship();
   const std::vector<Channel> channels{Channel::psi};

@@ -1,19 +1,14 @@
 #!/bin/bash
-# What takes too long to be checked with every change is checked by turns: one of these, as the number of commits is
-# 0, 1 or 2 more than a multiple of three.
+# What takes too long to be checked with every change, in three parts:
 #
 #   lower   tests of core, linear and nonlinear under the address and undefined-behaviour sanitizers, by clang++
 #   upper   the same of identification and mismatch, but for those that take minutes like that
 #   once    all of the library in one link by g++, where no class may be defined in two ways; a consumer without npm,
 #           network and optional libraries
 #
-#   tests/build/by_turns.sh [lower|upper|once]
+#   tests/build/in_depth.sh lower|upper|once
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
-
-turns=(lower upper once)
-turn=${1:-${turns[$(git rev-list --count HEAD) % 3]}}
-echo "by turns: $turn"
 
 # Beyond 20 s of processor time optimised: three to ten minutes with sanitizers.
 long='identification\.(data_compatibility|trial.*|trajectory_.*|linear_fit.*|identify)|mismatch\.(on_board|invariance|diagnose|recordings_diagnosis)'
@@ -24,12 +19,12 @@ sanitized() {
   ctest --preset sanitize -R "^($(IFS='|'; echo "$*"))\." -E "^($long)$" --no-tests=error
 }
 
-case $turn in
+case ${1:-} in
   lower) sanitized core linear nonlinear ;;
   upper) sanitized identification mismatch ;;
   once)
     cmake --workflow --preset lto-odr
     tests/consumer/alone.sh || (($? == 77))
     ;;
-  *) echo "by turns: there is no $turn" >&2; exit 2 ;;
+  *) echo "usage: in_depth.sh lower|upper|once" >&2; exit 2 ;;
 esac
