@@ -111,12 +111,14 @@ std::vector<ForceComponent> equations_of(const Ship& ship, std::span<const Param
     const double scale = slope.cwiseAbs().maxCoeff() + other.cwiseAbs().maxCoeff();
     if (!(scale > 0.0)) throw Refusal(fmt::format("{} does not act on the force of {}", parameters[j].name, ship.name));
     if ((slope - other).cwiseAbs().maxCoeff() > 1e-9 * scale)
-      throw Refusal(fmt::format("the force is not linear in {}, which is found on trajectories only (--refine)",
-                                parameters[j].name));
+      throw Refusal(
+          fmt::format("the force is not linear in {}, which is found on trajectories only (--fit trajectories)",
+                      parameters[j].name));
     const auto where = acts_in(slope, scale);
     if (where.size() > 1)
-      throw Refusal(fmt::format("{} acts in more than one force equation and is found on trajectories only (--refine)",
-                                parameters[j].name));
+      throw Refusal(
+          fmt::format("{} acts in more than one force equation and is found on trajectories only (--fit trajectories)",
+                      parameters[j].name));
     result.push_back(where.front());
   }
   return result;
