@@ -117,8 +117,8 @@ Ship model_at(const Trial& trial, const Hypothesis& hypothesis, const Point& poi
 double ordinary_size(const Trial& trial, const EffectForm& form);
 
 /// How many ordinary deviations an effect is from null that stands in the place of something ordinary, in the part of
-/// the runs where it is largest; infinity for others, and for what has further parameters: a gear that is slow, too, is
-/// more than one of an ordinary lag.
+/// the runs where it is largest; infinity for others, and for what does more by further parameters: a gear that is
+/// slow, too, is more than one of an ordinary lag.
 double ordinary_deviations(const Trial& trial, const EffectForm& form, std::span<const double> coordinates);
 
 /// Something ordinary as a fit found it.
