@@ -123,6 +123,12 @@ class TapedModel final : public TapedShip {
   Tape::Place variables_;
 };
 
+// clang++ 14 leaves out virtual functions of a template that is first named in a generic lambda
+template class TapedModel<MmgShip<double>>;
+template class TapedModel<PiShip<double>>;
+template class TapedModel<PuShip<double>>;
+template class TapedModel<AbkowitzShip<double>>;
+
 }  // namespace
 
 ShipNumbers numbers_of(const Ship& ship) {
