@@ -1,5 +1,5 @@
 #!/bin/bash
-# What takes too long to be checked with every change, in three parts:
+# What takes longer than the other checks, in three parts; CI does the first:
 #
 #   lower   tests of core, linear and nonlinear under the address and undefined-behaviour sanitizers, by clang++
 #   upper   the same of identification and mismatch, but for those that take minutes like that

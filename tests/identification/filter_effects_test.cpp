@@ -4,9 +4,7 @@
 
 #include "../nonlinear/random_effects.hpp"
 #include "swayaw/core/angle.hpp"
-#include "swayaw/core/refusal.hpp"
 #include "swayaw/identification/force_fit.hpp"
-#include "swayaw/identification/inverse_dynamics.hpp"
 #include "swayaw/identification/state_estimate.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
