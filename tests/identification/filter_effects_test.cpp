@@ -2,32 +2,15 @@
 #include <catch.hpp>
 #include <cmath>
 
-#include "../nonlinear/random_effects.hpp"
-#include "swayaw/core/angle.hpp"
+#include "effect_runs.hpp"
 #include "swayaw/identification/force_fit.hpp"
 #include "swayaw/identification/state_estimate.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
-#include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 /// The filter with every effect, beside simulations of the same ship, which step otherwise.
 namespace swayaw {
 namespace {
-
-template <class Model>
-Ship sailing_ship() {
-  if constexpr (std::is_same_v<Model, MmgShip<double>>) return test::with_areas(test::mmg(test::kvlcc2_l7()));
-  else if constexpr (std::is_same_v<Model, PiShip<double>>) return test::with_areas(test::pi_ship("wpcc_pi"));
-  else if constexpr (std::is_same_v<Model, PuShip<double>>) return test::with_areas(test::wpcc_pu());
-  else return test::with_areas(test::mariner());
-}
-
-Recording zigzag_of(const Ship& ship) {
-  const double time_unit = length(ship) / service_speed(ship);
-  return zigzag(ship, {.rudder = radians(20), .heading = radians(20)},
-                {.duration = 12.0 * time_unit, .step = 0.01 * time_unit})
-      .run;
-}
 
 /// Noise of good instruments, and hardly any process noise.
 EstimationOptions strict(const Ship& ship) {
@@ -57,14 +40,14 @@ double largest_innovation(const StateEstimate& estimate) {
 // does not know the effect is surprised by it.
 TEMPLATE_TEST_CASE("the filter knows every effect that simulations know", "[identification][second-route]",
                    MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>) {
-  const auto bare = sailing_ship<TestType>();
+  const auto bare = test::sailing_ship<TestType>();
   test::RandomEffects effects(11);
   for (const auto id : effect_ids()) {
     const auto effect = effects.of_kind(id, bare);
     if (!effect) continue;
     INFO(id);
     const auto ship = with_effect(bare, *effect);
-    const auto run = zigzag_of(ship);
+    const auto run = test::zigzag_of(ship);
     const auto options = strict(bare);
     const auto known = estimate_states(ship, run, options), unknown = estimate_states(bare, run, options);
     CHECK(largest_innovation(known) < 0.25);
@@ -77,7 +60,7 @@ TEMPLATE_TEST_CASE("the filter knows every effect that simulations know", "[iden
 // Beside a known effect the linear damping is what it was without it; without the effect in the file it is not.
 TEMPLATE_TEST_CASE("coefficients come back from forces beside every effect", "[identification][round-trip]",
                    MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>) {
-  const auto bare = sailing_ship<TestType>();
+  const auto bare = test::sailing_ship<TestType>();
   const std::array names{std::string("Y_v"), std::string("N_r")};
   const auto truth = parameters_of(bare, names);
   const auto error_with = [&](const Ship& ship, const Recording& run) {
@@ -94,7 +77,7 @@ TEMPLATE_TEST_CASE("coefficients come back from forces beside every effect", "[i
     if (!effect) continue;
     INFO(id);
     const auto ship = with_effect(bare, *effect);
-    const auto run = zigzag_of(ship);
+    const auto run = test::zigzag_of(ship);
     const std::array wrong{0.9 * truth[0].value, 1.1 * truth[1].value};
     const double known = error_with(with_values(ship, truth, wrong), run),
                  unknown = error_with(with_values(bare, truth, wrong), run);

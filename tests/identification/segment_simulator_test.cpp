@@ -3,6 +3,8 @@
 #include <catch.hpp>
 #include <cmath>
 
+#include "effect_runs.hpp"
+#include "swayaw/nonlinear/effects/acting_in_wind.hpp"
 #include "trajectory_recordings.hpp"
 
 /// Derivatives of simulated segments.
@@ -11,7 +13,11 @@ namespace {
 
 /// A segment of five ship lengths of a zigzag, read at every sample.
 SampledRun sampled_run(const Ship& ship, const Recording& run) {
-  SampledRun result{.time = {}, .controls = {}, .steps = {}, .measurements = {}};
+  SampledRun result{.time = {},
+                    .controls = {},
+                    .steps = {},
+                    .measurements = {},
+                    .changes = all_changes(ship, recorded_wind(ship, run))};
   const RecordedControls controls(ship, run);
   const double end = 5.0 * length(ship) / service_speed(ship);
   for (std::size_t k = 0; k < run.samples() && run.time[k] < end; ++k) {
@@ -27,15 +33,65 @@ SampledRun sampled_run(const Ship& ship, const Recording& run) {
 
 /// Residuals and end of a response.
 Eigen::VectorXd outcome(const SegmentResponse& response) {
-  Eigen::VectorXd all(response.residual.size() + 6);
-  all << response.residual, Eigen::Map<const Eigen::Vector<double, 6>>(response.end.data());
+  Eigen::VectorXd all(response.residual.size() + response.end.size());
+  all << response.residual, response.end;
   return all;
 }
 
 RowMatrix slope(const SegmentResponse& response) {
-  RowMatrix all(response.residual_slope.rows() + 6, response.residual_slope.cols());
+  RowMatrix all(response.residual_slope.rows() + response.end_slope.rows(), response.residual_slope.cols());
   all << response.residual_slope, response.end_slope;
   return all;
+}
+
+/// A place to look at derivatives: states and parameters, and what is a large change of each.
+struct Place {
+  std::vector<double> value, unit;
+  std::size_t states = 6;
+};
+
+/// A ship that turns, her motion alone given.
+Place place_of(const Ship& ship, const std::vector<Parameter>& parameters) {
+  const double L = length(ship), U = service_speed(ship);
+  Place place{{0.1 * L, 0.2 * L, 0.3, U, 0.05 * U, -0.1 * U / L}, {L, L, 1.0, U, U, U / L}};
+  for (const auto& n : parameters) {
+    place.value.push_back(n.value);
+    place.unit.push_back(std::abs(n.value));
+  }
+  return place;
+}
+
+/// The same with hidden states given too.
+Place with_hidden(Place place, const Ship& ship) {
+  std::vector<double> value, unit;
+  for (const auto& quantity : hidden_quantities) {
+    unit.push_back(quantity.one(length(ship), service_speed(ship)));
+    value.push_back(0.02 * unit.back());
+  }
+  place.value.insert(place.value.begin() + 6, value.begin(), value.end());
+  place.unit.insert(place.unit.begin() + 6, unit.begin(), unit.end());
+  place.states += hidden_count;
+  return place;
+}
+
+/// Derivatives of a segment beside differences over a millionth of a large change.
+void check_slopes(const SegmentSimulator& simulator, const RunSegment& segment, const Place& place, double L) {
+  const auto at = [&](const std::vector<double>& p, bool slopes) {
+    const Eigen::VectorXd start = Eigen::Map<const Eigen::VectorXd>(p.data(), static_cast<Eigen::Index>(place.states));
+    return simulator.simulate(segment, start, std::span(p).subspan(place.states), slopes);
+  };
+  const auto exact = slope(at(place.value, true));
+  CHECK((outcome(at(place.value, true)) - outcome(at(place.value, false))).cwiseAbs().maxCoeff() < 1e-9 * L);
+  for (std::size_t k = 0; k < place.value.size(); ++k) {
+    const double h = 3e-7 * place.unit[k], rounding = 1e-13 * L / h;
+    auto above = place.value, below = place.value;
+    above[k] += h;
+    below[k] -= h;
+    const Eigen::VectorXd difference = (outcome(at(above, false)) - outcome(at(below, false))) / (2.0 * h);
+    const Eigen::VectorXd column = exact.col(static_cast<Eigen::Index>(k));
+    INFO("unknown " << k);
+    CHECK((difference - column).cwiseAbs().maxCoeff() <= 1e-6 * column.cwiseAbs().maxCoeff() + rounding);
+  }
 }
 
 }  // namespace
@@ -49,32 +105,57 @@ TEMPLATE_TEST_CASE("derivatives of a trajectory by its start and by all coeffici
     ship.surroundings.current = {0.1 * service_speed(ship), 1.0};
     auto parameters = parameters_of(ship);
     std::erase_if(parameters, [](const Parameter& n) { return n.role != Role::coefficient || n.value == 0.0; });
-    const auto simulator = std::visit(
-        [&, &ship = ship](const auto& model) { return segment_simulator(model, ship.surroundings, parameters); },
-        ship.model);
+    const auto simulator = segment_simulator(ship, parameters);
     const auto run = sampled_run(ship, runs.front());
     const RunSegment segment{&run, 0, run.time.size() - 1, run.measurements};
-    const double L = length(ship), U = service_speed(ship);
-    std::vector<double> place{0.1 * L, 0.2 * L, 0.3, U, 0.05 * U, -0.1 * U / L}, unit{L, L, 1.0, U, U, U / L};
-    for (const auto& n : parameters) {
-      place.push_back(n.value);
-      unit.push_back(std::abs(n.value));
-    }
-    const auto at = [&](const std::vector<double>& p, bool slopes) {
-      return simulator->simulate(segment, {p[0], p[1], p[2], p[3], p[4], p[5]}, std::span(p).subspan(6), slopes);
-    };
-    const auto exact = slope(at(place, true));
-    CHECK((outcome(at(place, true)) - outcome(at(place, false))).cwiseAbs().maxCoeff() < 1e-9 * L);
-    for (std::size_t k = 0; k < place.size(); ++k) {
-      const double h = 3e-7 * unit[k], rounding = 1e-13 * L / h;
-      auto above = place, below = place;
-      above[k] += h;
-      below[k] -= h;
-      const Eigen::VectorXd difference = (outcome(at(above, false)) - outcome(at(below, false))) / (2.0 * h);
-      const Eigen::VectorXd column = exact.col(static_cast<Eigen::Index>(k));
-      INFO("unknown " << k << (k < 6 ? "" : " " + parameters[k - 6].name));
-      CHECK((difference - column).cwiseAbs().maxCoeff() <= 1e-6 * column.cwiseAbs().maxCoeff() + rounding);
-    }
+    check_slopes(*simulator, segment, place_of(ship, parameters), length(ship));
+  }
+}
+
+TEMPLATE_TEST_CASE("beside every effect, too", "[identification][second-route]", MmgShip<double>, PiShip<double>,
+                   PuShip<double>, AbkowitzShip<double>) {
+  const auto bare = test::sailing_ship<TestType>();
+  test::RandomEffects effects(13);
+  for (const auto id : effect_ids()) {
+    const auto effect = effects.of_kind(id, bare);
+    if (!effect) continue;
+    INFO(id);
+    const auto ship = with_effect(bare, *effect);
+    auto parameters = parameters_of(ship, test::told_parameters<TestType>());
+    std::erase_if(parameters, [](const Parameter& n) { return n.value == 0.0; });
+    const auto simulator = segment_simulator(ship, parameters);
+    const auto run = sampled_run(ship, test::zigzag_of(ship));
+    const RunSegment segment{&run, 0, run.time.size() - 1, run.measurements};
+    const auto place = place_of(ship, parameters);
+    check_slopes(*simulator, segment, place, length(ship));
+    if (simulator->states() > 6) check_slopes(*simulator, segment, with_hidden(place, ship), length(ship));
+  }
+}
+
+TEMPLATE_TEST_CASE("a segment shows what a simulation with any effect recorded", "[identification][second-route]",
+                   MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>) {
+  const auto bare = test::sailing_ship<TestType>();
+  const double L = length(bare), U = service_speed(bare);
+  test::RandomEffects effects(14);
+  for (const auto id : effect_ids()) {
+    const auto effect = effects.of_kind(id, bare);
+    if (!effect) continue;
+    INFO(id);
+    const auto ship = with_effect(bare, *effect);
+    const auto recorded = test::zigzag_of(ship);
+    const auto run = sampled_run(ship, recorded);
+    const auto true_run = as_it_was(recorded, instruments_of(ship));
+    Eigen::VectorXd start(6);
+    for (Eigen::Index i = 0; const auto c : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r})
+      start[i++] = true_run[c][0];
+    const RunSegment whole{&run, 0, run.time.size() - 1, run.measurements};
+    const auto response = segment_simulator(ship, {})->simulate(whole, start, {}, false);
+    double worst = 0.0;
+    for (std::size_t i = 0; i < run.measurements.size(); ++i)
+      if (run.measurements[i].channel != Channel::course_over_ground)
+        worst = std::max(worst, std::abs(response.residual[static_cast<Eigen::Index>(i)]) /
+                                    unit_of(run.measurements[i].channel, L, U));
+    CHECK(worst < 1e-3);
   }
 }
 

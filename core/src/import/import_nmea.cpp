@@ -26,7 +26,7 @@ struct TimedColumn {
 /// How often the samples jump: noise of the first number, directions taken the short way round.
 double noise_of(const NmeaSeries& series) {
   std::vector<double> values;
-  const bool bearing = series.quantity == Quantity::heading;
+  const bool bearing = series.quantity == NmeaQuantity::heading;
   for (const auto& sample : series.samples) {
     const bool turn = bearing && !values.empty();
     values.push_back(turn ? degrees(unwrapped(radians(sample.first), radians(values.back()))) : sample.first);
@@ -57,7 +57,7 @@ class LogImport {
     for (const auto& file : files_) read(file);
     if (!dated_) result_.notes.emplace_back("no date is known: start_utc is not written");
     for (auto& series : series_) std::ranges::stable_sort(series.samples, {}, &NmeaSample::time);
-    for (std::size_t i = 0; i < quantity_count; ++i) choose(static_cast<Quantity>(i));
+    for (std::size_t i = 0; i < quantity_count; ++i) choose(static_cast<NmeaQuantity>(i));
     make_columns();
     require_columns();
     tell_counts();
@@ -132,10 +132,12 @@ class LogImport {
 
   // -------------------------------------------------------------- choice
 
-  static bool by_shaft(Quantity quantity) { return quantity == Quantity::shaft_speed || quantity == Quantity::pitch; }
+  static bool by_shaft(NmeaQuantity quantity) {
+    return quantity == NmeaQuantity::shaft_speed || quantity == NmeaQuantity::pitch;
+  }
 
   /// The best series of a quantity; the others are named. Shafts do not compete with each other.
-  void choose(Quantity quantity) {
+  void choose(NmeaQuantity quantity) {
     auto& chosen = chosen_[index_of(quantity)];
     for (const auto& series : series_) {
       if (series.quantity != quantity) continue;
@@ -167,7 +169,7 @@ class LogImport {
     return part.empty() ? label : fmt::format("{} {}", label, part);
   }
 
-  const NmeaSeries* only(Quantity quantity) const {
+  const NmeaSeries* only(NmeaQuantity quantity) const {
     const auto& chosen = chosen_[index_of(quantity)];
     return chosen.empty() ? nullptr : chosen.front();
   }
@@ -176,14 +178,14 @@ class LogImport {
 
   void make_columns() {
     make_heading();
-    make(Quantity::yaw_rate, "positive the bow turns to starboard");
-    make_rudder(Quantity::rudder);
-    make_rudder(Quantity::rudder_order);
-    make(Quantity::log_speed, "forward speed of the log");
-    make(Quantity::log_drift, "positive to starboard, where the log is");
-    make(Quantity::ground_motion, "over ground, where the log is");
-    make(Quantity::course, "over ground, where the antenna is");
-    make(Quantity::position, "where the antenna is");
+    make(NmeaQuantity::yaw_rate, "positive the bow turns to starboard");
+    make_rudder(NmeaQuantity::rudder);
+    make_rudder(NmeaQuantity::rudder_order);
+    make(NmeaQuantity::log_speed, "forward speed of the log");
+    make(NmeaQuantity::log_drift, "positive to starboard, where the log is");
+    make(NmeaQuantity::ground_motion, "over ground, where the log is");
+    make(NmeaQuantity::course, "over ground, where the antenna is");
+    make(NmeaQuantity::position, "where the antenna is");
     make_shaft_speed();
     make_pitch();
     make_wind();
@@ -192,20 +194,20 @@ class LogImport {
   }
 
   void make_heading() {
-    const auto* series = only(Quantity::heading);
+    const auto* series = only(NmeaQuantity::heading);
     if (series == nullptr) return;
     switch (series->directness) {
-      case Directness::direct: return make(Quantity::heading, "true heading");
+      case Directness::direct: return make(NmeaQuantity::heading, "true heading");
       case Directness::corrected:
-        return make(Quantity::heading, series->address.ends_with("VHW") ? "true heading of the log's sentence"
-                                                                        : "magnetic heading with its variation");
+        return make(NmeaQuantity::heading, series->address.ends_with("VHW") ? "true heading of the log's sentence"
+                                                                            : "magnetic heading with its variation");
       case Directness::magnetic:
-        make(Quantity::heading, "magnetic heading, no variation is told");
+        make(NmeaQuantity::heading, "magnetic heading, no variation is told");
         add_note("the heading is magnetic and its variation is not known; positions and wind are true");
     }
   }
 
-  void make(Quantity quantity, std::string_view why) {
+  void make(NmeaQuantity quantity, std::string_view why) {
     if (const auto* series = only(quantity)) make(*series, words_for(quantity), why);
   }
 
@@ -223,7 +225,7 @@ class LogImport {
   }
 
   /// (starboard + port)/2 of twin rudders; of one that is told, its own
-  void make_rudder(Quantity quantity) {
+  void make_rudder(NmeaQuantity quantity) {
     if (only(quantity) == nullptr) return;
     auto series = *only(quantity);
     leave_out_idle(series, &NmeaSample::second, &NmeaSample::first, "port");
@@ -267,9 +269,9 @@ class LogImport {
 
   /// The mean over the shafts at the times of the first, each positive as it mostly turns.
   void make_shaft_speed() {
-    const auto& shafts = chosen_[index_of(Quantity::shaft_speed)];
+    const auto& shafts = chosen_[index_of(NmeaQuantity::shaft_speed)];
     if (shafts.empty()) return;
-    TimedColumn column{std::string(words_for(Quantity::shaft_speed).first)};
+    TimedColumn column{std::string(words_for(NmeaQuantity::shaft_speed).first)};
     for (const auto& sample : shafts.front()->samples) column.samples.emplace_back(sample.time, 0.0);
     for (const auto* shaft : shafts) add_shaft(*shaft, 1.0 / static_cast<double>(shafts.size()), column);
     columns_.push_back(std::move(column));
@@ -295,10 +297,10 @@ class LogImport {
 
   /// Kept where it changes: then the thrust does not follow from the shaft speed alone.
   void make_pitch() {
-    for (const auto* series : chosen_[index_of(Quantity::pitch)]) {
+    for (const auto* series : chosen_[index_of(NmeaQuantity::pitch)]) {
       const auto [low, high] = std::ranges::minmax(series->samples, {}, &NmeaSample::first);
       if (low.first == high.first) continue;
-      auto words = words_for(Quantity::pitch);
+      auto words = words_for(NmeaQuantity::pitch);
       const auto name = fmt::format("{}{}", words.first, series->which > 0 ? fmt::format("_{}", series->which) : "");
       words.first = name;
       make(*series, words, "propeller pitch, kept as it is");
@@ -307,34 +309,35 @@ class LogImport {
   }
 
   void make_depth() {
-    const auto* series = only(Quantity::depth);
+    const auto* series = only(NmeaQuantity::depth);
     const bool surface = series != nullptr && series->directness == Directness::direct;
-    make(Quantity::depth, surface ? "from the water line" : "below the transducer, as its draught is not told");
+    make(NmeaQuantity::depth, surface ? "from the water line" : "below the transducer, as its draught is not told");
   }
 
   // -------------------------------------------------------------- wind
 
   /// The true wind as told; from the bow, with the heading; apparent, with heading and motion over ground.
   void make_wind() {
-    const auto *north = only(Quantity::true_wind), *bow = only(Quantity::bow_wind),
-               *apparent = only(Quantity::apparent_wind);
+    const auto *north = only(NmeaQuantity::true_wind), *bow = only(NmeaQuantity::bow_wind),
+               *apparent = only(NmeaQuantity::apparent_wind);
     const auto* taken = north ? north : bow ? bow : apparent;
     if (taken == nullptr) return;
     for (const auto* other : {bow, apparent})
       if (other != nullptr && other != taken)
         left_out_.push_back({label(*other) + " " + std::string(words_for(other->quantity).name), "",
                              fmt::format("the wind is taken from {}", taken->address), other->samples.size()});
-    if (taken == north) return make(Quantity::true_wind, "direction it comes from");
-    if (taken == bow) return make(turned_to_north(*bow), words_for(Quantity::bow_wind), "true wind, with the heading");
+    if (taken == north) return make(NmeaQuantity::true_wind, "direction it comes from");
+    if (taken == bow)
+      return make(turned_to_north(*bow), words_for(NmeaQuantity::bow_wind), "true wind, with the heading");
     auto computed = true_wind_of(*apparent);
     if (!computed.samples.empty())
-      return make(computed, words_for(Quantity::true_wind),
+      return make(computed, words_for(NmeaQuantity::true_wind),
                   "true wind over ground, computed from the apparent one, heading, course and speed over ground");
     keep_apparent_wind(*apparent);
   }
 
   void keep_apparent_wind(const NmeaSeries& apparent) {
-    auto words = words_for(Quantity::apparent_wind);
+    auto words = words_for(NmeaQuantity::apparent_wind);
     words.first = "apparent_wind_speed_kn";
     words.second = "apparent_wind_angle_deg";
     make(apparent, words,
@@ -358,7 +361,7 @@ class LogImport {
   }
 
   double heading_at(double time) const {
-    const auto* heading = only(Quantity::heading);
+    const auto* heading = only(NmeaQuantity::heading);
     return heading == nullptr ? missing : value_at(*heading, &NmeaSample::first, time, true);
   }
 
@@ -373,8 +376,8 @@ class LogImport {
   /// The air over ground moves as it does past the ship, and with her:  w = −A (cos, sin)(psi + theta) + U (cos,
   /// sin)(chi); the wind comes from −w.
   NmeaSeries true_wind_of(const NmeaSeries& apparent) const {
-    NmeaSeries wind{apparent.address, Quantity::true_wind, apparent.directness, 0};
-    const auto* course = only(Quantity::course);
+    NmeaSeries wind{apparent.address, NmeaQuantity::true_wind, apparent.directness, 0};
+    const auto* course = only(NmeaQuantity::course);
     if (course == nullptr) return wind;
     for (const auto& [time, A, theta] : apparent.samples) {
       const double U = value_at(*course, &NmeaSample::first, time, false);

@@ -21,7 +21,7 @@ struct NmeaSample {
 /// All that one kind of sentence of one instrument told of a quantity.
 struct NmeaSeries {
   std::string address;  ///< "HEHDT"
-  Quantity quantity;
+  NmeaQuantity quantity;
   Directness directness;
   int which;  ///< number of the shaft
   std::vector<NmeaSample> samples = {};

@@ -33,7 +33,7 @@ double in_circle(double degrees) { return degrees - 360.0 * std::floor(degrees /
 
 }  // namespace
 
-const QuantityWords& words_for(Quantity quantity) { return words[index_of(quantity)]; }
+const QuantityWords& words_for(NmeaQuantity quantity) { return words[index_of(quantity)]; }
 
 // ---------------------------------------------------------------- fields
 
@@ -98,7 +98,7 @@ void SentenceReading::tell_time(std::string_view text, std::optional<long> day) 
 void SentenceReading::tell_position(std::size_t at) {
   const double latitude = coordinate(at, 2, "NS"), longitude = coordinate(at + 2, 3, "EW");
   if (!std::isnan(latitude) && !std::isnan(longitude))
-    tell({.quantity = Quantity::position, .first = latitude, .second = longitude});
+    tell({.quantity = NmeaQuantity::position, .first = latitude, .second = longitude});
 }
 
 /// Years of two digits are 1980 to 2079, as satellite time began in 1980.
@@ -115,7 +115,7 @@ std::optional<long> SentenceReading::day_of(std::string_view ddmmyy) {
 // ---------------------------------------------------------------- heading and turning
 
 void SentenceReading::tell_heading(double heading, double variation, Directness directness) {
-  tell({.quantity = Quantity::heading, .directness = directness, .first = in_circle(heading + variation)});
+  tell({.quantity = NmeaQuantity::heading, .directness = directness, .first = in_circle(heading + variation)});
 }
 
 /// HDT,x.x,T
@@ -143,13 +143,13 @@ void SentenceReading::heading_sensor() {
 
 /// ROT,deg/min,status: "-" the bow turns to port
 void SentenceReading::yaw_rate() {
-  if (valid(2)) tell({.quantity = Quantity::yaw_rate, .first = number(1, -9999.9, 9999.9)});
+  if (valid(2)) tell({.quantity = NmeaQuantity::yaw_rate, .first = number(1, -9999.9, 9999.9)});
 }
 
 // ---------------------------------------------------------------- rudder and shaft
 
 /// RSA and ROR: starboard or single, status, port, status; "-" the bow turns to port. One of two may be invalid.
-void SentenceReading::rudder(Quantity quantity) {
+void SentenceReading::rudder(NmeaQuantity quantity) {
   const auto angle = [&](std::size_t i) { return sentence_->text(i + 1) == "V" ? none : number(i, -90.0, 90.0); };
   const Told told{.quantity = quantity, .first = angle(1), .second = angle(3)};
   const bool said = !sentence_->text(1).empty() || !sentence_->text(3).empty();
@@ -165,8 +165,8 @@ void SentenceReading::shaft() {
   const auto directness = source == "S" ? Directness::direct : Directness::corrected;
   const double which = number(2, 0.0, 99.0);
   const int shaft = std::isnan(which) ? 0 : static_cast<int>(which);
-  tell({Quantity::shaft_speed, directness, shaft, number(3, -1e5, 1e5), none});
-  tell({Quantity::pitch, directness, shaft, number(4, -150.0, 150.0), none});
+  tell({NmeaQuantity::shaft_speed, directness, shaft, number(3, -1e5, 1e5), none});
+  tell({NmeaQuantity::pitch, directness, shaft, number(4, -150.0, 150.0), none});
 }
 
 // ---------------------------------------------------------------- speed
@@ -174,7 +174,7 @@ void SentenceReading::shaft() {
 /// VHW,true heading,T,magnetic,M,knots,N,km/h,K
 void SentenceReading::water_speed() {
   tell_heading(number(1, 0.0, 360.0), 0.0, Directness::corrected);
-  tell({.quantity = Quantity::log_speed, .first = speed(5, 7)});
+  tell({.quantity = NmeaQuantity::log_speed, .first = speed(5, 7)});
 }
 
 /// VBW,water forward,water to starboard,status,ground forward,ground to starboard,status,…  [kn]
@@ -182,18 +182,18 @@ void SentenceReading::ground_and_water_speed() {
   const double u = number(1, -200.0, 200.0), v = number(2, -200.0, 200.0);
   const double u_ground = number(4, -200.0, 200.0), v_ground = number(5, -200.0, 200.0);
   if ((!std::isnan(u) || !std::isnan(v)) && valid(3)) {
-    tell({.quantity = Quantity::log_speed, .first = u});
-    tell({.quantity = Quantity::log_drift, .first = v});
+    tell({.quantity = NmeaQuantity::log_speed, .first = u});
+    tell({.quantity = NmeaQuantity::log_drift, .first = v});
   }
   if ((!std::isnan(u_ground) || !std::isnan(v_ground)) && valid(6))
-    tell({.quantity = Quantity::ground_motion, .first = u_ground, .second = v_ground});
+    tell({.quantity = NmeaQuantity::ground_motion, .first = u_ground, .second = v_ground});
 }
 
 /// VTG,course,T,magnetic,M,knots,N,km/h,K,mode
 void SentenceReading::course_and_speed() {
   if (sentence_->text(9) == "N") result_ = Result::invalid;
   else if (needs(sentence_->text(2) == "T" || sentence_->text(1).empty()))
-    tell({.quantity = Quantity::course, .first = speed(5, 7), .second = number(1, 0.0, 360.0)});
+    tell({.quantity = NmeaQuantity::course, .first = speed(5, 7), .second = number(1, 0.0, 360.0)});
 }
 
 /// RMC,time,status,latitude,N/S,longitude,E/W,knots,course,ddmmyy,variation,E/W,mode
@@ -201,7 +201,7 @@ void SentenceReading::minimum_navigation() {
   if (!valid(2)) return;
   tell_time(sentence_->text(1), day_of(sentence_->text(9)));
   tell_position(3);
-  tell({.quantity = Quantity::course, .first = number(7, 0.0, 200.0), .second = number(8, 0.0, 360.0)});
+  tell({.quantity = NmeaQuantity::course, .first = number(7, 0.0, 200.0), .second = number(8, 0.0, 360.0)});
   if (!sentence_->text(10).empty()) variation_ = signed_by(10, "EW");
 }
 
@@ -254,7 +254,7 @@ void SentenceReading::wind() {
                        : unit == "S" ? 1.609344 / km_per_nautical_mile
                                      : none;
   if (!needs(!std::isnan(knots))) return;
-  tell({.quantity = reference == "R" ? Quantity::apparent_wind : Quantity::bow_wind,
+  tell({.quantity = reference == "R" ? NmeaQuantity::apparent_wind : NmeaQuantity::bow_wind,
         .first = knots * number(3, 0.0, 400.0),
         .second = number(1, 0.0, 360.0)});
 }
@@ -263,25 +263,27 @@ void SentenceReading::wind() {
 void SentenceReading::wind_from_north() {
   const double knots = number(5, 0.0, 200.0);
   const double told = std::isnan(knots) ? number(7, 0.0, 100.0) * 3.6 / km_per_nautical_mile : knots;
-  tell({.quantity = Quantity::true_wind, .first = told, .second = number(1, 0.0, 360.0)});
+  tell({.quantity = NmeaQuantity::true_wind, .first = told, .second = number(1, 0.0, 360.0)});
 }
 
 /// DPT,below the transducer,offset: positive from the transducer to the water line
 void SentenceReading::depth() {
   const double offset = number(2, -100.0, 100.0);
   const bool surface = offset > 0.0;
-  tell({.quantity = Quantity::depth,
+  tell({.quantity = NmeaQuantity::depth,
         .directness = surface ? Directness::direct : Directness::corrected,
         .first = number(1, 0.0, 12000.0) + (surface ? offset : 0.0)});
 }
 
 /// DBT,feet,f,metres,M,fathoms,F
 void SentenceReading::depth_below_transducer() {
-  tell({.quantity = Quantity::depth, .directness = Directness::corrected, .first = number(3, 0.0, 12000.0)});
+  tell({.quantity = NmeaQuantity::depth, .directness = Directness::corrected, .first = number(3, 0.0, 12000.0)});
 }
 
 /// DBS, as DBT, from the water line
-void SentenceReading::depth_below_surface() { tell({.quantity = Quantity::depth, .first = number(3, 0.0, 12000.0)}); }
+void SentenceReading::depth_below_surface() {
+  tell({.quantity = NmeaQuantity::depth, .first = number(3, 0.0, 12000.0)});
+}
 
 // ---------------------------------------------------------------- all sentences
 
@@ -298,8 +300,8 @@ std::span<const SentenceReading::Row> SentenceReading::table() {
       Row{"HDG", [](R& r) { r.heading_sensor(); }},
       Row{"HDM", [](R& r) { r.heading_magnetic(); }},
       Row{"ROT", [](R& r) { r.yaw_rate(); }},
-      Row{"RSA", [](R& r) { r.rudder(Quantity::rudder); }},
-      Row{"ROR", [](R& r) { r.rudder(Quantity::rudder_order); }},
+      Row{"RSA", [](R& r) { r.rudder(NmeaQuantity::rudder); }},
+      Row{"ROR", [](R& r) { r.rudder(NmeaQuantity::rudder_order); }},
       Row{"RPM", [](R& r) { r.shaft(); }},
       Row{"VHW", [](R& r) { r.water_speed(); }},
       Row{"VBW", [](R& r) { r.ground_and_water_speed(); }},

@@ -13,7 +13,7 @@
 namespace swayaw::inline core::detail {
 
 /// What one instrument tells at a time: a number or two that belong together.
-enum class Quantity {
+enum class NmeaQuantity {
   heading,        ///< from true north [deg]
   yaw_rate,       ///< [deg/min]
   rudder,         ///< angle of the starboard or only rudder, angle of the port rudder [deg], positive to starboard
@@ -33,7 +33,7 @@ enum class Quantity {
 
 inline constexpr std::size_t quantity_count = 15;
 
-constexpr std::size_t index_of(Quantity quantity) { return static_cast<std::size_t>(quantity); }
+constexpr std::size_t index_of(NmeaQuantity quantity) { return static_cast<std::size_t>(quantity); }
 
 /// How a quantity appears in the recording: its columns, and what notes call it.
 struct QuantityWords {
@@ -42,14 +42,14 @@ struct QuantityWords {
   std::string_view parts_first, parts_second;
 };
 
-const QuantityWords& words_for(Quantity quantity);
+const QuantityWords& words_for(NmeaQuantity quantity);
 
 /// How directly a sentence tells its quantity; a lower one is taken first.
 enum class Directness { direct, corrected, magnetic };
 
 /// What a sentence tells.
 struct Told {
-  Quantity quantity;
+  NmeaQuantity quantity;
   Directness directness = Directness::direct;
   int which = 0;  ///< number of the shaft
   double first = std::numeric_limits<double>::quiet_NaN();
@@ -82,7 +82,7 @@ class SentenceReading {
   void heading_magnetic();
   void heading_sensor();
   void yaw_rate();
-  void rudder(Quantity quantity);
+  void rudder(NmeaQuantity quantity);
   void water_speed();
   void ground_and_water_speed();
   void course_and_speed();

@@ -137,14 +137,10 @@ struct FirstTry {
   bool lost(std::size_t i) const { return !finite({&responses[i], 1}); }
 
   /// Whether a segment ends far from where the next begins, in ship units.
-  bool strays(std::size_t i, const Eigen::Vector<double, 6>& unit) const {
+  bool strays(std::size_t i, const Eigen::VectorXd& unit) const {
     constexpr double far = 0.3;
     if (lost(i) || !segments[i].joined) return lost(i);
-    double gap = 0.0;
-    for (std::size_t k = 0; k < 6; ++k)
-      gap =
-          std::max(gap, std::abs(responses[i].end[k] - segments[i + 1].start[k]) / unit[static_cast<Eigen::Index>(k)]);
-    return gap > far;
+    return (responses[i].end - segments[i + 1].start).cwiseQuotient(unit).cwiseAbs().maxCoeff() > far;
   }
 };
 
@@ -170,6 +166,8 @@ std::vector<ShootingSegment> feasible_segments(const TrajectoryProblem& problem,
                                 first.segments[i].part.run->time[first.segments[i].part.from]));
   return first.segments;
 }
+
+ShipState<double> state_of(const Eigen::VectorXd& s) { return {s[0], s[1], s[2], {s[3], s[4], s[5]}}; }
 
 /// Starts of the whole runs in place of those of their segments.
 Iterate of_whole_runs(const Iterate& iterate, const std::vector<ShootingSegment>& segments,

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "swayaw/core/refusal.hpp"
-#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/acting_in_wind.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw::inline identification::detail {
@@ -31,26 +31,13 @@ std::vector<int> steps_between(std::span<const double> time, double longest) {
   return steps;
 }
 
-/// At each sample, the recorded wind on top of that of the ship's own surroundings.
-std::vector<Air> air_at(std::span<const double> times, const Surroundings<double>& rest,
-                        std::span<const WindPiece> wind) {
-  std::vector<Air> air;
-  if (wind.empty()) return air;
-  for (const double time : times) {
-    const auto around = with_recorded_wind(rest, wind_between(wind, time, time).front());
-    air.push_back({around.wind, around.windy});
-  }
-  return air;
-}
-
-SampledRun sampled_run(const Recording& run, const RecordedControls& controls, const Surroundings<double>& rest,
+SampledRun sampled_run(const Ship& ship, const Recording& run, const RecordedControls& controls,
                        std::span<const Channel> channels, double longest_step) {
   SampledRun result{.time = run.time,
-                    .controls = {},
+                    .controls = controls.at(run.time),
                     .steps = steps_between(run.time, longest_step),
-                    .measurements = measurements_of(run, channels)};
-  for (const double time : run.time) result.controls.push_back(controls.at(time));
-  result.air = air_at(run.time, rest, controls.wind());
+                    .measurements = measurements_of(run, channels),
+                    .changes = all_changes(ship, controls.wind())};
   if (result.measurements.empty())
     throw Refusal(fmt::format("{}: none of the channels to fit to was recorded", run.name));
   return result;
@@ -81,18 +68,6 @@ void add_bounds(TrajectoryProblem& problem, const Parameter& number) {
   problem.high.push_back(number.range.high);
 }
 
-/// Steady wind, current, and what lies between indicator and rudder act on a trajectory; other effects are refused.
-void require_known_effects(const Ship& ship) {
-  for (const auto& effect : ship.effects) {
-    const auto acts = []<class Kind>(const Kind&) {
-      return GivesCurrent<Kind> || (GivesWind<Kind> && !BeginsAndEnds<Kind>) || ActuatesRudder<Kind>;
-    };
-    const bool known = place_of(effect) != EffectPlace::sensor && std::visit(acts, effect);
-    if (!known && !is_null(effect))
-      throw Refusal(fmt::format("the trajectory fit does not know {}; take it out of the ship file", id_of(effect)));
-  }
-}
-
 void check(const TrajectoryFitOptions& options) {
   require_positive(options.segment, "segment [ship lengths]");
   require_positive(options.step, "step [ship lengths]");
@@ -106,23 +81,20 @@ void check(const TrajectoryFitOptions& options) {
 
 TrajectoryProblem problem_of(const Ship& ship, std::span<const Recording> runs, const TrajectoryFitOptions& options) {
   check(options);
-  require_known_effects(ship);
   if (runs.empty()) throw Refusal("no recording to fit to");
   TrajectoryProblem problem{.parameters = parameters_to_fit(ship, options),
                             .L = length(ship),
                             .U = service_speed(ship),
                             .threads = options.threads};
   problem.channels = recorded_channels(runs, measured_channels(), options.channels);
-  const auto around = surroundings_at(ship, 0.0);
   for (const auto& run : runs) {
     if (run.samples() < 3) throw Refusal(fmt::format("{}: fewer than 3 samples to fit to", run.name));
     const RecordedControls controls(ship, run);
     problem.unit.push_back(time_unit(ship, run));
-    problem.runs.push_back(sampled_run(run, controls, around, problem.channels, options.step * problem.unit.back()));
+    problem.runs.push_back(sampled_run(ship, run, controls, problem.channels, options.step * problem.unit.back()));
   }
   for (const auto& number : problem.parameters) add_bounds(problem, number);
-  problem.simulator =
-      std::visit([&](const auto& model) { return segment_simulator(model, around, problem.parameters); }, ship.model);
+  problem.simulator = segment_simulator(ship, problem.parameters);
   return problem;
 }
 
@@ -161,9 +133,12 @@ std::vector<ShootingSegment> segments_of(const TrajectoryProblem& problem, const
     const double whole = (run.time.back() - run.time.front()) / problem.unit[j];
     const auto cut = cuts(run, std::max(1, static_cast<int>(std::lround(whole / lengths))));
     for (std::size_t i = 0; i + 1 < cut.size(); ++i) {
-      const auto start = vector_of(recorded_state(ship, runs[j], run.time[cut[i]]));
-      segments.push_back(
-          {{&run, cut[i], cut[i + 1], measurements_between(run, cut[i], cut[i + 1])}, j, start, i + 2 < cut.size()});
+      const auto s = vector_of(recorded_state(ship, runs[j], run.time[cut[i]]));
+      const Eigen::VectorXd start = Eigen::Map<const Eigen::Vector<double, 6>>(s.data());
+      segments.push_back({{&run, cut[i], cut[i + 1], measurements_between(run, cut[i], cut[i + 1])},
+                          j,
+                          i == 0 ? start : problem.simulator->steady(start),
+                          i + 2 < cut.size()});
     }
   }
   return segments;
@@ -187,8 +162,13 @@ Weighted weighted(const SegmentResponse& response, const RunSegment& segment, co
   return result;
 }
 
-Eigen::Vector<double, 6> state_units(const TrajectoryProblem& problem) {
-  return {problem.L, problem.L, 1.0, problem.U, problem.U, problem.U / problem.L};
+Eigen::VectorXd state_units(const TrajectoryProblem& problem) {
+  const double L = problem.L, U = problem.U;
+  Eigen::VectorXd units(problem.simulator->states());
+  units.head<6>() << L, L, 1.0, U, U, U / L;
+  for (Eigen::Index i = 6; i < units.size(); ++i)
+    units[i] = hidden_quantities[static_cast<std::size_t>(i - 6)].one(L, U);
+  return units;
 }
 
 }  // namespace swayaw::identification::detail

@@ -25,7 +25,7 @@ struct TrajectoryProblem {
 struct ShootingSegment {
   RunSegment part;
   std::size_t run;
-  StateVector<double> start;
+  Eigen::VectorXd start;  ///< of the first segment of a run the six states of her motion, of others all
   bool joined;
 };
 
@@ -51,7 +51,7 @@ struct Weighted {
 };
 Weighted weighted(const SegmentResponse& response, const RunSegment& segment, const Weights& weights);
 
-/// Ship units of x, y, psi, u, v, r: L, 1, U and U/L.
-Eigen::Vector<double, 6> state_units(const TrajectoryProblem& problem);
+/// Ship units of x, y, psi, u, v, r, and of the hidden states of effects: L, 1, U and U/L.
+Eigen::VectorXd state_units(const TrajectoryProblem& problem);
 
 }  // namespace swayaw::identification::detail

@@ -150,11 +150,16 @@ class Searcher {
 
   Eigen::VectorXd damping() const { return mu_ * task_.unit.array().square().inverse(); }
 
+  /// Changes of a start in units of the ship.
+  Eigen::VectorXd in_units(const Eigen::VectorXd& change) const {
+    return change.cwiseQuotient(state_unit_.head(change.size()));
+  }
+
   /// Root mean square of the changes, parameters in their units, starts in those of the ship.
   double size_of(const Step& move) const {
     double sum = move.values.cwiseQuotient(task_.unit).squaredNorm() / static_cast<double>(move.values.size());
     for (const auto& start : move.starts)
-      sum += start.cwiseQuotient(state_unit_).squaredNorm() / (6.0 * static_cast<double>(move.starts.size()));
+      sum += in_units(start).squaredNorm() / (6.0 * static_cast<double>(move.starts.size()));
     return std::sqrt(sum);
   }
 
@@ -162,7 +167,7 @@ class Searcher {
   static constexpr double nothing = 1e-5, little = 0.1;
 
   bool ends(const Linearization& at, const Step& move) const {
-    const auto far = [&](const auto& start) { return start.cwiseQuotient(state_unit_).cwiseAbs().maxCoeff() > 1e-4; };
+    const auto far = [&](const auto& start) { return in_units(start).cwiseAbs().maxCoeff() > 1e-4; };
     return at.gain(move) < nothing && std::ranges::none_of(move.starts, far);
   }
 
@@ -220,12 +225,19 @@ class Searcher {
     double largest = 0.0;
     for (std::size_t i = 0; i < task_.segments.size(); ++i) {
       if (!task_.segments[i].joined) continue;
-      Eigen::Vector<double, 6> gap;
-      for (std::size_t k = 0; k < 6; ++k)
-        gap[static_cast<Eigen::Index>(k)] = now_.responses[i].end[k] - now_.iterate.starts[i + 1][k];
-      largest = std::max(largest, gap.cwiseQuotient(state_unit_).cwiseAbs().maxCoeff());
+      largest = std::max(largest, in_units(now_.responses[i].end - now_.iterate.starts[i + 1]).cwiseAbs().maxCoeff());
     }
     return largest;
+  }
+
+  /// Gaps that count as closed: smaller than the noise of every channel, or segments with gaps would seem more likely
+  /// than the run without.
+  double closed() const {
+    double least = 1e-3;
+    for (const Channel channel : task_.problem.channels)
+      least =
+          std::min(least, now_.weights.noise[index_of(channel)] / unit_of(channel, task_.problem.L, task_.problem.U));
+    return least;
   }
 
   /// Keeps the most likely iterate whose segments fit together; a robust fit, whose noise is not that of largest
@@ -233,7 +245,7 @@ class Searcher {
   /// back to it.
   void watch(bool last) {
     constexpr int patience = 4;
-    if (task_.options.robust || (now_.log_likelihood > best_.log_likelihood && largest_gap() < 1e-3)) {
+    if (task_.options.robust || (now_.log_likelihood > best_.log_likelihood && largest_gap() < closed())) {
       best_ = now_;
       since_best_ = 0;
       return;
@@ -251,7 +263,7 @@ class Searcher {
       0.01;  ///< a number that nothing tells of moves as if it were known to ten times its size
 
   const SearchTask& task_;
-  Eigen::Vector<double, 6> state_unit_ = state_units(task_.problem);
+  Eigen::VectorXd state_unit_ = state_units(task_.problem);
   Situation now_, best_;
   int since_best_ = 0;
   double change_ = 1.0;  ///< of the noise in the last step

@@ -15,9 +15,7 @@ namespace swayaw::inline identification::detail {
 Iterate moved(const Iterate& from, const Step& move, double share) {
   Iterate to = from;
   for (std::size_t i = 0; i < to.values.size(); ++i) to.values[i] += share * move.values[static_cast<Eigen::Index>(i)];
-  for (std::size_t i = 0; i < to.starts.size(); ++i) {
-    for (std::size_t k = 0; k < 6; ++k) to.starts[i][k] += share * move.starts[i][static_cast<Eigen::Index>(k)];
-  }
+  for (std::size_t i = 0; i < to.starts.size(); ++i) to.starts[i] += share * move.starts[i];
   return to;
 }
 
@@ -32,23 +30,12 @@ std::vector<SegmentResponse> simulated(const TrajectoryProblem& problem, const s
 
 bool finite(std::span<const SegmentResponse> responses) {
   const auto one = [](const SegmentResponse& c) {
-    const bool values = c.residual.allFinite() && std::ranges::all_of(c.end, [](double x) { return std::isfinite(x); });
-    return values && c.residual_slope.allFinite() && c.end_slope.allFinite();
+    return c.residual.allFinite() && c.end.allFinite() && c.residual_slope.allFinite() && c.end_slope.allFinite();
   };
   return std::ranges::all_of(responses, one);
 }
 
 // ---------------------------------------------------------------- condensing
-
-namespace {
-
-using Vector6 = Eigen::Vector<double, 6>;
-
-Vector6 difference(const StateVector<double>& a, const StateVector<double>& b) {
-  return Eigen::Map<const Vector6>(a.data()) - Eigen::Map<const Vector6>(b.data());
-}
-
-}  // namespace
 
 Linearization::Linearization(const TrajectoryProblem& problem, const std::vector<ShootingSegment>& segments,
                              Iterate iterate, std::vector<SegmentResponse> responses, const Weights& weights,
@@ -87,12 +74,13 @@ Linearization::Run Linearization::run_of(std::size_t first, std::size_t beyond) 
     const auto& response = responses_[i];
     const auto w = weighted(response, segments_[i].part, weights_);
     run.A.push_back(A);
-    run.by_start.push_back(w.slope.leftCols<6>());
+    const auto states = w.slope.cols() - n_;
+    run.by_start.push_back(w.slope.leftCols(states));
     auto rows = run.rows.middleRows(row, w.slope.rows());
     rows.noalias() = run.by_start.back() * A;
     rows.rightCols(n_) += w.slope.rightCols(n_);
     row += w.slope.rows();
-    A = (response.end_slope.leftCols<6>() * A).eval();
+    A = (response.end_slope.leftCols(states) * A).eval();
     A.rightCols(n_) += response.end_slope.rightCols(n_);
   }
   const auto by_start = run.rows.leftCols<6>();
@@ -103,12 +91,12 @@ Linearization::Run Linearization::run_of(std::size_t first, std::size_t beyond) 
 }
 
 /// a_i: how far the start of each segment must move for the segments to fit together.
-std::vector<Eigen::Vector<double, 6>> Linearization::drifts(const Run& run, const Iterate& iterate,
-                                                            const std::vector<SegmentResponse>& responses) const {
-  std::vector<Vector6> a{Vector6::Zero()};
-  for (std::size_t i = run.first; i + 1 < run.beyond; ++i) {
-    a.push_back(responses_[i].end_slope.leftCols<6>() * a.back() + difference(responses[i].end, iterate.starts[i + 1]));
-  }
+std::vector<Eigen::VectorXd> Linearization::drifts(const Run& run, const Iterate& iterate,
+                                                   const std::vector<SegmentResponse>& responses) const {
+  std::vector<Eigen::VectorXd> a{Eigen::VectorXd::Zero(6)};
+  for (std::size_t i = run.first; i + 1 < run.beyond; ++i)
+    a.push_back(responses_[i].end_slope.leftCols(a.back().size()) * a.back() + responses[i].end -
+                iterate.starts[i + 1]);
   return a;
 }
 
@@ -135,7 +123,7 @@ Step Linearization::step(const Iterate& iterate, const std::vector<SegmentRespon
     low[i] = std::min(problem_.low[k] - iterate.values[k], 0.0);
     high[i] = std::max(problem_.high[k] - iterate.values[k], 0.0);
   }
-  std::vector<Vector6> by_start;
+  std::vector<Eigen::Vector<double, 6>> by_start;
   for (const auto& run : runs_) {
     const Eigen::VectorXd r = residual(run, iterate, responses);
     by_start.push_back(run.rows.leftCols<6>().transpose() * r);

@@ -10,14 +10,14 @@ inline constexpr double no_information = 1e-12;
 
 /// Where a fit is.
 struct Iterate {
-  std::vector<double> values;               ///< of the parameters
-  std::vector<StateVector<double>> starts;  ///< of the segments
+  std::vector<double> values;           ///< of the parameters
+  std::vector<Eigen::VectorXd> starts;  ///< of the segments
 };
 
 /// From an iterate to another.
 struct Step {
   Eigen::VectorXd values;
-  std::vector<Eigen::Vector<double, 6>> starts;
+  std::vector<Eigen::VectorXd> starts;
 };
 
 Iterate moved(const Iterate& from, const Step& move, double share);
@@ -73,8 +73,8 @@ class Linearization {
   };
 
   Run run_of(std::size_t first, std::size_t beyond) const;
-  std::vector<Eigen::Vector<double, 6>> drifts(const Run& run, const Iterate& iterate,
-                                               const std::vector<SegmentResponse>& responses) const;
+  std::vector<Eigen::VectorXd> drifts(const Run& run, const Iterate& iterate,
+                                      const std::vector<SegmentResponse>& responses) const;
   Eigen::VectorXd residual(const Run& run, const Iterate& iterate, const std::vector<SegmentResponse>& responses) const;
 
   const TrajectoryProblem& problem_;

@@ -23,31 +23,20 @@ bool acts_on(const Model& model, const Kind&) {
   else return true;
 }
 
-/// Changes the parameters of the model as the effect says; nothing for effects that act otherwise.
-/// @return  what the model has no place for, "" if it has: a key, or the effect itself
-template <class Model>
-std::string_view change_model(Model& model, const Effect& effect) {
-  const auto change_kind = [&]<class Kind>(const Kind& e) -> std::string_view {
-    if constexpr (requires { prepare(model, e); }) prepare(model, e);
-    if constexpr (puts_values<Kind>()) {
-      return put_values(model, e);
-    } else if constexpr (requires { change(model, e); }) {
-      change(model, e);
-      return {};
-    } else {
-      return ChangesModel<Kind> ? Kind::id : std::string_view{};
-    }
-  };
-  return std::visit(change_kind, effect);
-}
+/// Whether the model has parameters that an effect of that kind changes, or needs none.
+template <class Model, class Kind>
+constexpr bool can_change = !ChangesModel<Kind> || puts_values<Kind>() || requires(Model & model, const Kind& e) {
+  change(model, e);
+};
 
 template <class Model>
 std::string cannot_act_on(const Model& model, const Effect& effect) {
   auto changed = model;
-  const auto lacking = change_model(changed, effect);
-  if (!lacking.empty() && lacking != id_of(effect))
+  const auto lacking = std::visit([&](const auto& e) { return change_model(changed, e); }, effect);
+  if (!lacking.empty())
     return fmt::format("{}: a ship of model \"{}\" has no {}", id_of(effect), name_of(model), lacking);
-  if (lacking.empty() && std::visit([&](const auto& e) { return acts_on(model, e); }, effect)) return {};
+  const auto can = [&]<class Kind>(const Kind& e) { return can_change<Model, Kind> && acts_on(model, e); };
+  if (std::visit(can, effect)) return {};
   return fmt::format("{} cannot act on a ship of model \"{}\"", id_of(effect), name_of(model));
 }
 
@@ -104,13 +93,13 @@ Surroundings<double> with_current(Surroundings<double> around, const Ship& ship)
   return around;
 }
 
-/// Parameters of the model as the effects change them.
+/// The model with its parameters as the effects change them.
+/// @throws Refusal  as cannot_act tells
 template <class Model>
-void apply_effects(Model& model, const Ship& ship) {
-  for (const auto& effect : ship.effects) {
+Model with_changes(const Model& model, const Ship& ship) {
+  for (const auto& effect : ship.effects)
     if (const auto why = cannot_act_on(model, effect); !why.empty()) throw Refusal(why);
-    if (!is_null(effect)) change_model(model, effect);
-  }
+  return changed_by<Model>(active_effects(ship), model);
 }
 
 /// The ship without wind that comes and goes.
@@ -121,16 +110,15 @@ Ship without_gusts(const Ship& ship) {
   return calm;
 }
 
-/// The effects that do something.
-std::vector<Effect> active(const Ship& ship) {
+constexpr double before_all = -std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+std::vector<Effect> active_effects(const Ship& ship) {
   std::vector<Effect> effects;
   std::ranges::copy_if(ship.effects, std::back_inserter(effects), [](const Effect& e) { return !is_null(e); });
   return effects;
 }
-
-constexpr double before_all = -std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 std::string cannot_act(const ShipModel& model, const Effect& effect) {
   return std::visit([&](const auto& m) { return cannot_act_on(m, effect); }, model);
@@ -187,10 +175,10 @@ ActingShip<Model> acting_ship(const Ship& ship, const Model& model) {
   ActingShip<Model> acting{
       .model = model, .surroundings = ship.surroundings, .changes = {}, .added = {}, .rudder = {}, .instruments = {}};
   if (ship.effects.empty()) return acting;
-  apply_effects(acting.model, ship);
+  acting.model = with_changes(model, ship);
   acting.surroundings = surroundings_at(ship, before_all);
   acting.changes = changes_of(ship);
-  const auto effects = active(ship);
+  const auto effects = active_effects(ship);
   acting.added = acting_effects(acting.model, std::span<const Effect>(effects));
   acting.added.acting = acting_at(effects, before_all);
   acting.rudder = rudder_actuator(ship);
@@ -205,7 +193,7 @@ template ActingShip<AbkowitzShip<double>> acting_ship(const Ship&, const Abkowit
 
 Ship with_effects_applied(const Ship& ship) {
   Ship result = ship;
-  std::visit([&](auto& model) { apply_effects(model, ship); }, result.model);
+  std::visit([&](auto& model) { model = with_changes(model, ship); }, result.model);
   result.surroundings = surroundings_at(without_gusts(ship), 0.0);
   const auto held = []<class Kind>(const Kind&) {
     return ChangesModel<Kind> || gives_steady_wind<Kind> || GivesCurrent<Kind>;

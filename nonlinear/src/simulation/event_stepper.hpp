@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "ship_stepper.hpp"
+#include "stepper_state.hpp"
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/recording.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -48,24 +49,17 @@ struct PropulsionLine {
   }
 };
 
-/// x, y, psi, u, v, r, and the hidden states of effects where there are some.
-template <std::size_t HiddenStates>
-using StepperState = std::array<double, 6 + HiddenStates>;
-
 /// Error of a step in units of the tolerance: lengths over L, angles in radians, speeds over U, rates over U/L.
 template <std::size_t HiddenStates>
 class ScaledError {
  public:
-  using State = StepperState<HiddenStates>;
+  using State = StepperState<double, HiddenStates>;
 
   ScaledError() = default;
   ScaledError(double tolerance, double L, double U) {
     const std::array of_motion{1.0 / L, 1.0 / L, 1.0, 1.0 / U, 1.0 / U, L / U};
-    const auto of_hidden = [&](ShipUnit scale) {
-      return scale == ShipUnit::speed ? 1.0 / U : scale == ShipUnit::yaw_rate ? L / U : 1.0;
-    };
     for (std::size_t i = 0; i < weight_.size(); ++i)
-      weight_[i] = (i < 6 ? of_motion[i] : of_hidden(hidden_quantities[i - 6].scale)) / tolerance;
+      weight_[i] = (i < 6 ? of_motion[i] : 1.0 / hidden_quantities[i - 6].one(L, U)) / tolerance;
   }
 
   /// Infinite where it is not a number: a step that went beyond where the forces are known is repeated, shorter.
@@ -96,7 +90,7 @@ class ScaledError {
 template <class Model, std::size_t HiddenStates = 0>
 class EventStepper final : public ShipStepper {
  public:
-  using State = StepperState<HiddenStates>;
+  using State = StepperState<double, HiddenStates>;
 
   /// @param start  the rudder as the indicator shows it
   EventStepper(const ActingShip<Model>& acting, const Sample& start, double tolerance)
@@ -107,7 +101,7 @@ class EventStepper final : public ShipStepper {
         with_added_(acting.added.any() || std::ranges::any_of(acting.changes, &Change::acting)),
         actuator_(acting.rudder),
         time_(start.time),
-        state_(joined(start.state, steady_hidden(acting.added, start.state.motion))),
+        state_(joined<HiddenStates>(vector_of(start.state), steady_hidden(acting.added, start.state.motion))),
         rudder_(RudderMotion<>::moving(start.time, start.controls.delta, 0.0)),
         propulsion_{start.time, start.controls},
         time_unit_(ship_.particulars.L / std::max(speed(start.state.motion), 0.05 * ship_.particulars.U_0)),
@@ -198,21 +192,6 @@ class EventStepper final : public ShipStepper {
     bool whole;  ///< the step ends at `to`
   };
 
-  static ShipState<double> visible(const State& s) { return {s[0], s[1], s[2], {s[3], s[4], s[5]}}; }
-
-  static Hidden<double> hidden_of(const State& s) {
-    Hidden<double> hidden{};
-    if constexpr (HiddenStates > 0) std::copy(s.begin() + 6, s.end(), hidden.begin());
-    return hidden;
-  }
-
-  static State joined(const ShipState<double>& state, const Hidden<double>& h) {
-    State joined;
-    std::ranges::copy(vector_of(state), joined.begin());
-    if constexpr (HiddenStates > 0) std::ranges::copy(h, joined.begin() + 6);
-    return joined;
-  }
-
   Controls<double> controls_at(double time) const { return propulsion_.at(time, rudder_.at(time)); }
 
   double shown_at(double time) const {
@@ -239,7 +218,7 @@ class EventStepper final : public ShipStepper {
     const auto state = visible(s);
     const auto hidden = hidden_of(s);
     const auto r = rates_of(ship_, surroundings_, added_, state, hidden, controls_at(time), branch_);
-    return joined(state_of(r), hidden_rates(added_, state.motion, hidden));
+    return joined<HiddenStates>(r, hidden_rates(added_, state.motion, hidden));
   }
 
   /// What the indicator shows from now on, and the rudder behind it.

@@ -1,5 +1,9 @@
 #include "segment_simulator_of.hpp"
 
-template std::unique_ptr<swayaw::SegmentSimulator> swayaw::segment_simulator(const swayaw::PuShip<double>&,
-                                                                             const swayaw::Surroundings<double>&,
-                                                                             const std::vector<swayaw::Parameter>&);
+namespace swayaw::inline nonlinear::detail {
+
+template std::unique_ptr<SegmentSimulator> make_segment_simulator<PuShip, false>(const ActingShip<PuShip<double>>&,
+                                                                                 const Ship&,
+                                                                                 const std::vector<Parameter>&);
+
+}  // namespace swayaw::nonlinear::detail

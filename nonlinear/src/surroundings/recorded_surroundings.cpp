@@ -147,6 +147,16 @@ std::vector<Change> changes_in_wind(const Change& before, std::span<const Change
   return all;
 }
 
+std::vector<Change> all_changes(const Ship& ship, std::span<const WindPiece> wind) {
+  const auto around = surroundings_at(ship, -forever);
+  const Change before{-forever, around.wind, around.windy, acting_at(ship.effects, -forever)};
+  const auto own = changes_of(ship);
+  if (!wind.empty()) return changes_in_wind(before, own, wind);
+  std::vector all{before};
+  all.insert(all.end(), own.begin(), own.end());
+  return all;
+}
+
 std::optional<double> recorded_depth(const Recording& run) {
   if (run.facts.water_depth || !run.has(Channel::depth)) return run.facts.water_depth;
   std::vector<double> depth(run[Channel::depth].begin(), run[Channel::depth].end());

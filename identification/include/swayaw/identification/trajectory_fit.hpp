@@ -91,8 +91,8 @@ struct TrajectoryFit {
 ///
 /// Maximum likelihood of white measurement noise around the simulated run (output errors), with exact derivatives of
 /// the simulation by start and parameters. Rudder, propulsion and measured wind are those of the recording; parameters
-/// are those of the depth in which it was sailed. Standard errors allow for residuals that are correlated over a part
-/// of a ship length.
+/// are those of the depth in which it was sailed. Effects of the ship act as they do in replays. Standard errors allow
+/// for residuals that are correlated over a part of a ship length.
 ///
 /// @throws Refusal            if there is nothing to fit or to fit to, a number does not exist, a run has no rudder
 /// angle or does not tell

@@ -11,6 +11,9 @@ namespace swayaw::inline nonlinear {
 /// @return the first of them as of −infinity
 std::vector<Change> changes_in_wind(const Change& before, std::span<const Change> own, std::span<const WindPiece> wind);
 
+/// What acts on a ship in a recorded wind, which may be empty: the first as of −infinity, and what changes it.
+std::vector<Change> all_changes(const Ship& ship, std::span<const WindPiece> wind);
+
 /// The ship in a recorded wind; as she is where it is empty.
 template <class Model>
 ActingShip<Model> in_wind(ActingShip<Model> acting, std::span<const WindPiece> wind) {

@@ -24,8 +24,13 @@ struct Change {
   std::uint32_t acting;  ///< which effects act in her motion, as in ActingEffects
 
   template <class S>
-  void apply(Surroundings<double>& around, ActingEffects<S>& added) const {
-    around.wind = wind, around.windy = windy;
+  void blow(Surroundings<S>& around) const {
+    around.wind = {S(wind.speed), S(wind.from)}, around.windy = windy;
+  }
+
+  template <class S, class T>
+  void apply(Surroundings<S>& around, ActingEffects<T>& added) const {
+    blow(around);
     added.acting = acting;
   }
 };
@@ -73,6 +78,16 @@ template <class F>
 decltype(auto) visit_acting(const Ship& ship, F&& f) {
   return std::visit([&](const auto& model) -> decltype(auto) { return std::forward<F>(f)(acting_ship(ship, model)); },
                     ship.model);
+}
+
+/// The effects that do something.
+std::vector<Effect> active_effects(const Ship& ship);
+
+/// The model with its parameters as effects change them, in any scalar; effects of other kinds are passed over.
+template <class Model>
+Model changed_by(std::span<const EffectIn<typename Model::Scalar>> effects, Model model) {
+  for (const auto& effect : effects) std::visit([&](const auto& e) { change_model(model, e); }, effect);
+  return model;
 }
 
 /// The ship whose model and surroundings hold what they can of her effects: changed parameters, steady wind and

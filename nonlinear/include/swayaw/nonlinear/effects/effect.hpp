@@ -135,6 +135,11 @@ struct HiddenQuantity {
   std::string_view symbol;
   ShipUnit scale;                    ///< one, speed or yaw_rate: in what the error of a step is counted
   std::optional<Channel> channel{};  ///< that shows it
+
+  /// One of its scale, on a ship of that length and speed.
+  constexpr double one(double L, double U) const {
+    return scale == ShipUnit::speed ? U : scale == ShipUnit::yaw_rate ? U / L : 1.0;
+  }
 };
 
 // ---------------------------------------------------------------- actuators

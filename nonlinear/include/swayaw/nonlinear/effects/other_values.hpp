@@ -68,4 +68,14 @@ constexpr bool puts_values() {
   return !Kind::parameters()[0].table.empty();
 }
 
+/// Changes the parameters of a model as an effect says; nothing for effects that act otherwise.
+/// @return  key of a value that the model has no place for; empty if there is none
+template <class Model, class Kind>
+std::string_view change_model(Model& model, const Kind& effect) {
+  if constexpr (requires { prepare(model, effect); }) prepare(model, effect);
+  if constexpr (puts_values<Kind>()) return put_values(model, effect);
+  else if constexpr (requires { change(model, effect); }) change(model, effect);
+  return {};
+}
+
 }  // namespace swayaw::nonlinear

@@ -42,8 +42,8 @@ Kinematics<S> at_point(Kinematics<S> k, const S& x, const S& y) {
 }
 
 /// The motion some seconds ago, by the midpoint rule and constant accelerations.
-template <class S>
-ShipState<S> moved_back(const ShipState<S>& s, const Current<S>& current, const PlanarAcceleration<double>& a,
+template <class S, class A>
+ShipState<S> moved_back(const ShipState<S>& s, const Current<S>& current, const PlanarAcceleration<A>& a,
                         const S& delay) {
   const auto back = [&](const ShipState<S>& rate_at, const S& t) {
     const auto ground = over_ground(current, rate_at);
