@@ -9,6 +9,7 @@ swayaw_report_\name\()_end:
 
     .section .rodata
     embed page_html, page.html
+    embed scripts_html, scripts.html
     embed page_css, page.css
     embed page_js, page.js
     embed check_js, check.js

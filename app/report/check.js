@@ -2,7 +2,7 @@
 
 const INSTRUMENTS = {
   x: 'Positions', y: 'Positions, y', psi: 'Heading', r: 'Yaw rate', u: 'Speed through the water', v: 'Sway',
-  ug: 'Speed over ground', vg: 'Sway over ground', stw: 'Log', delta: 'Rudder', delta_order: 'Rudder order',
+  ug: 'Speed over ground', vg: 'Sway over ground', stw: 'Log', delta: 'Rudder', delta_order: 'Rudder order', rev: 'Shaft speed',
 };
 
 const ERRORS = {
@@ -44,12 +44,16 @@ function runBlock(run) {
       `Not measured: ${INSTRUMENTS[d.channel] || d.channel} is made of ${d.made_of}; it is left out of the check.`)),
     ...run.cannot_tell.map((line) => el('p', { class: 'note' }, `Cannot tell: ${line}.`)),
     ...run.gaps_s.map(([from, to]) => el('p', { class: 'note' }, `No heading from ${between(from, to)}.`)),
-    table('summary',
+    table('numbers',
       ['Channel', 'Samples', 'White noise, SI', 'Rounded to, SI', 'Measured', 'Outliers'].map((name) => column(name)),
       run.channels.map(sampleRow)));
 }
 
 // ---- all runs side by side ---------------------------------------------------------------
+
+// Height of a plot beside its rows, and of a row, px.
+const BESIDE_ROWS = 95;
+const ROW = 26;
 
 // Errors of one kind and channel, each with its run.
 function groups(runs) {
@@ -79,7 +83,7 @@ function drawGroup(group, pooledError, node) {
     hovertemplate: `%{y}<br>%{x:.3~g} ${unit}<extra></extra>`,
   }], {
     shapes,
-    margin: { ...MARGIN, l: 190 },
+    margin: { ...MARGIN, t: 34, l: 20 },
     xaxis: axis(unit, { zeroline: true, zerolinewidth: 2 }),
     yaxis: { automargin: true, type: 'category', autorange: 'reversed' },
   });
@@ -87,20 +91,13 @@ function drawGroup(group, pooledError, node) {
 
 function groupBox(group, all) {
   const pooledError = (all || []).find((e) => e.channel === group[0].channel && e.error === group[0].error);
-  const box = plotBox('time', titleOf(group[0]), (node) => drawGroup(group, pooledError, node));
+  const box = plotBox('bars', titleOf(group[0]), (node) => drawGroup(group, pooledError, node));
+  box.style.height = `${BESIDE_ROWS + ROW * group.length}px`;
   return el('div', {}, el('h3', {}, titleOf(group[0])), box,
     pooledError ? el('p', { class: 'note' }, `All runs: ${pooledError.words}`) : null);
 }
 
 // ---- the page ----------------------------------------------------------------------------
-
-function verdict(report) {
-  const mistakes = report.runs.flatMap((run) => run.instruments.filter(isMistake).map((e) => `${run.run}: ${e.words}`));
-  if (mistakes.length) return `Not to be believed as it is. ${mistakes.join('. ')}.`;
-  const told = report.runs.filter((run) => run.instruments.some((e) => e.told)).length;
-  return told ? `Errors of instruments are told in ${told} of ${counted(report.runs.length, 'run')}.`
-    : 'No error of an instrument is told.';
-}
 
 function footer(report) {
   return el('footer', {},
@@ -112,11 +109,8 @@ function footer(report) {
 }
 
 function showCheck(report) {
-  document.title = 'Instruments';
   document.getElementById('report').append(
-    el('header', {}, el('p', { class: 'kicker' }, 'Instruments by kinematics'), el('h1', {}, 'Can the recordings be believed?'),
-      el('p', { class: 'verdict' }, verdict(report))),
-    el('div', { class: 'plots block' }, ...groups(report.runs).map((group) => groupBox(group, report.all_runs))),
+    el('div', { class: 'runs runs-2 block' }, ...groups(report.runs).map((group) => groupBox(group, report.all_runs))),
     ...report.runs.map(runBlock),
     footer(report));
   renderWhenSeen();

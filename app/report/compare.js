@@ -507,16 +507,6 @@ function runSection(run, ship) {
 
 // ---- the page ----------------------------------------------------------------------------
 
-function header(report) {
-  const facts = [report.ship_file, isNumber(report.length_m) ? `length ${trimmed(report.length_m)} m` : null,
-    counted(report.runs.length, 'run')];
-  return el('header', {},
-    el('p', { class: 'kicker' }, 'Simulation against recorded manoeuvres'),
-    el('h1', {}, report.ship || 'Ship'),
-    el('p', { class: 'facts' }, facts.filter(Boolean).join(' · ')),
-    report.verdict ? el('p', { class: 'verdict' }, report.verdict) : null);
-}
-
 function summary(report, lengths) {
   return el('section', {},
     el('h3', {}, 'Window error of each run'),
@@ -557,9 +547,8 @@ function prepared(report) {
 function show(report) {
   const lengths = shipLengths(report.window_ship_lengths || 2);
   const ship = { length: report.length_m, lengths };
-  document.title = `${report.ship || 'Ship'}: simulation against recordings`;
   document.getElementById('report').append(
-    header(report), summary(report, lengths),
+    summary(report, lengths),
     ...(report.runs.length > JUMP_LIST_ABOVE ? [jumpList(report.runs)] : []),
     ...report.runs.map((run) => runSection(run, ship)), footer(report, lengths));
   if (report.runs.length <= RENDER_ALL_UP_TO) renderAll();

@@ -618,19 +618,8 @@ function nextSection(report) {
 
 // ---- the page ----------------------------------------------------------------------------
 
-function header(report) {
-  const heldOut = report.runs.filter((run) => run.held_out).length;
-  const facts = [report.ship_file, isNumber(report.length_m) ? `length ${trimmed(report.length_m)} m` : null, `${counted(report.runs.length - heldOut, 'run')} used`,
-    heldOut > 0 ? `${counted(heldOut, 'run')} held out` : null, report.reference_runs > 0 ? counted(report.reference_runs, 'reference run') : null];
-  const rest = isNumber(report.imperfection)
-    ? el('p', { class: 'note' }, `What stays unexplained is ${trimmed(report.imperfection)} times what an adequate model of this kind leaves.`) : null;
-  return el('header', {},
-    el('p', { class: 'kicker' }, 'What the model leaves out'),
-    el('h1', {}, report.ship || 'Ship'),
-    el('p', { class: 'facts' }, facts.filter(Boolean).join(' · ')),
-    el('p', { class: `verdict ${report.verdict}` }, inWords(report.words || '')),
-    report.effects.length > 0 ? el('div', { class: 'cards' }, ...report.effects.map(effectCard)) : null,
-    rest);
+function cards(report) {
+  return report.effects.length > 0 ? [el('div', { class: 'cards' }, ...report.effects.map(effectCard))] : [];
 }
 
 function jumpList(sections) {
@@ -657,10 +646,9 @@ function preparedReport(report) {
 
 function showDiagnosis(report) {
   EFFECTS = report.effect_names || {};
-  document.title = `${report.ship || 'Ship'}: what the model leaves out`;
   nameAfter(report.verdict);
   const sections = [budgetSection, surroundingsSection, forceSection, planeSection, rankingSection, proofSection, nextSection].map((make) => make(report)).filter(Boolean);
-  document.getElementById('report').append(header(report), jumpList(sections), ...sections, footer(report));
+  document.getElementById('report').append(...cards(report), jumpList(sections), ...sections, footer(report));
   renderWhenSeen();
 }
 

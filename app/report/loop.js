@@ -149,16 +149,6 @@ function mapBlock(report) {
     el('p', { class: 'note' }, 'The other four indices are those of the ship (cross). Near the diagonal T3b = T3w no ship exists.'));
 }
 
-function header(report) {
-  const facts = [report.ship_file, report.manoeuvre, `${trimmed(report.length_m)} m at ${trimmed(report.speed_m_s)} m/s`,
-    `one length in ${trimmed(report.length_m / report.speed_m_s)} s`];
-  return el('header', {},
-    el('p', { class: 'kicker' }, 'Drift–yaw loop'),
-    el('h1', {}, report.ship || 'Ship'),
-    el('p', { class: 'facts' }, facts.filter(Boolean).join(' · ')),
-    el('p', { class: 'verdict' }, report.verdict));
-}
-
 function footer(report) {
   return el('footer', {},
     el('p', {}, el('strong', {}, 'Loop. '),
@@ -171,9 +161,7 @@ function footer(report) {
 }
 
 function showLoop(report) {
-  document.title = `${report.ship || 'Ship'}: drift–yaw loop`;
   document.getElementById('report').append(...[
-    header(report),
     el('div', { class: 'block' }, el('h3', {}, 'Steering indices, dimensionless'), indexTable(report.indices)),
     el('div', { class: 'plots block' },
       titledBox('Zigzag', plotBox('time', 'Zigzag', (node) => drawZigzag(report, node))),

@@ -4,14 +4,16 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
 extern "C" {
 extern const char swayaw_report_page_html[];
 extern const char swayaw_report_page_html_end[];
+extern const char swayaw_report_scripts_html[];
+extern const char swayaw_report_scripts_html_end[];
 extern const char swayaw_report_page_css[];
 extern const char swayaw_report_page_css_end[];
 extern const char swayaw_report_page_js[];
@@ -152,22 +154,10 @@ std::string document_text(const json& document) {
   return script_safe(document.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-// What differs between pages: the script that draws them, and their data.
-struct Content {
-  std::string_view script;
-  std::string data;
-};
+using Texts = std::map<std::string_view, std::string_view>;
 
-std::string_view text_for(std::string_view marker, const Content& content) {
-  if (marker == "style") return between(swayaw_report_page_css, swayaw_report_page_css_end);
-  if (marker == "plotly") return between(swayaw_report_plotly_js, swayaw_report_plotly_js_end);
-  if (marker == "helpers") return between(swayaw_report_page_js, swayaw_report_page_js_end);
-  if (marker == "script") return content.script;
-  if (marker == "document") return content.data;
-  throw std::logic_error("page.html has an unknown marker: " + std::string(marker));
-}
-
-std::string fill(std::string_view page, const Content& content) {
+// The text with each {{marker}} replaced.
+std::string fill(std::string_view page, const Texts& texts) {
   constexpr std::string_view open = "{{";
   constexpr std::string_view close = "}}";
   std::string filled;
@@ -177,36 +167,61 @@ std::string fill(std::string_view page, const Content& content) {
     if (start == std::string_view::npos) return filled;
     page.remove_prefix(start + open.size());
     const auto stop = page.find(close);
-    filled += text_for(page.substr(0, stop), content);
+    filled += texts.at(page.substr(0, stop));
     page.remove_prefix(stop + close.size());
   }
 }
 
+std::string scripts_html(std::string_view script, const std::string& data) {
+  return fill(between(swayaw_report_scripts_html, swayaw_report_scripts_html_end),
+              {{"document", data},
+               {"plotly", between(swayaw_report_plotly_js, swayaw_report_plotly_js_end)},
+               {"helpers", between(swayaw_report_page_js, swayaw_report_page_js_end)},
+               {"script", script}});
+}
+
+constexpr std::string_view drawn_details =
+    "<noscript><p class=\"note\">The plots further down are drawn with JavaScript, which is switched off "
+    "here.</p></noscript>\n<div id=\"report\"></div>";
+
+std::string filled(const Page& page, std::string_view details, std::string_view scripts) {
+  const auto title = escaped(page.title + ": " + page.kicker), description = escaped(page.headline),
+             first = first_screen_html(page), sections = sections_html(page);
+  return fill(skeleton(), {{"title", title},
+                           {"description", description},
+                           {"style", between(swayaw_report_page_css, swayaw_report_page_css_end)},
+                           {"first", first},
+                           {"details", details},
+                           {"sections", sections},
+                           {"scripts", scripts}});
+}
+
+std::string with_plots(const Page& page, std::string_view script, const json& document) {
+  return filled(page, drawn_details, scripts_html(script, document_text(document)));
+}
+
 }  // namespace
 
-std::string check_page(const json& document) {
-  const auto script = between(swayaw_report_check_js, swayaw_report_check_js_end);
-  return fill(skeleton(), {script, document_text(document)});
+std::string html(const Page& page) { return filled(page, {}, {}); }
+
+std::string check_page(const Page& page, const json& document) {
+  return with_plots(page, between(swayaw_report_check_js, swayaw_report_check_js_end), document);
 }
 
-std::string comparison_page(const json& document) {
-  const auto script = between(swayaw_report_compare_js, swayaw_report_compare_js_end);
-  return fill(skeleton(), {script, document_text(compact(document))});
+std::string comparison_page(const Page& page, const json& document) {
+  return with_plots(page, between(swayaw_report_compare_js, swayaw_report_compare_js_end), compact(document));
 }
 
-std::string loop_page(const json& document) {
-  const auto script = between(swayaw_report_loop_js, swayaw_report_loop_js_end);
-  return fill(skeleton(), {script, document_text(document)});
+std::string loop_page(const Page& page, const json& document) {
+  return with_plots(page, between(swayaw_report_loop_js, swayaw_report_loop_js_end), document);
 }
 
-std::string diagnosis_page(const json& document) {
-  const auto script = between(swayaw_report_diagnose_js, swayaw_report_diagnose_js_end);
-  return fill(skeleton(), {script, document_text(compact(document))});
+std::string diagnosis_page(const Page& page, const json& document) {
+  return with_plots(page, between(swayaw_report_diagnose_js, swayaw_report_diagnose_js_end), compact(document));
 }
 
-std::string trial_page(const json& document) {
-  const auto script = between(swayaw_report_trial_js, swayaw_report_trial_js_end);
-  return fill(skeleton(), {script, document_text(document)});
+std::string trial_page(const Page& page, const json& document) {
+  return with_plots(page, between(swayaw_report_trial_js, swayaw_report_trial_js_end), document);
 }
 
 }  // namespace swayaw

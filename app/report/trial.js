@@ -4,10 +4,8 @@ const RECORDED = '#2b2b2b';
 const CORRECTED = '#e07b00';
 const SIMULATED = '#0072b2';
 const RUDDER = '#8b949e';
-const VERDICTS = { pass: '#d8efe6', fail: '#f9d7c9', 'cannot tell': '#f5f0cf', 'not reached': '#f5f0cf' };
 
 const capital = (words) => words.charAt(0).toUpperCase() + words.slice(1);
-const inWords = (id) => id.replaceAll('_', ' ').replace(/(\d+) (\d+)$/, '$1/$2');
 
 // To the second digit of the standard error, but no more than five digits of the value.
 function told(number) {
@@ -37,22 +35,6 @@ function numbersTable(run) {
     el('td', {}, line.unit),
     ...(lengths ? [el('td', {}, isNumber(line.in_lengths) ? plain(line.in_lengths.toFixed(3)) : '')] : [])));
   return table('numbers', headings, rows);
-}
-
-function criterionRow(run, criterion) {
-  const { verdict, unit } = criterion;
-  return row(
-    el('th', { scope: 'row' }, capital(inWords(criterion.name)), ' ', small(`to ${criterion.side}, ${run.run}`)),
-    el('td', {}, ...told(criterion.value)),
-    el('td', {}, trimmed(criterion.limit)),
-    el('td', {}, unit === 'L' ? 'ship lengths' : unit),
-    el('td', { style: `background:${VERDICTS[verdict]}` }, verdict));
-}
-
-function criteriaTable(report) {
-  const rows = report.runs.flatMap((run) => (run.imo || []).map((criterion) => criterionRow(run, criterion)));
-  if (rows.length === 0) return null;
-  return table('criteria', [column('Criterion'), column('Value'), column('Limit'), column('Unit'), column('Verdict')], rows);
 }
 
 // ---- plots -------------------------------------------------------------------------------
@@ -130,13 +112,8 @@ function runSection(run) {
 }
 
 function showTrial(report) {
-  document.title = `${report.ship || 'Ship'}: recorded manoeuvres`;
   const length = isNumber(report.length_m) ? `Length ${trimmed(report.length_m)} m. ` : '';
   document.getElementById('report').append(
-    el('p', { class: 'kicker' }, 'Recorded manoeuvres judged'),
-    el('h1', {}, report.ship || 'Manoeuvring trials'),
-    el('p', { class: 'verdict' }, `${report.imo ? report.imo.verdict : ''}.`),
-    ...[criteriaTable(report)].filter(Boolean),
     ...report.runs.map(runSection),
     el('footer', {},
       el('p', {}, `${length}± is one standard error of instrument noise, rounding and sampling; wind, waves and the helmsman are not in it. ` +

@@ -1,9 +1,11 @@
 #include <algorithm>
 
+#include "check_page.hpp"
 #include "checked_runs.hpp"
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
+#include "page_writing.hpp"
 #include "swayaw/app/report.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
@@ -150,10 +152,9 @@ void check(const CheckArguments& a) {
     write_recording(repaired(runs.front(), checks.front()), a.out);
     fmt::print(stderr, "swayaw: repaired recording written to {}\n", a.out.string());
   }
-  if (!a.report.empty()) {
-    write_text(a.report, check_page(for_page(document_of(checks, one_clock))));
-    fmt::print(stderr, "swayaw: report written to {}\n", a.report.string());
-  }
+  if (a.report.wanted())
+    write_page(a.report.file,
+               check_page(first_screen(checks, one_clock, a.report.si), for_page(document_of(checks, one_clock))));
   if (a.json) {
     fmt::print("{}\n", document_of(checks, one_clock).dump(2));
     return;

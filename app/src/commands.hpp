@@ -15,6 +15,14 @@ struct Ignored {
   bool depth = false;
 };
 
+/// The page that is written besides the answer.
+struct ReportArguments {
+  std::filesystem::path file{};  ///< empty: no page
+  bool si = false;               ///< its first screen in metres, seconds and radians
+
+  bool wanted() const { return !file.empty(); }
+};
+
 struct SimulateArguments {
   std::filesystem::path ship;
   std::string zigzag;          ///< "D/H" in degrees, or empty
@@ -37,6 +45,7 @@ struct SimulateArguments {
   std::filesystem::path out;  ///< empty: no time series
   bool forces = false;        ///< forces by part in the time series
   std::filesystem::path svg;  ///< empty: no plot
+  ReportArguments report{};
   bool json = false;
 };
 void simulate(const SimulateArguments& arguments);
@@ -55,9 +64,9 @@ void replay(const ReplayArguments& arguments);
 
 struct CheckArguments {
   std::vector<std::filesystem::path> runs;
-  std::string rudder_positive;   ///< "port" or "starboard", whatever the files say; empty: as they say
-  std::filesystem::path report;  ///< empty: no page
-  std::filesystem::path out;     ///< repaired recording; empty: none
+  std::string rudder_positive;  ///< "port" or "starboard", whatever the files say; empty: as they say
+  ReportArguments report{};
+  std::filesystem::path out;  ///< repaired recording; empty: none
   bool json = false;
 };
 void check(const CheckArguments& arguments);
@@ -67,7 +76,7 @@ struct CompareArguments {
   std::vector<std::filesystem::path> runs;
   std::string shaft = "recorded";
   double window_lengths = 2.0;
-  std::filesystem::path report;  ///< empty: no page
+  ReportArguments report{};
   bool json = false;
   bool markdown = false;
   std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
@@ -98,6 +107,7 @@ struct IndicesArguments {
   std::filesystem::path ship;
   std::optional<double> speed;  ///< [m/s]
   std::filesystem::path svg;    ///< empty: no plot
+  ReportArguments report{};
   bool json = false;
 };
 void indices(const IndicesArguments& arguments);
@@ -116,8 +126,8 @@ struct LoopArguments {
   std::string first = "starboard";  ///< side turned to first
   std::optional<double> speed;      ///< [m/s]
   std::filesystem::path out;        ///< empty: no time series
-  std::filesystem::path report;     ///< empty: no page
-  std::filesystem::path svg;        ///< empty: no plot
+  ReportArguments report{};
+  std::filesystem::path svg;  ///< empty: no plot
   bool json = false;
 };
 void loop(const LoopArguments& arguments);
@@ -127,7 +137,7 @@ struct TrialArguments {
   std::filesystem::path ship;    ///< simulated beside the recording, and her length; empty: none
   std::optional<double> speed;   ///< approach speed in place of the recorded one [m/s]
   std::optional<double> length;  ///< [m]
-  std::filesystem::path report;  ///< empty: no page
+  ReportArguments report{};
   bool json = false;
   std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
 };
@@ -141,6 +151,7 @@ struct TuneArguments {
   std::optional<double> most_change;    ///< largest relative change of each
   int most_turns = 300;                 ///< turning circles to be sailed at most
   std::filesystem::path out;
+  ReportArguments report{};
   bool json = false;
 };
 void tune(const TuneArguments& arguments);
@@ -195,6 +206,7 @@ struct IdentifyArguments {
   double ridge = 0.0;
   bool resample = false;
   std::filesystem::path out;
+  ReportArguments report{};
   bool json = false;
   std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
   bool no_check = false;        ///< instruments are not checked first
@@ -208,7 +220,7 @@ struct DiagnoseArguments {
   std::vector<std::filesystem::path> reference;  ///< in which nothing is hidden
   std::vector<std::filesystem::path> holdout;    ///< not used
   std::filesystem::path save_model;              ///< empty: none
-  std::filesystem::path report;                  ///< empty: no page
+  ReportArguments report{};
   bool json = false;
   std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
   bool no_check = false;        ///< instruments are not checked first

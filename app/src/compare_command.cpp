@@ -7,11 +7,13 @@
 #include "input.hpp"
 #include "json.hpp"
 #include "measured_surroundings.hpp"
+#include "page_writing.hpp"
 #include "swayaw/app/report.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
+#include "user_units.hpp"
 #include "way_ahead.hpp"
 
 namespace swayaw::app {
@@ -111,10 +113,133 @@ Json series_json(const Comparison& c) {
           {"windows", channels_json(c.restarted, c.window_starts)}};
 }
 
-void write_report(Json document, const std::vector<Comparison>& comparisons, const std::filesystem::path& file) {
+// ---------------------------------------------------------------- first screen
+
+std::string units_of(Quantity quantity, double value, const UserUnits& units) {
+  switch (quantity) {
+    case Quantity::heading:
+    case Quantity::drift: return units.angle(value);
+    case Quantity::yaw_rate: return units.yaw_rate(value);
+    case Quantity::speed: return units.speed(value);
+    case Quantity::position: return units.length(value);
+  }
+  return {};
+}
+
+std::string words_of(Quantity quantity) {
+  std::string words(name_of(quantity));
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+/// Yaw-rate error over its variation of a run, or of the first quantity that it tells.
+double size_of(const Comparison& c) {
+  const auto yaw = std::ranges::find(c.errors, Quantity::yaw_rate, &QuantityError::quantity);
+  return (yaw == c.errors.end() ? c.errors.front() : *yaw).normalised();
+}
+
+/// Heading and track of the run in which the ship is furthest off, recorded and simulated.
+PagePicture picture_of_worst(const Ship& ship, const Comparison& c, const UserUnits& units) {
+  const Stroke recorded{.colour = ink::heading, .width = 2.4},
+      simulated{.colour = ink::yaw, .width = 2.0, .dashed = true};
+  Plot plot{.title = c.recorded.name, .panels = {}};
+  plot.panels.push_back({.x = {.quantity = "Time", .unit = "s"},
+                         .y = {.quantity = "Heading", .unit = "deg"},
+                         .curves = {over_time(c.recorded, Channel::psi, "recorded", recorded),
+                                    over_time(c.open_loop, Channel::psi, "simulated", simulated)}});
+  if (c.recorded.has(Channel::x) && c.recorded.has(Channel::y)) {
+    std::vector tracks{track_of(c.recorded, "recorded", recorded), track_of(c.open_loop, "simulated", simulated)};
+    for (const auto& [run, colour] : {std::pair{&c.recorded, ink::heading}, std::pair{&c.open_loop, ink::yaw}})
+      for (auto& hull : hulls_along(*run, length(ship), colour)) tracks.push_back(std::move(hull));
+    plot.panels.push_back(track_panel(std::move(tracks), missing));
+  }
+  const auto& e = c.errors.front();
+  return picture_of(
+      plot,
+      fmt::format("Recorded and simulated heading over time and track of {}. Simulated from start to end "
+                  "the {} errs by {}.",
+                  c.recorded.name, words_of(e.quantity), units_of(e.quantity, e.open_loop_rms, units)),
+      "Simulated from the recorded start to the end with the recorded rudder and shaft speed, never restarted.");
+}
+
+PageTable errors_table(const std::vector<Comparison>& comparisons, double window) {
+  PageTable table{.caption = fmt::format("Error over {:g} ship lengths, of the variation in the run", window),
+                  .columns = {"Run"},
+                  .rows = {}};
+  const auto all = pooled(comparisons);
+  for (const auto& e : all) table.columns.push_back(words_of(e.quantity));
+  const auto add = [&](const std::string& name, const std::vector<QuantityError>& errors) {
+    std::vector<PageCell> row{name};
+    for (const auto& wanted : all) {
+      const auto e = std::ranges::find(errors, wanted.quantity, &QuantityError::quantity);
+      row.emplace_back(e == errors.end() ? std::string("-") : percent_of(e->normalised()));
+    }
+    table.rows.push_back(std::move(row));
+  };
+  for (const auto& c : comparisons) add(c.recorded.name, c.errors);
+  if (comparisons.size() > 1) add("all runs", all);
+  return table;
+}
+
+/// "heading 2.46 deg, yaw rate 0.211 deg/s, …"
+std::string sizes_words(const std::vector<QuantityError>& errors, const UserUnits& units) {
+  std::vector<std::string> words;
+  for (const auto& e : errors)
+    words.push_back(fmt::format("{} {}", words_of(e.quantity), units_of(e.quantity, e.window_rms, units)));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// Where the quantity that is furthest off is so.
+std::string place_words(const Comparison& c, const UserUnits& units) {
+  const auto worst = std::ranges::max_element(c.errors, {}, [](const QuantityError& e) {
+    return e.quantity == Quantity::position || !(e.variation > 0.0) ? -1.0 : e.beyond_noise() / e.variation;
+  });
+  auto words = fmt::format("{} in {}", words_of(worst->quantity), c.recorded.name);
+  if (worst->worst)
+    words += fmt::format(", {:.0f} % of its error from {:.4g} to {:.4g} s", 100.0 * worst->worst->share,
+                         worst->worst->from, worst->worst->to);
+  if (worst->region)
+    words += fmt::format("; off by {} with {}", units_of(worst->quantity, worst->region->rms, units),
+                         words_for(*worst->region));
+  return words;
+}
+
+std::vector<std::string> assumed_of(const CompareArguments& a, const std::vector<Comparison>& comparisons) {
+  std::vector<std::string> lines{fmt::format("Ship file {}.", a.ship.string()),
+                                 fmt::format("The recorded rudder and {} drive the simulation.",
+                                             a.shaft == "recorded" ? "shaft speed or thrust, where they were recorded,"
+                                                                   : "her own self-propulsion")};
+  const auto any = [&](Channel channel) {
+    return std::ranges::any_of(comparisons, [&](const Comparison& c) { return c.recorded.has(channel); });
+  };
+  lines.push_back(a.ignored.wind             ? "The measured wind was left out, as asked."
+                  : any(Channel::wind_speed) ? "The measured wind acts in the simulation."
+                                             : "No wind was measured; none acts but that of the ship file.");
+  lines.push_back(a.no_check ? "Instruments were not checked, as asked."
+                             : "Instruments were checked first (swayaw check).");
+  return lines;
+}
+
+Page first_screen(const Ship& ship, const CompareArguments& a, const std::vector<Comparison>& comparisons) {
+  const UserUnits units(a.report.si, length(ship));
+  const auto& worst = *std::ranges::max_element(comparisons, {}, size_of);
+  return {.kicker = "Simulation beside recordings",
+          .title = ship.name,
+          .headline = verdict(comparisons),
+          .answers = {{"How far off is the model?", fmt::format("Over {:g} ship lengths: {}", a.window_lengths,
+                                                                sizes_words(pooled(comparisons), units))},
+                      {"Where is it worst?", place_words(worst, units)},
+                      {"Why, and what next?",
+                       "swayaw diagnose, with the same ship and runs, says what the model leaves out"}},
+          .picture = picture_of_worst(ship, worst, units),
+          .table = errors_table(comparisons, a.window_lengths),
+          .assumed = assumed_of(a, comparisons)};
+}
+
+void write_report(Json document, const Ship& ship, const CompareArguments& a,
+                  const std::vector<Comparison>& comparisons) {
   for (std::size_t i = 0; i < comparisons.size(); ++i) document["runs"][i]["series"] = series_json(comparisons[i]);
-  write_text(file, comparison_page(for_page(document)));
-  fmt::print(stderr, "swayaw: report written to {}\n", file.string());
+  write_page(a.report.file, comparison_page(first_screen(ship, a, comparisons), for_page(document)));
 }
 
 // ---------------------------------------------------------------- text
@@ -249,7 +374,7 @@ void compare(const CompareArguments& a) {
     comparisons.push_back(swayaw::compare(ship, run, options));
   }
   const Json document = document_of(ship, a, comparisons);
-  if (!a.report.empty()) write_report(document, comparisons, a.report);
+  if (a.report.wanted()) write_report(document, ship, a, comparisons);
   if (a.json) fmt::print("{}\n", document.dump(2));
   else if (a.markdown) print_markdown(comparisons);
   else print_text(ship, a, comparisons);

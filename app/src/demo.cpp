@@ -27,7 +27,7 @@ int main(int count, char** words) {
     return 2;
   }
   try {
-    swayaw::app::compare({.ship = words[1], .runs = {words + 3, words + count}, .report = words[2]});
+    swayaw::app::compare({.ship = words[1], .runs = {words + 3, words + count}, .report = {.file = words[2]}});
     return 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

@@ -3,6 +3,7 @@
 #include "checked_runs.hpp"
 #include "commands.hpp"
 #include "diagnose_report.hpp"
+#include "effect_words.hpp"
 #include "input.hpp"
 #include "json.hpp"
 #include "measured_surroundings.hpp"
@@ -177,78 +178,106 @@ Json document_of(const Diagnosis& d) {
 
 // ---------------------------------------------------------------- text
 
+/// A row of each quantity of each run.
 void print_runs(std::string_view title, const std::vector<RunErrors>& runs) {
   if (runs.empty()) return;
-  fmt::print(
-      "\n{}: error of replays over two ship lengths, share of the variation: given model, refitted, with the effects\n",
-      title);
-  for (const auto& run : runs) {
-    fmt::print("  {:<24}", run.run);
+  fmt::print("\n{}: error of replays over two ship lengths, of the variation\n", title);
+  fmt::print("  {:<30}{:<12}{:>10}{:>10}{:>14}\n", "run", "quantity", "as given", "refitted", "with effects");
+  for (const auto& run : runs)
     for (std::size_t i = 0; i < run.before.size() && i < run.refitted.size() && i < run.after.size(); ++i)
-      fmt::print("  {} {:.1f}, {:.1f}, {:.1f} %", name_of(run.before[i].quantity), 100.0 * run.before[i].normalised(),
+      fmt::print("  {:<30}{:<12}{:>8.1f} %{:>8.1f} %{:>12.1f} %\n", i == 0 ? run.run : "",
+                 in_words(std::string(name_of(run.before[i].quantity))), 100.0 * run.before[i].normalised(),
                  100.0 * run.refitted[i].normalised(), 100.0 * run.after[i].normalised());
-    fmt::print("\n");
-  }
 }
 
-/// The force that is missing by what it follows, in per cent of its mean square.
+/// The force that is missing by what it follows, in per cent of its mean square; a row of each.
 void print_budget(const std::vector<ForceBudget>& budget) {
   if (budget.empty()) return;
-  fmt::print("\nthe force that the model as given lacks, by what it follows, % of its mean square\n  {:<14}", "");
-  for (std::size_t i = 0; i < follows_count; ++i) fmt::print("{:>17}", name_of(static_cast<Follows>(i)));
-  fmt::print("{:>20}\n", "over force on hull");
-  for (const auto& b : budget) {
-    fmt::print("  {:<14}", b.quantity);
-    for (std::size_t i = 0; i < follows_count; ++i)
-      fmt::print("{:>10.0f} +- {:<3.0f}", 100.0 * b.share[i], 100.0 * b.standard_error[i]);
-    fmt::print("{:>20.2g}\n", b.size);
+  fmt::print("\nthe force that the model as given lacks, by what it follows, % of its mean square\n  {:<20}", "");
+  for (const auto& b : budget) fmt::print("{:>18}", in_words(b.quantity));
+  for (std::size_t i = 0; i < follows_count; ++i) {
+    fmt::print("\n  {:<20}", in_words(std::string(name_of(static_cast<Follows>(i)))));
+    for (const auto& b : budget) fmt::print("{:>11.0f} ± {:<4.0f}", 100.0 * b.share[i], 100.0 * b.standard_error[i]);
+  }
+  fmt::print("\n  {:<20}", "over force on hull");
+  for (const auto& b : budget) fmt::print("{:>18.2g}", b.size);
+  fmt::print("\n");
+}
+
+void print_parameters(const Effect& effect, const std::vector<ParameterEstimate>& parameters, const UserUnits& units) {
+  for (const auto& p : parameters)
+    if (!std::isnan(p.value))
+      fmt::print("  {:<26}{}\n", name_of_parameter(p.key, unit_of(effect, p.key)), in_users_units(effect, p, units));
+}
+
+/// The wind or stream that a place has.
+Effect effect_of(const SurroundingsEstimate& there) {
+  const bool wind = !there.parameters.empty() && there.parameters.front().key.starts_with("wind");
+  return make_effect(wind ? SteadyWind<>::id : SteadyCurrent<>::id);
+}
+
+void print_surroundings(const std::vector<SurroundingsEstimate>& surroundings, const UserUnits& units) {
+  for (const auto& there : surroundings) {
+    fmt::print("\nsurroundings of {}\n", there.scope == "all" ? "all runs" : there.scope);
+    print_parameters(effect_of(there), there.parameters, units);
+    if (!there.cannot_tell.empty()) fmt::print("  {}\n", there.cannot_tell);
   }
 }
 
-void print_surroundings(const std::vector<SurroundingsEstimate>& surroundings) {
-  if (surroundings.empty()) return;
-  fmt::print("\nsurroundings\n");
-  for (const auto& s : surroundings) {
-    fmt::print("  {:<32}", s.scope);
-    for (const auto& p : s.parameters)
-      if (!std::isnan(p.value)) fmt::print("  {} {:.3g} +- {:.2g}", p.key, p.value, p.standard_error);
-    fmt::print("{}{}\n", s.cannot_tell.empty() ? "" : "  ", s.cannot_tell);
-  }
-}
-
-void print_diagnosis(const Ship& ship, const Diagnosis& d, const Json& document) {
-  fmt::print("{}\n{}\n", ship.name, d.words);
-  for (const auto& run : document["set_aside"]) fmt::print("Set aside: {}.\n", run["run"].get<std::string>());
-  print_budget(d.budget);
-  for (const auto& e : d.effects) {
-    fmt::print("\n{}, probability {:.3f}\n", id_of(e.effect), e.probability);
-    for (const auto& p : e.parameters) fmt::print("  {:<24}{:>12.5g} +- {:.2g}\n", p.key, p.value, p.standard_error);
+void print_effects(const std::vector<FoundEffect>& effects, const UserUnits& units) {
+  for (const auto& e : effects) {
+    fmt::print("\n{} ({}), probability {:.3f}\n", label_of(e), id_of(e.effect), e.probability);
+    print_parameters(e.effect, e.parameters, units);
     if (!e.indistinguishable_from.empty())
       fmt::print("  as well explained by {}\n", fmt::join(e.indistinguishable_from, ", "));
   }
-  print_surroundings(d.surroundings);
-  if (!d.instruments.empty()) fmt::print("\ninstruments, allowed for\n");
-  for (const auto& i : d.instruments)
-    fmt::print("  {:<10}{:<14}{:>12.5g} +- {:.2g} {}\n", i.channel, i.error, i.value, i.standard_error, i.unit);
+}
+
+void print_places(const Diagnosis& d) {
   if (!d.location.empty()) fmt::print("\nwhere force is missing\n");
   for (const auto& p : d.location)
-    fmt::print("  {:<32} {:<14}{:.5g} to {:.5g} s, {:.0f} % of it; {}\n", p.run, p.quantity, p.from, p.to,
+    fmt::print("  {}: {} from {:.5g} to {:.5g} s, {:.0f} % of it\n    {}\n", p.run, in_words(p.quantity), p.from, p.to,
                100.0 * p.share, p.where);
   if (!d.symmetry.empty()) fmt::print("  {}\n", d.symmetry);
+}
+
+/// The first of each effect: the smallest size that these runs would have shown.
+void print_detectable(const std::vector<DetectableSize>& sizes, const UserUnits& units) {
+  if (!sizes.empty()) fmt::print("\nsmallest effects that these runs would have shown\n");
+  for (const auto& x : sizes) {
+    const auto effect = make_effect(x.effect);
+    fmt::print("  {:<32}{:<22}{}\n", label_of(x.effect), name_of_parameter(x.key, unit_of(effect, x.key)),
+               in_users_units(effect, {x.key, x.value, 0.0}, units));
+  }
+}
+
+void print_candidates(const std::vector<Candidate>& candidates) {
+  fmt::print("\ncandidates{:>28}{:>13}\n", "gain", "probability");
+  for (const auto& c : candidates)
+    fmt::print("  {:<26}{:>10.1f}{:>13.3f}{}\n", c.effect, c.log_evidence_gain, c.probability,
+               c.as_form ? "  may be the form of her forces"
+               : c.trace ? "  too small to matter"
+                         : "");
+}
+
+void print_diagnosis(const Ship& ship, const Diagnosis& d, const Json& document, const UserUnits& units) {
+  fmt::print("{}\n{}\n", ship.name, d.words);
+  for (const auto& run : document["set_aside"]) fmt::print("Set aside: {}.\n", run["run"].get<std::string>());
+  print_budget(d.budget);
+  print_effects(d.effects, units);
+  print_surroundings(d.surroundings, units);
+  if (!d.instruments.empty()) fmt::print("\ninstruments, allowed for\n");
+  for (const auto& i : d.instruments)
+    fmt::print("  {:<10}{:<14}{} {}\n", i.channel, i.error, with_error(i.value, i.standard_error), i.unit);
+  print_places(d);
   if (const auto words = words_of(d.linear); !words.empty()) fmt::print("\n{}\n", words);
   if (!d.shifts.empty()) fmt::print("\nnumbers of the model beyond two of their deviations\n");
   for (const auto& s : d.shifts)
     fmt::print("  {:<24}{:>12.5g} -> {:<12.5g} {:+.1f} deviations\n", s.key, s.given, s.refitted, s.deviations);
   if (d.next)
     fmt::print("\nwhat to sail next\n  {}\n  it separates {}\n", d.next->advice, fmt::join(d.next->separates, ", "));
-  if (!d.detectable.empty()) fmt::print("\nsmallest effects that these runs would have shown\n");
-  for (const auto& x : d.detectable) fmt::print("  {:<26}{:<20}{:.3g}\n", x.effect, x.key, x.value);
-  fmt::print("\ncandidates\n");
-  for (const auto& c : d.candidates)
-    fmt::print("  {:<26}{:>12.1f}  {:.3f}{}\n", c.effect, c.log_evidence_gain, c.probability,
-               c.as_form ? "  not told from an error in the form of her forces"
-               : c.trace ? "  too small to matter"
-                         : "");
+  print_detectable(d.detectable, units);
+  print_candidates(d.candidates);
   print_runs("runs used", d.train);
   print_runs("runs held out", d.holdout);
   for (const auto& line : document["not_written"]) fmt::print("{}\n", line.get<std::string>());
@@ -278,12 +307,12 @@ void save_model(const std::filesystem::path& file, const Ship& ship, const Writa
 }  // namespace
 
 void diagnose(const DiagnoseArguments& a) {
-  require_folder(a.report);
+  require_folder(a.report.file);
   const Ship ship = load_nonlinear_ship(a.ship);
   Progress progress("diagnose");
   const Interrupt interrupt;
   DiagnosisOptions options;
-  options.pictures = !a.report.empty();
+  options.pictures = a.report.wanted();
   options.progress = [&](std::string_view what) {
     if (what == first_round)
       progress.tell_rest(round_over_baseline * progress.seconds(),
@@ -307,16 +336,16 @@ void diagnose(const DiagnoseArguments& a) {
   Json document = document_of(diagnosis);
   for (const auto& [run, why] : aside) document["set_aside"].push_back({{"run", run}, {"why", why}});
   document["not_written"] = kept.changed;
-  if (!a.report.empty())
-    attempt(unsaved, a.report.string(), [&] {
+  if (a.report.wanted())
+    attempt(unsaved, a.report.file.string(), [&] {
       Json page = document;
       page["ship_file"] = a.ship.string();
       page["reference_runs"] = reference.size();
       page["needed_gain"] = options.detection;
-      write_diagnosis_report(std::move(page), ship, diagnosis, a.report);
+      write_diagnosis_report(std::move(page), ship, diagnosis, a);
     });
   if (a.json) fmt::print("{}\n", document.dump(2));
-  else print_diagnosis(ship, diagnosis, document);
+  else print_diagnosis(ship, diagnosis, document, UserUnits(a.report.si, length(ship)));
   if (!unsaved.empty()) throw Refusal(fmt::format("not everything was written: {}", fmt::join(unsaved, "; ")));
 }
 

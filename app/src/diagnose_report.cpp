@@ -4,6 +4,8 @@
 
 #include <cstdio>
 
+#include "diagnose_page.hpp"
+#include "page_writing.hpp"
 #include "swayaw/app/report.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -106,15 +108,14 @@ void require_folder(const std::filesystem::path& page) {
 }
 
 void write_diagnosis_report(Json document, const Ship& ship, const Diagnosis& diagnosis,
-                            const std::filesystem::path& page) {
+                            const DiagnoseArguments& asked) {
   document["ship"] = ship.name;
   document["length_m"] = length(ship);
   document["ordinary_force"] = ordinary_json(diagnosis.refitted);
   document["effect_names"] = effect_names();
   keep_order(document["effects"], diagnosis.effects);
   document["runs"] = pictures_json(ship, diagnosis);
-  write_text(page, diagnosis_page(for_page(document)));
-  fmt::print(stderr, "swayaw: report written to {}\n", page.string());
+  write_page(asked.report.file, diagnosis_page(diagnosis_first_screen(ship, diagnosis, asked), for_page(document)));
 }
 
 }  // namespace swayaw::app

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "commands.hpp"
 #include "json.hpp"
 #include "swayaw/mismatch/diagnose.hpp"
 
@@ -13,6 +14,6 @@ void require_folder(const std::filesystem::path& page);
 /// Writes the page of a diagnosis whose pictures were asked for.
 /// @param document  the diagnosis as JSON
 void write_diagnosis_report(Json document, const Ship& ship, const Diagnosis& diagnosis,
-                            const std::filesystem::path& page);
+                            const DiagnoseArguments& asked);
 
 }  // namespace swayaw::app

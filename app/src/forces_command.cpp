@@ -71,7 +71,8 @@ Json document_of(const ForceBreakdown& split) {
   Json parts = Json::object();
   for (const auto& part : split.parts) parts[std::string(part.name)] = force_json(part.force);
   const auto& a = split.acceleration;
-  return {{"parts", std::move(parts)},
+  return {{"schema", "swayaw.forces/1"},
+          {"parts", std::move(parts)},
           {"total", force_json(split.total)},
           {"acceleration", {{"u", number(a.u)}, {"v", number(a.v)}, {"r", number(a.r)}}}};
 }

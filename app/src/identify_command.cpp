@@ -6,9 +6,11 @@
 #include "checked_runs.hpp"
 #include "commands.hpp"
 #include "identify_linear.hpp"
+#include "identify_page.hpp"
 #include "input.hpp"
 #include "json.hpp"
 #include "measured_surroundings.hpp"
+#include "page_writing.hpp"
 #include "progress.hpp"
 #include "run_selection.hpp"
 #include "swayaw/core/version.hpp"
@@ -21,14 +23,6 @@ namespace swayaw::app {
 namespace {
 
 // ---------------------------------------------------------------- the question
-
-struct Question {
-  Ship ship;
-  std::vector<Recording> runs;
-  std::vector<Recording> holdout;
-  ForceFitOptions options;
-  std::vector<SetAside> aside{};
-};
 
 /// Those asked for, or the usual ones, with `also` and without `keep`.
 std::vector<std::string> parameters_to_find(const Ship& ship, const IdentifyArguments& a) {
@@ -85,36 +79,6 @@ Question question_of(const IdentifyArguments& a) {
 }
 
 // ---------------------------------------------------------------- the answer
-
-/// A coefficient as it is written to the file.
-struct Found {
-  Parameter before;
-  Estimate estimate;
-  double low, high;
-  std::optional<double> variance_inflation;
-  bool undetermined;
-};
-
-struct ZigzagCheck {
-  std::string run;
-  std::vector<double> recorded;
-  std::optional<std::vector<double>> before, after;
-};
-
-struct Answer {
-  Ship ship;  ///< as written
-  ForceFit forces;
-  std::optional<TrajectoryFit> trajectories;
-  bool from_trajectories = false;
-  std::string reason;  ///< why these
-  std::vector<Found> found;
-  StabilityVerdict stability;
-  std::vector<Resample> resamples;
-  std::vector<ZigzagCheck> zigzags;
-  std::vector<std::string> advice;
-  std::vector<std::string> troubles{};  ///< late steps that failed, in words; the rest is as found
-  std::string failed{};  ///< why what was asked for was not done though other things were; empty if it was
-};
 
 /// Smaller than any instrument tells: a simulation recorded without noise.
 bool is_negligible(const ChannelResiduals& c, const Ship& ship) {
@@ -256,6 +220,7 @@ void choose(Answer& answer, const IdentifyArguments& a) {
     return;
   }
   const bool right = explains(*answer.trajectories);
+  answer.lacks_something = answer.trajectories->status == TrajectoryFitStatus::converged && !right;
   answer.from_trajectories = a.fit == "trajectories" || right;
   if (a.fit == "trajectories") answer.reason = "fitted to the recorded trajectories, as asked";
   else if (right) answer.reason = "fitted to the recorded trajectories, whose residuals are no more than noise";
@@ -288,6 +253,14 @@ std::vector<StateEstimate> motions_of(Question& q, Progress& progress) {
   return states;
 }
 
+/// The first step. Numbers that trajectories alone tell have none, if these were asked for: the ship as given begins.
+ForceFit first_step(const Question& q, const IdentifyArguments& a, std::vector<StateEstimate> states) try {
+  return fit_forces(q.ship, q.runs, std::move(states), q.options);
+} catch (const Refusal&) {
+  if (a.fit != "trajectories") throw;
+  return {.ship = q.ship, .equations = {}, .range = {}, .states = {}};
+}
+
 Answer answer_to(Question& q, const IdentifyArguments& a) {
   Progress progress("identify");
   const Interrupt interrupt;
@@ -306,11 +279,12 @@ Answer answer_to(Question& q, const IdentifyArguments& a) {
                 .zigzags = {},
                 .advice = {}};
   auto states = motions_of(q, progress);
-  answer.forces = fit_forces(q.ship, q.runs, std::move(states), q.options);
+  answer.forces = first_step(q, a, std::move(states));
   if (a.fit != "forces" && !interrupt.asked()) {
     try {
       answer.trajectories = fit_on_trajectories(q, answer.forces, progress, interrupt);
     } catch (const std::exception& trouble) {
+      if (answer.forces.equations.empty()) throw;
       if (a.fit == "trajectories") answer.failed = fmt::format("not fitted to trajectories: {}", trouble.what());
       else fmt::print(stderr, "swayaw: not fitted to trajectories: {}\n", trouble.what());
     }
@@ -335,58 +309,40 @@ Answer answer_to(Question& q, const IdentifyArguments& a) {
 
 // ---------------------------------------------------------------- errors of a replay
 
-/// Errors of the ship before and after over windows of two lengths, over the variation of each quantity.
-Json errors_json(const Ship& before, const Ship& after, const std::vector<Recording>& runs) {
+std::optional<std::vector<ErrorShare>> shares_of(const Ship& ship, const Recording& run) {
+  try {
+    std::vector<ErrorShare> shares;
+    for (const auto& e : compare(ship, run).errors) shares.push_back({e.quantity, e.normalised()});
+    return shares;
+  } catch (const std::exception&) {  // she cannot sail it
+    return std::nullopt;
+  }
+}
+
+/// Errors of the ship before and after.
+std::vector<Prediction> predictions_of(const Ship& before, const Ship& after, const std::vector<Recording>& runs) {
+  std::vector<Prediction> predictions;
+  for (const auto& run : runs) predictions.push_back({run.name, shares_of(before, run), shares_of(after, run)});
+  return predictions;
+}
+
+Json shares_json(const std::optional<std::vector<ErrorShare>>& shares) {
+  if (!shares) return nullptr;
+  Json json = Json::object();
+  for (const auto& [quantity, share] : *shares) json[std::string(name_of(quantity))] = number(share);
+  return json;
+}
+
+Json errors_json(const std::vector<Prediction>& predictions) {
   Json list = Json::array();
-  const auto errors = [](const Ship& ship, const Recording& run) -> Json {
-    try {
-      Json json = Json::object();
-      for (const auto& e : compare(ship, run).errors) json[std::string(name_of(e.quantity))] = number(e.normalised());
-      return json;
-    } catch (const std::exception&) {  // she cannot sail it
-      return nullptr;
-    }
-  };
-  for (const auto& run : runs)
-    list.push_back({{"run", run.name}, {"before", errors(before, run)}, {"after", errors(after, run)}});
+  for (const auto& p : predictions)
+    list.push_back({{"run", p.run}, {"before", shares_json(p.before)}, {"after", shares_json(p.after)}});
   return list;
 }
 
 // ---------------------------------------------------------------- verdict
 
-/// How runs are predicted that were not used: root mean square, over them and their quantities, of the errors over the
-/// variation.
-struct HeldOut {
-  double before, after;
-  std::vector<std::string> lost;  ///< runs that the ship sailed before and does not now
-
-  bool worse() const { return after > before || !lost.empty(); }
-};
-
-/// @param errors  of errors_json. @return nothing where no run was held out, or none could be sailed before
-std::optional<HeldOut> held_out(const Json& errors) {
-  HeldOut result{0.0, 0.0, {}};
-  int count = 0;
-  for (const auto& run : errors) {
-    if (!run["before"].is_object()) continue;
-    if (!run["after"].is_object()) {
-      result.lost.push_back(run["run"].get<std::string>());
-      continue;
-    }
-    for (const auto& [quantity, before] : run["before"].items()) {
-      if (!before.is_number() || !run["after"].contains(quantity) || !run["after"][quantity].is_number()) continue;
-      result.before += std::pow(before.get<double>(), 2);
-      result.after += std::pow(run["after"][quantity].get<double>(), 2);
-      ++count;
-    }
-  }
-  if (count == 0 && result.lost.empty()) return std::nullopt;
-  result.before = std::sqrt(result.before / std::max(1, count));
-  result.after = std::sqrt(result.after / std::max(1, count));
-  return result;
-}
-
-std::string held_out_words(const Question& q, const std::optional<HeldOut>& h) {
+std::string held_out_words(const Question& q, const std::optional<PredictionErrors>& h) {
   if (q.holdout.empty())
     return "No run was held out: whether the coefficients hold for others is not told (--holdout).";
   if (!h) return "The held-out runs could not be replayed: whether the coefficients hold for them is not told.";
@@ -401,7 +357,7 @@ std::string held_out_words(const Question& q, const std::optional<HeldOut>& h) {
 }
 
 /// What was found, and whether it holds elsewhere, in two or three sentences.
-std::string verdict_words(const Question& q, const Answer& answer, const std::optional<HeldOut>& h) {
+std::string verdict_words(const Question& q, const Answer& answer, const std::optional<PredictionErrors>& h) {
   std::vector<std::string> open;
   for (const auto& f : answer.found)
     if (f.undetermined) open.push_back(f.before.name);
@@ -416,7 +372,7 @@ std::string verdict_words(const Question& q, const Answer& answer, const std::op
   return words + " " + held_out_words(q, h);
 }
 
-Json verdict_json(const Question& q, const Answer& answer, const std::optional<HeldOut>& h) {
+Json verdict_json(const Question& q, const Answer& answer, const std::optional<PredictionErrors>& h) {
   Json aside = Json::array();
   for (const auto& [run, why] : q.aside) aside.push_back({{"run", run}, {"why", why}});
   const Json held = h ? Json{{"before", number(h->before)},
@@ -519,11 +475,11 @@ Json names_of(const std::vector<Recording>& runs) {
   return list;
 }
 
-Json document_of(const Question& q, const Answer& answer, const IdentifyArguments& a,
+Json document_of(const Question& q, const Answer& answer, const Predictions& predictions, const IdentifyArguments& a,
                  const std::vector<std::string>& not_written) {
   Json coefficients = Json::array(), equations = Json::array(), zigzags = Json::array();
-  Json train = errors_json(q.ship, answer.ship, q.runs), holdout = errors_json(q.ship, answer.ship, q.holdout);
-  const auto judged = held_out(holdout);
+  Json train = errors_json(predictions.train), holdout = errors_json(predictions.holdout);
+  const auto judged = together(predictions.holdout);
   for (const auto& f : answer.found) coefficients.push_back(coefficient_json(f));
   for (const auto& e : answer.forces.equations) equations.push_back(equation_json(e));
   for (const auto& z : answer.zigzags) zigzags.push_back(zigzag_json(z));
@@ -609,7 +565,7 @@ void print_resamples(const std::vector<Resample>& resamples, const std::vector<s
 void print_answer(const Question& q, const Answer& answer, const Json& document) {
   fmt::print("{}\n{}\n{}\n\n", q.ship.name, document["verdict"]["words"].get<std::string>(), answer.reason);
   print_coefficients(answer);
-  fmt::print("\nforce equations\n");
+  if (!answer.forces.equations.empty()) fmt::print("\nforce equations\n");
   print_equations(answer);
   print_errors("runs used", document["errors"]["train"]);
   print_errors("runs held out", document["errors"]["holdout"]);
@@ -649,6 +605,29 @@ std::string remark_of(const Question& q, const Answer& answer) {
 
 }  // namespace
 
+std::optional<PredictionErrors> together(const std::vector<Prediction>& predictions) {
+  PredictionErrors result{0.0, 0.0, {}};
+  int count = 0;
+  for (const auto& p : predictions) {
+    if (!p.before) continue;
+    if (!p.after) {
+      result.lost.push_back(p.run);
+      continue;
+    }
+    for (const auto& [quantity, before] : *p.before) {
+      const auto after = std::ranges::find(*p.after, quantity, &ErrorShare::quantity);
+      if (after == p.after->end() || !std::isfinite(before) || !std::isfinite(after->share)) continue;
+      result.before += before * before;
+      result.after += after->share * after->share;
+      ++count;
+    }
+  }
+  if (count == 0 && result.lost.empty()) return std::nullopt;
+  result.before = std::sqrt(result.before / std::max(1, count));
+  result.after = std::sqrt(result.after / std::max(1, count));
+  return result;
+}
+
 void identify(const IdentifyArguments& a) {
   if (a.model == "linear") return identify_linear(a);
   auto question = question_of(a);
@@ -661,9 +640,12 @@ void identify(const IdentifyArguments& a) {
     write_ship(a.out, kept.ship, remark);
     saved = true;
   });
-  const auto document = document_of(question, answer, a, kept.changed);
+  const Predictions predictions{predictions_of(question.ship, answer.ship, question.runs),
+                                predictions_of(question.ship, answer.ship, question.holdout)};
+  const auto document = document_of(question, answer, predictions, a, kept.changed);
   if (a.json) fmt::print("{}\n", document.dump(2));
   else print_answer(question, answer, document);
+  if (a.report.wanted()) write_page(a.report.file, html(identify_page(question, answer, predictions, a)));
   if (saved) fmt::print(stderr, "swayaw: ship file written to {}\n", a.out.string());
   else throw Refusal(fmt::format("{}: the ship file was not written", a.out.string()));
   require_success(answer, document);

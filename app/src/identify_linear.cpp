@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "checked_runs.hpp"
+#include "identify_linear_page.hpp"
 #include "input.hpp"
 #include "json.hpp"
+#include "page_writing.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/linear_fit.hpp"
 
@@ -16,21 +18,29 @@ struct Particulars {
   std::string name;
   LinearParticulars<double> particulars;
   SteeringGear<double> gear;
+  std::optional<SwayYawCoefficients<double>> before;  ///< nothing where the ship file does not tell them
 };
+
+/// Of a ship of forces at her service speed; nothing where she cannot sail it.
+std::optional<SwayYawCoefficients<double>> coefficients_of(const AnyShip& any) {
+  try {
+    const auto* linear = std::get_if<LinearShip>(&any);
+    if (linear != nullptr) return has_coefficients(*linear) ? std::optional(coefficients(*linear)) : std::nullopt;
+    const auto& ship = std::get<Ship>(any);
+    return coefficients(linear_ship(ship, linearize(ship, straight_course(ship, service_speed(ship)))));
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
 
 Particulars particulars_of(const AnyShip& any) {
   if (const auto* linear = std::get_if<LinearShip>(&any))
-    return {linear->name, linear->particulars, linear->steering_gear};
+    return {linear->name, linear->particulars, linear->steering_gear, coefficients_of(any)};
   const auto& ship = std::get<Ship>(any);
-  return {ship.name, {length(ship), service_speed(ship)}, steering_gear(ship)};
+  return {ship.name, {length(ship), service_speed(ship)}, steering_gear(ship), coefficients_of(any)};
 }
 
-struct Row {
-  const char* name;
-  Estimate estimate;
-};
-
-std::vector<Row> rows_of(const LinearFit& fit) {
+std::vector<LinearRow> rows_of(const LinearFit& fit) {
   const auto& m = fit.coefficients;
   const auto& i = fit.indices;
   return {{"a1", m.a1},   {"b1", m.b1},   {"c1", m.c1},     {"a2", m.a2},
@@ -108,6 +118,9 @@ void identify_linear(const IdentifyArguments& a) {
       fmt::print("  {:<12}{:>12.5g}{:>12.2g}  {}\n", name, e.value, e.standard_error, in_words(e.verdict()));
     fmt::print("{}\n", verdict_of(fit));
   }
+  if (a.report.wanted())
+    write_page(a.report.file,
+               html(linear_page({p.name, fit, rows_of(fit), p.before, p.particulars.L, verdict_of(fit)}, runs, a)));
   fmt::print(stderr, "swayaw: ship file written to {}\n", a.out.string());
 }
 

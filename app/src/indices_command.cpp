@@ -5,8 +5,10 @@
 #include <limits>
 
 #include "commands.hpp"
+#include "indices_page.hpp"
 #include "input.hpp"
 #include "linear_output.hpp"
+#include "page_writing.hpp"
 #include "plot.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/linear/frequency_response.hpp"
@@ -238,13 +240,7 @@ Plot bode_plot(const LinearShip& ship, const SwayYawTransfer<double>& h, double 
 
 // ---------------------------------------------------------------- sides
 
-/// The small motions of a nonlinear ship, and those of turns to each side where these differ.
-struct Sides {
-  LinearShip mean;
-  std::optional<LinearShip> port, starboard;
-};
-
-Sides sides_of(AnyShip any, const std::optional<double>& speed) {
+SteeringSides sides_of(AnyShip any, const std::optional<double>& speed) {
   if (auto* linear = std::get_if<LinearShip>(&any)) return {std::move(*linear), {}, {}};
   const auto& ship = std::get<Ship>(any);
   fmt::print(stderr, "swayaw: {}: linearized about the straight course\n", ship.name);
@@ -254,14 +250,15 @@ Sides sides_of(AnyShip any, const std::optional<double>& speed) {
   return {on(std::nullopt), on(Side::port), on(Side::starboard)};
 }
 
-Json document_of(const Sides& sides, double speed) {
-  Json json = indices_json(sides.mean, speed);
+Json document_of(const SteeringSides& sides, double speed) {
+  Json json{{"schema", "swayaw.indices/1"}};
+  json.update(indices_json(sides.mean, speed));
   if (sides.port) json["port"] = indices_json(*sides.port, speed);
   if (sides.starboard) json["starboard"] = indices_json(*sides.starboard, speed);
   return json;
 }
 
-void print_sides(const Sides& sides, double speed) {
+void print_sides(const SteeringSides& sides, double speed) {
   if (!sides.port) return print_text(sides.mean, speed);
   fmt::print(
       "Her forces have a kink straight ahead: rudder, propeller or wake differ between turns to port and to "
@@ -280,6 +277,7 @@ void indices(const IndicesArguments& a) {
   const auto sides = sides_of(load_ship(a.ship), a.speed);
   const double speed = speed_of(sides.mean, a.speed);
   if (!a.svg.empty()) write_text(a.svg, svg_of(bode_plot(sides.mean, transfer_functions(sides.mean), speed)));
+  if (a.report.wanted()) write_page(a.report.file, html(indices_page(sides, a.ship.string(), speed, a.report.si)));
   if (a.json) fmt::print("{}\n", document_of(sides, speed).dump(2));
   else print_sides(sides, speed);
 }

@@ -150,7 +150,8 @@ Json document_of(const Question& q, const Answer& answer) {
   Json elasticity = Json::object();
   add_elasticities(elasticity, answer.coefficients, inversion_inputs.size() - 1);
   if (answer.parts) add_elasticities(elasticity, answer.parts->parts, inversion_inputs.size());
-  return {{"ship", q.ship.name},
+  return {{"schema", "swayaw.inversion/1"},
+          {"ship", q.ship.name},
           {"given", form_words(q.ship)},
           {"coefficients", values_json(answer.coefficients)},
           {"parts", answer.parts ? values_json(answer.parts->parts) : Json(nullptr)},

@@ -24,6 +24,17 @@ std::string stability_words(const SwayYawTransfer<double>& h) {
   return swings ? "course unstable: a disturbance grows in swings" : "course unstable: a disturbance grows";
 }
 
+void tell_drift(Page& page, double drift, const UserUnits& units) {
+  const bool beyond = std::abs(drift) > largest_linear_drift;
+  const auto reached = units.angle(std::abs(drift));
+  page.answers.push_back(
+      {"Do linear equations hold?", fmt::format("{}: her drift angle reaches {}, and beyond {} they mean nothing",
+                                                beyond ? "No" : "Yes", reached, units.ordered(largest_linear_drift))});
+  if (!beyond) return;
+  page.tone = Tone::look;
+  page.headline += fmt::format(" At her drift angle of {} linear equations mean nothing.", reached);
+}
+
 std::string_view form_words(const LinearShip& ship) {
   constexpr std::string_view words[] = {"hull and rudder", "coefficients", "indices"};
   return words[ship.form.index()];

@@ -6,9 +6,12 @@
 
 #include "commands.hpp"
 #include "json.hpp"
+#include "swayaw/app/page.hpp"
+#include "swayaw/core/angle.hpp"
 #include "swayaw/core/recording.hpp"
 #include "swayaw/linear/linear_ship.hpp"
 #include "swayaw/linear/zigzag.hpp"
+#include "user_units.hpp"
 
 /// What the commands on linear ships share.
 namespace swayaw::app {
@@ -19,7 +22,7 @@ Json coefficients_json(const SwayYawCoefficients<double>& m);
 /// A number in a column, "-" where it is infinite or not a number.
 std::string cell(double value);
 
-/// What `swayaw indices --json` prints.
+/// What `swayaw indices --json` prints, without its schema.
 Json indices_json(const LinearShip& ship, double speed);
 
 /// Time constants and gains with and without dimension.
@@ -35,6 +38,13 @@ Steering steering_of(const LinearShip& ship, double speed);
 
 /// "K' = 1.3 (0.031 1/s), T' = …, course stable": two lines.
 void print_steering(const LinearShip& ship, double speed);
+
+/// Drift angle beyond which linear equations mean nothing: where the cubic sway force Y_vvv v'^3 of measured hulls is
+/// half of the linear Y_v v', 14.8 deg for KCS and 18.2 deg for KVLCC2.
+inline constexpr double largest_linear_drift = radians(15.0);
+
+/// Adds to a page whether linear equations hold at a drift angle [rad]; where they do not, in its headline too.
+void tell_drift(Page& page, double drift, const UserUnits& units);
 
 /// A row a1 … c2.
 void print_coefficients(std::string_view name, const SwayYawCoefficients<double>& m);

@@ -118,7 +118,8 @@ void linearize(const LinearizeArguments& a) {
   const auto side = a.side.empty() ? std::nullopt : std::optional(side_named(a.side));
   const auto linear = is_transient(a) ? linearize_transient(ship, point, side) : linearize(ship, point, side);
   if (a.json) {
-    auto json = document_of(ship, linear);
+    Json json{{"schema", "swayaw.linearization/1"}};
+    json.update(document_of(ship, linear));
     if (kink) add_sides(json, ship, point);
     fmt::print("{}\n", json.dump(2));
     return;

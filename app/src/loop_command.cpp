@@ -9,7 +9,7 @@
 #include "commands.hpp"
 #include "input.hpp"
 #include "linear_output.hpp"
-#include "plot.hpp"
+#include "page_writing.hpp"
 #include "swayaw/app/report.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/version.hpp"
@@ -124,7 +124,8 @@ Json sensitivity_json(const std::optional<LoopSensitivity>& s) {
 Json document_of(const LinearShip& ship, const Finding& f) {
   const auto& reversals = f.cycle.zigzag.reversals;
   const double period = f.cycle.zigzag.period().value();
-  Json json{{"ship", ship.name},
+  Json json{{"schema", "swayaw.loop/1"},
+            {"ship", ship.name},
             {"manoeuvre", name_of(ZigzagAngles{f.order.rudder, f.order.heading})},
             {"first", name_of(f.order.first)},
             {"speed_m_s", f.speed},
@@ -280,11 +281,6 @@ Json page_document(const LinearShip& ship, const Finding& f, const LoopArguments
   return json;
 }
 
-void write_page(const LinearShip& ship, const Finding& f, const LoopArguments& a) {
-  write_text(a.report, loop_page(for_page(page_document(ship, f, a))));
-  fmt::print(stderr, "swayaw: report written to {}\n", a.report.string());
-}
-
 // ---------------------------------------------------------------- plot
 
 double reach(const std::vector<double>& values) {
@@ -307,6 +303,110 @@ Plot loop_plot(const LinearShip& ship, const Finding& f) {
             .curves = {first_order_line(transfer_functions(ship), cycle),
                        {"from straight ahead", in_degrees(approach.beta), approach.omega, {ink::faint, 1.2}},
                        {std::string(cycle_words(f)), in_degrees(cycle.beta), cycle.omega, {ink::yaw, 2.4}}}}}};
+}
+
+// ---------------------------------------------------------------- first screen
+
+/// How much more of T3b or T3w the page tells the effect of.
+constexpr double more = 0.1;
+
+/// A measure of the loop or the zigzag, what it is in the units of the page, and its derivatives.
+struct Told {
+  std::string name, value;
+  double number, by_T3b, by_T3w;
+};
+
+std::vector<Told> told_of(const Finding& f, const UserUnits& units, double L) {
+  const auto& m = f.loop;
+  const auto s = f.sensitivity.value_or(LoopSensitivity{});
+  const double U_over_L = f.speed / L, overshoot = f.cycle.zigzag.reversals.front().overshoot,
+               period = f.cycle.zigzag.period().value();
+  const double overshoot_by_T3w = f.sensitivity ? s.overshoot_by_T3w.front() : 0.0;
+  return {
+      {"first overshoot", units.angle(overshoot), overshoot, 0.0, overshoot_by_T3w},
+      {"period", units.time(period / U_over_L), period, s.period_by_T3b, s.period_by_T3w},
+      {"area of the loop", with_error(m.area) + " rad", m.area, s.by_T3b.area, s.by_T3w.area},
+      {"width over length", percent_of(m.width / m.length), m.width / m.length,
+       (s.by_T3b.width - m.width / m.length * s.by_T3b.length) / m.length,
+       (s.by_T3w.width - m.width / m.length * s.by_T3w.length) / m.length},
+      {"largest drift angle", units.angle(m.beta_max), m.beta_max, s.by_T3b.beta_max, s.by_T3w.beta_max},
+      {"largest yaw rate", units.yaw_rate(m.omega_max * U_over_L), m.omega_max, s.by_T3b.omega_max, s.by_T3w.omega_max},
+      {"yaw rate without drift", units.yaw_rate(m.omega_at_beta_zero * U_over_L), m.omega_at_beta_zero,
+       s.by_T3b.omega_at_beta_zero, s.by_T3w.omega_at_beta_zero},
+      {"drift angle without yaw", units.angle(m.beta_at_omega_zero), m.beta_at_omega_zero, s.by_T3b.beta_at_omega_zero,
+       s.by_T3w.beta_at_omega_zero}};
+}
+
+/// "+6.6 %" of the value, of a change by ten per cent of T3; "0" where only rounding is left.
+std::string change_words(double derivative, double T3, double value) {
+  const double share = more * T3 * derivative / value;
+  if (!std::isfinite(share)) return "-";
+  if (std::abs(share) < 1e-9) return "0";
+  return (share > 0.0 ? "+" : "") + percent_of(share);
+}
+
+PageTable measures_table(const LinearShip& ship, const Finding& f, const UserUnits& units) {
+  PageTable table{.caption = fmt::format("Loop of the {}", cycle_words(f)), .columns = {"", "Value"}, .rows = {}};
+  const auto i = indices(ship);
+  if (f.sensitivity)
+    for (const char* name : {"T3b", "T3w"})
+      table.columns.push_back(fmt::format("{} more of {}", percent_of(more), name));
+  for (const auto& [name, value, number, by_T3b, by_T3w] : told_of(f, units, ship.particulars.L)) {
+    table.rows.push_back({name, value});
+    if (!f.sensitivity) continue;
+    table.rows.back().emplace_back(change_words(by_T3b, i.T3b, number));
+    table.rows.back().emplace_back(change_words(by_T3w, i.T3w, number));
+  }
+  return table;
+}
+
+std::vector<PageAnswer> answers_about_T3(const LinearShip& ship, const Finding& f, const UserUnits& units) {
+  if (!f.sensitivity) return {{"What do T3b and T3w do to it?", f.warnings.empty() ? "-" : f.warnings.front()}};
+  const auto i = indices(ship);
+  const auto& s = *f.sensitivity;
+  const auto area_by_T3b = change_words(s.by_T3b.area, i.T3b, f.loop.area),
+             area_by_T3w = change_words(s.by_T3w.area, i.T3w, f.loop.area);
+  const double overshoot = more * i.T3w * s.overshoot_by_T3w.front();
+  return {
+      {"What does T3w do?", fmt::format("{} more of it ({}) changes the first overshoot by {} and the area of the "
+                                        "loop by {}",
+                                        percent_of(more), with_error(i.T3w), units.angle(overshoot), area_by_T3w)},
+      {"What does T3b do?", fmt::format("{} more of it ({}) changes the area of the loop by {} and no overshoot: only "
+                                        "recorded drift tells T3b",
+                                        percent_of(more), with_error(i.T3b), area_by_T3b)}};
+}
+
+/// What the page says first.
+Page first_screen(const LinearShip& ship, const Finding& f, const LoopArguments& a) {
+  const double L = ship.particulars.L, period = f.cycle.zigzag.period().value();
+  const UserUnits units(a.report.si, L);
+  const bool line = !has_coefficients(ship);
+  Page page{
+      .kicker = "Drift–yaw loop of the " + manoeuvre_words(f),
+      .title = ship.name,
+      .headline = line ? "Drift goes with yaw all along: the loop is a line, and T3b and T3w cannot be told apart."
+                       : fmt::format("Yaw over drift draws a loop {} as wide as long. T3b and T3w make it; a ship of "
+                                     "first order would draw a line.",
+                                     percent_of(f.loop.width / f.loop.length)),
+      .tone = !f.cycle.settled ? Tone::look : Tone::neutral,
+      .answers = answers_about_T3(ship, f, units)};
+  page.answers.push_back({"How long is a cycle?",
+                          fmt::format("{} ship lengths, {}", with_error(period), units.time(period * L / f.speed))});
+  tell_drift(page, f.loop.beta_max, units);
+  page.picture =
+      picture_of(loop_plot(ship, f), "Yaw rate over drift angle in the zigzag, with the first-order line.",
+                 fmt::format("From straight ahead into the {}. Dashed: a ship of first order.", cycle_words(f)));
+  page.picture->numbers.reset();  // its curves go back and forth
+  page.table = measures_table(ship, f, units);
+  page.assumed = {fmt::format("The ship is as {} says, given by {}.", a.ship.string(), form_words(ship)),
+                  fmt::format("Linear equations at {}, which is held; deep water and calm.", units.speed(f.speed)),
+                  "Effects of T3b and T3w are by derivative, the other indices held."};
+  page.assumed.insert(page.assumed.end(), f.warnings.begin(), f.warnings.end());
+  return page;
+}
+
+void write_report(const LinearShip& ship, const Finding& f, const LoopArguments& a) {
+  write_page(a.report.file, loop_page(first_screen(ship, f, a), for_page(page_document(ship, f, a))));
 }
 
 // ---------------------------------------------------------------- text
@@ -370,7 +470,7 @@ void loop(const LoopArguments& a) {
   for (const auto& warning : finding.warnings) fmt::print(stderr, "swayaw: {}\n", warning);
   if (!a.out.empty())
     write_recording(zigzag_recording(ship, finding.cycle.zigzag, finding.order, finding.speed, {}), a.out);
-  if (!a.report.empty()) write_page(ship, finding, a);
+  if (a.report.wanted()) write_report(ship, finding, a);
   if (!a.svg.empty()) write_text(a.svg, svg);
   if (a.json) fmt::print("{}\n", document_of(ship, finding).dump(2));
   else print_text(ship, finding);

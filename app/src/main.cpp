@@ -7,7 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include <unistd.h>
+
 #include "commands.hpp"
+#include "help.hpp"
 #include "swayaw/core/detail/spelling.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/steered_thrust.hpp"
@@ -18,9 +21,9 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 15> commands{"check",    "compare", "diagnose", "estimate", "forces",
-                                                    "identify", "import",  "indices",  "invert",   "linearize",
-                                                    "loop",     "replay",  "simulate", "trial",    "tune"};
+constexpr std::array<std::string_view, 16> commands{
+    "check",   "compare", "completion", "diagnose", "estimate", "forces",   "identify", "import",
+    "indices", "invert",  "linearize",  "loop",     "replay",   "simulate", "trial",    "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -40,6 +43,17 @@ void add_ship(CLI::App& command, std::filesystem::path& ship) {
 
 CLI::Option& add_svg(CLI::App& command, std::filesystem::path& svg, const std::string& what) {
   return *command.add_option("--svg", svg, "plot to this file (SVG, drawn by gnuplot): " + what);
+}
+
+void add_report(CLI::App& command, ReportArguments& report) {
+  auto* page = command.add_option("--report", report.file, "write an HTML page that needs no network");
+  command
+      .add_option_function<std::string>(
+          "--units", [&report](const std::string& units) { report.si = units == "si"; },
+          "units on the first screen of the page: knots, degrees and ship lengths, or si")
+      ->check(CLI::IsMember({"ship", "si"}))
+      ->default_str("ship")
+      ->needs(page);
 }
 
 void add_shaft(CLI::App& command, std::string& shaft) {
@@ -115,6 +129,7 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
       ->excludes(reverse_spiral)
       ->excludes(imo)
       ->excludes(straight);
+  add_report(command, a.report);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a, step] {
     require_sense(a, step->count() > 0);
@@ -158,7 +173,7 @@ void add_check(CLI::App& app, CheckArguments& a) {
       "signs, units, clocks, zeros, scales and axes of recorded channels, by kinematics alone: no ship needed");
   command.add_option("runs", a.runs, "recordings (CSV)")->required();
   add_rudder_positive(command, a.rudder_positive);
-  command.add_option("--report", a.report, "write an HTML page that needs no network");
+  add_report(command, a.report);
   command.add_option("--out", a.out, "the recording without the errors that were told (CSV); of one recording only");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] {
@@ -175,7 +190,7 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   command.add_option("--window", a.window_lengths, "ship lengths of way between restarts from the recorded state")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command.add_option("--report", a.report, "write an HTML page that needs no network");
+  add_report(command, a.report);
   auto* json = command.add_flag("--json", a.json, "print one JSON document");
   command.add_flag("--markdown", a.markdown, "print Markdown tables")->excludes(json);
   add_reading(command, a.rudder_positive, a.no_check, a.ignored);
@@ -220,6 +235,7 @@ void add_indices(CLI::App& app, IndicesArguments& a) {
   command.add_option("--speed", a.speed, "speed in m/s of the numbers with dimension (default: service speed)")
       ->check(CLI::PositiveNumber);
   add_svg(command, a.svg, "Bode diagram of drift and yaw");
+  add_report(command, a.report);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { indices(a); });
 }
@@ -246,7 +262,7 @@ void add_loop(CLI::App& app, LoopArguments& a) {
           "speed in m/s, which turns the rate of the steering gear into one per ship length (default: service speed)")
       ->check(CLI::PositiveNumber);
   command.add_option("--out", a.out, "time series to this file (CSV)");
-  command.add_option("--report", a.report, "write an HTML page that needs no network");
+  add_report(command, a.report);
   add_svg(command, a.svg, "drift angle and yaw rate, with the line of a first-order ship");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { loop(a); });
@@ -262,7 +278,7 @@ void add_trial(CLI::App& app, TrialArguments& a) {
   command.add_option("--speed", a.speed, "approach speed in m/s, in place of the recorded one")
       ->check(CLI::PositiveNumber);
   command.add_option("--length", a.length, "ship length in m (default: that of the ship)")->check(CLI::PositiveNumber);
-  command.add_option("--report", a.report, "write an HTML page that needs no network");
+  add_report(command, a.report);
   add_rudder_positive(command, a.rudder_positive);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { trial(a); });
@@ -286,6 +302,7 @@ void add_tune(CLI::App& app, TuneArguments& a) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command.add_option("--out", a.out, "ship file of the tuned ship (TOML)")->required();
+  add_report(command, a.report);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { tune(a); });
 }
@@ -319,6 +336,7 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
                    "the same from other choices of runs: one left out, one alone, one rudder amplitude alone");
   command.add_option("--out", a.out, "ship file of the identified ship (TOML)")->required();
   add_reading(command, a.rudder_positive, a.no_check, a.ignored);
+  add_report(command, a.report);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { identify(a); });
 }
@@ -331,7 +349,7 @@ void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
                      "recordings in which nothing is hidden: they calibrate the model first");
   command.add_option("--holdout", a.holdout, "recordings that are not used but predicted");
   command.add_option("--save-model", a.save_model, "ship file with the effects found (TOML)");
-  command.add_option("--report", a.report, "write an HTML page that needs no network");
+  add_report(command, a.report);
   add_reading(command, a.rudder_positive, a.no_check, a.ignored);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { diagnose(a); });
@@ -450,6 +468,10 @@ int run(int count, char** words) {
   add_identify(app, identify_arguments);
   add_diagnose(app, diagnose_arguments);
   add_import(app, import_arguments);
+  add_examples(app);
+  app.add_subcommand("completion",
+                     "a script that completes commands and options: eval \"$(swayaw completion)\" in bash")
+      ->callback([&app] { fmt::print("{}", completion_script(app)); });
   try {
     app.parse(count, words);
     return done;
@@ -470,6 +492,7 @@ int main(int count, char** words) {
     return swayaw::app::run(count, words);
   } catch (const swayaw::FileError& error) {
     fmt::print(stderr, "{}\n", error.what());
+    if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "{}", swayaw::app::with_caret(error.place()));
     return swayaw::app::bad_data;
   } catch (const std::exception& error) {
     fmt::print(stderr, "swayaw: {}\n", error.what());

@@ -72,20 +72,19 @@ void put_panel(Script to, std::size_t index, const Panel& panel) {
 }
 
 std::string script_of(const Plot& plot) {
-  constexpr int width = 800, height_of_panel = 350, height_of_rest = 250;
-  const auto panels = plot.panels.size();
+  const auto panels = static_cast<int>(plot.panels.size());
   std::string script;
   const Script to(script);
   fmt::format_to(
       to, "set encoding utf8\nset terminal svg size {},{} fixed noenhanced font 'sans-serif,14' background '#ffffff'\n",
-      width, height_of_rest + height_of_panel * panels);
+      plot.width, plot.height_of_rest + plot.height_of_panel * panels);
   fmt::format_to(to,
                  "set lmargin 10\nset rmargin 3\nset grid linecolor rgb '#e8ebee' linewidth 1\nset border linecolor "
                  "rgb '#5a6470'\n");
   fmt::format_to(
       to, "set key tmargin horizontal center Left reverse samplen 2.5 width -3\nset multiplot layout {},1 title {}\n",
       panels, literal(plot.title));
-  for (std::size_t i = 0; i < panels; ++i) put_panel(to, i, plot.panels[i]);
+  for (std::size_t i = 0; i < plot.panels.size(); ++i) put_panel(to, i, plot.panels[i]);
   fmt::format_to(to, "unset multiplot\n");
   return script;
 }

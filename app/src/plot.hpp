@@ -43,6 +43,7 @@ struct Panel {
 struct Plot {
   std::string title;
   std::vector<Panel> panels;
+  int width = 800, height_of_panel = 350, height_of_rest = 250;  ///< [px]
 };
 
 /// The plot as an SVG document.

@@ -20,10 +20,9 @@ void replay(const ReplayArguments& a) {
   write_recording(simulated, a.out);
   const double begin = run.time.front(), end = run.time.back();
   if (a.json) {
-    fmt::print(
-        "{}\n",
-        Json{{"run", run.name}, {"out", a.out.string()}, {"samples", run.samples()}, {"from_s", begin}, {"to_s", end}}
-            .dump(2));
+    const Json document{{"schema", "swayaw.replay/1"}, {"run", run.name}, {"out", a.out.string()},
+                        {"samples", run.samples()},    {"from_s", begin}, {"to_s", end}};
+    fmt::print("{}\n", document.dump(2));
     return;
   }
   fmt::print("{}: {} samples from {:.6g} to {:.6g} s written to {}\n", run.name, run.samples(), begin, end,

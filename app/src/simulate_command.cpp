@@ -6,6 +6,7 @@
 #include "linear_output.hpp"
 #include "simulate_files.hpp"
 #include "simulate_output.hpp"
+#include "simulate_page.hpp"
 #include "simulate_trials.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
@@ -35,6 +36,8 @@ void run_zigzag(const Ship& ship, const SimulateArguments& a) {
   const ZigzagOrder order{.rudder = rudder, .heading = heading, .first = side_named(a.first)};
   auto result = zigzag(ship, order, options_of(a));
   write_run(result.run, ship, a);
+  write_page_of(ship, result.approach_speed, result.propulsion, a,
+                [&](const Sailed& s) { return zigzag_page(result, order, s); });
   if (a.json) fmt::print("{}\n", zigzag_json(ship, result, order).dump(2));
   else print_zigzag(ship, result);
   if (!a.json) print_criteria(criteria_of(result, order, length(ship)));
@@ -65,6 +68,8 @@ void run_circle(const Ship& ship, const SimulateArguments& a) {
   const TurnOrder order{.rudder = radians(*a.turn), .side = side_named(a.first)};
   auto result = turning_circle(ship, order, options_of(a));
   write_run(result.run, ship, a);
+  write_page_of(ship, result.approach_speed, result.propulsion, a,
+                [&](const Sailed& s) { return circle_page(ship, result, order, s); });
   if (a.json) fmt::print("{}\n", circle_json(ship, result, order).dump(2));
   else print_circle(ship, result);
   if (!a.json) print_criteria(criteria_of(result, order, length(ship), turning_rudder(ship)));

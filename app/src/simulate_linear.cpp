@@ -6,17 +6,15 @@
 
 #include "input.hpp"
 #include "linear_output.hpp"
+#include "page_writing.hpp"
 #include "simulate_files.hpp"
 #include "simulate_output.hpp"
+#include "simulate_page.hpp"
 
 namespace swayaw::app {
 namespace {
 
 // ---------------------------------------------------------------- how far the equations hold
-
-/// Drift angle beyond which linear equations mean nothing: where the cubic sway force Y_vvv v'^3 of measured hulls is
-/// half of the linear Y_v v', 14.8 deg for KCS and 18.2 deg for KVLCC2.
-constexpr double largest_linear_drift = radians(15.0);
 
 void warn_of_drift(const LinearShip& ship, double drift) {
   if (std::abs(drift) <= largest_linear_drift) return;
@@ -62,15 +60,27 @@ Run run_of(const LinearShip& ship, const SimulateArguments& a) {
   return run;
 }
 
-/// What the zigzag tells of the IMO criteria.
-std::vector<Criterion> criteria_of(const Run& run) {
-  Zigzag zigzag{
-      .reversals = {}, .period = {}, .initial_turning = {}, .approach_speed = run.scale.U, .propulsion = {}, .run = {}};
+/// The zigzag as one of a nonlinear ship, without a time series.
+Zigzag in_seconds(const Run& run) {
+  Zigzag zigzag{.reversals = {},
+                .period = run.period(),
+                .initial_turning = {},
+                .approach_speed = run.scale.U,
+                .propulsion = {},
+                .run = {}};
   if (!run.execute.empty()) zigzag.initial_turning = run.execute.front() * run.scale.U;
-  for (const auto& reversal : run.zigzag.reversals)
-    zigzag.reversals.push_back({.time = 0.0, .peak_time = {}, .overshoot = reversal.overshoot});
-  return criteria_of(zigzag, {run.order.rudder, run.order.heading, run.order.first}, run.scale.L);
+  for (const double time : run.execute) zigzag.reversals.push_back({.time = time, .peak_time = {}, .overshoot = {}});
+  for (std::size_t k = 0; k < std::min(run.zigzag.reversals.size(), run.execute.size()); ++k) {
+    zigzag.reversals[k].peak_time = run.seconds(run.zigzag.reversals[k].peak);
+    zigzag.reversals[k].overshoot = run.zigzag.reversals[k].overshoot;
+  }
+  return zigzag;
 }
+
+ZigzagOrder order_of(const Run& run) { return {run.order.rudder, run.order.heading, run.order.first}; }
+
+/// What the zigzag tells of the IMO criteria.
+std::vector<Criterion> criteria_of(const Run& run) { return criteria_of(in_seconds(run), order_of(run), run.scale.L); }
 
 Json zigzag_json(const Run& run) {
   Json execute = Json::array({0.0}), peaks = Json::array(), overshoots = Json::array();
@@ -80,7 +90,8 @@ Json zigzag_json(const Run& run) {
     overshoots.push_back(degrees(reversal.overshoot));
   }
   const Json turning = run.execute.empty() ? Json(nullptr) : number(run.execute.front() * run.scale.U);
-  return {{"manoeuvre", name_of(ZigzagAngles{run.order.rudder, run.order.heading})},
+  return {{"schema", "swayaw.zigzag/1"},
+          {"manoeuvre", name_of(ZigzagAngles{run.order.rudder, run.order.heading})},
           {"first", name_of(run.order.first)},
           {"approach_speed_m_s", run.scale.U},
           {"rev_s", nullptr},
@@ -108,11 +119,21 @@ void print_zigzag(const LinearShip& ship, const Run& run) {
   print_criteria(criteria_of(run));
 }
 
+void write_zigzag_page(const LinearShip& ship, const Run& run, const SimulateArguments& a) {
+  auto zigzag = in_seconds(run);
+  const auto s = sailed(ship, run.scale.U, a);
+  if (has_coefficients(ship)) zigzag.run = zigzag_recording(ship, run.zigzag, run.order, run.scale.U, a.step);
+  auto page = zigzag_page(zigzag, order_of(run), s);
+  if (has_coefficients(ship)) tell_drift(page, largest_drift(zigzag.run), s.units);
+  write_page(a.report.file, html(page));
+}
+
 void simulate_zigzag(const LinearShip& ship, const SimulateArguments& a) {
   const auto run = run_of(ship, a);
   if (has_coefficients(ship))
     warn_of_drift(ship, largest_drift(zigzag_recording(ship, run.zigzag, run.order, run.scale.U, std::nullopt)));
   if (wants_files(a)) write_files(zigzag_recording(ship, run.zigzag, run.order, run.scale.U, a.step), a);
+  if (a.report.wanted()) write_zigzag_page(ship, run, a);
   if (a.json) fmt::print("{}\n", zigzag_json(run).dump(2));
   else print_zigzag(ship, run);
 }
@@ -136,7 +157,8 @@ SteadyTurn steady_turn(const LinearShip& ship, double delta, double speed) {
 }
 
 Json turn_json(const SteadyTurn& t, const SimulateArguments& a, double speed) {
-  return {{"manoeuvre", fmt::format("turn {:.6g}", *a.turn)},
+  return {{"schema", "swayaw.turn/1"},
+          {"manoeuvre", fmt::format("turn {:.6g}", *a.turn)},
           {"first", a.first},
           {"approach_speed_m_s", speed},
           {"rev_s", nullptr},
@@ -153,6 +175,19 @@ Json turn_json(const SteadyTurn& t, const SimulateArguments& a, double speed) {
           {"criteria", Json::array()}};
 }
 
+Page turn_page(const SteadyTurn& t, const SimulateArguments& a, const Sailed& s) {
+  const auto diameter = s.units.length(t.diameter), rate = s.units.yaw_rate(t.yaw_rate);
+  Page page{.kicker = fmt::format("Steady turn with {} of rudder to {}", s.units.ordered(radians(*a.turn)), a.first),
+            .title = {},
+            .headline = fmt::format("By linear equations the steady turn is {} across, at {}.", diameter, rate)};
+  tell_drift(page, t.drift, s.units);
+  page.table = PageTable{
+      .caption = {},
+      .columns = {"", "Value"},
+      .rows = {{"final diameter", diameter}, {"final yaw rate", rate}, {"final drift angle", s.units.angle(t.drift)}}};
+  return completed(std::move(page), s);
+}
+
 void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
   if (wants_files(a))
     throw Refusal(fmt::format("the turn of a linear ship is known by its steady values only: no {}",
@@ -161,6 +196,7 @@ void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
   require_rudder(angle, ship.steering_gear);
   const auto turn = steady_turn(ship, rudder_sign(side_named(a.first)) * angle, speed);
   warn_of_drift(ship, turn.drift);
+  if (a.report.wanted()) write_page(a.report.file, html(turn_page(turn, a, sailed(ship, speed, a))));
   if (a.json) {
     fmt::print("{}\n", turn_json(turn, a, speed).dump(2));
     return;

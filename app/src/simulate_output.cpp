@@ -56,7 +56,8 @@ Json zigzag_json(const Ship& ship, const Zigzag& z, const ZigzagOrder& order) {
     peaks.push_back(*reversal.peak_time);
     overshoots.push_back(degrees(*reversal.overshoot));
   }
-  Json json{{"manoeuvre", name_of(ZigzagAngles{order.rudder, order.heading})},
+  Json json{{"schema", "swayaw.zigzag/1"},
+            {"manoeuvre", name_of(ZigzagAngles{order.rudder, order.heading})},
             {"first", name_of(order.first)},
             {"approach_speed_m_s", z.approach_speed},
             {"execute_s", std::move(execute)},
@@ -71,7 +72,8 @@ Json zigzag_json(const Ship& ship, const Zigzag& z, const ZigzagOrder& order) {
 
 Json circle_json(const Ship& ship, const TurningCircle& c, const TurnOrder& order) {
   const bool steady = c.steady.has_value();
-  Json json{{"manoeuvre", fmt::format("turn {:.6g}", degrees(order.rudder))},
+  Json json{{"schema", "swayaw.turn/1"},
+            {"manoeuvre", fmt::format("turn {:.6g}", degrees(order.rudder))},
             {"first", name_of(order.side)},
             {"approach_speed_m_s", c.approach_speed},
             {"advance_m", number(c.advance)},

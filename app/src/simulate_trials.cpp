@@ -6,8 +6,10 @@
 #include <utility>
 
 #include "input.hpp"
+#include "simulate_criteria.hpp"
 #include "simulate_files.hpp"
 #include "simulate_output.hpp"
+#include "simulate_trials_page.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvres/imo_criteria.hpp"
@@ -66,7 +68,8 @@ Json loop_json(const std::optional<Loop>& loop) {
 }
 
 Json spiral_json(const Ship& ship, const Spiral& s, const SpiralOrder& order) {
-  Json json{{"manoeuvre", fmt::format("spiral {:.6g}", degrees(order.largest))},
+  Json json{{"schema", "swayaw.spiral/1"},
+            {"manoeuvre", fmt::format("spiral {:.6g}", degrees(order.largest))},
             {"first", name_of(order.first)},
             {"approach_speed_m_s", s.approach_speed},
             {"down", way_json(s.down)},
@@ -115,6 +118,8 @@ void run_spiral(const Ship& ship, const SimulateArguments& a) {
   options.sampled = wants_files(a);
   auto result = spiral(ship, order, options);
   write_run(result.run, ship, a);
+  write_page_of(ship, result.approach_speed, result.propulsion, a,
+                [&](const Sailed& s) { return spiral_page(result, order, s); });
   if (a.json) fmt::print("{}\n", spiral_json(ship, result, order).dump(2));
   else print_spiral(ship, result, order.step);
 }
@@ -123,7 +128,8 @@ Json reverse_json(const Ship& ship, const ReverseSpiral& s, double largest) {
   const auto of_turn = [&](auto&& value) {
     return column(s.points, [&](const HeldYawRate& p) { return p.turn ? Json(value(*p.turn)) : Json(nullptr); });
   };
-  Json json{{"manoeuvre", fmt::format("reverse spiral {:.6g}", degrees(largest))},
+  Json json{{"schema", "swayaw.reverse_spiral/1"},
+            {"manoeuvre", fmt::format("reverse spiral {:.6g}", degrees(largest))},
             {"approach_speed_m_s", s.approach_speed},
             {"r_rad_s", column(s.points, [](const HeldYawRate& p) { return number(p.r); })},
             {"delta_rad", of_turn([](const SteadyTurn& t) { return t.delta; })},
@@ -137,6 +143,8 @@ Json reverse_json(const Ship& ship, const ReverseSpiral& s, double largest) {
 void run_reverse_spiral(const Ship& ship, const SimulateArguments& a) {
   const ReverseSpiralOrder order{.largest = rudder_of(ship, a, 25.0)};
   const auto result = reverse_spiral(ship, order, options_of(a));
+  write_page_of(ship, result.approach_speed, result.propulsion, a,
+                [&](const Sailed& s) { return reverse_spiral_page(result, order, s); });
   if (a.json) {
     fmt::print("{}\n", reverse_json(ship, result, order.largest).dump(2));
     return;
@@ -172,11 +180,15 @@ void print_side(std::string_view name, const PullOutSide& s) {
 }
 
 void run_pull_out(const Ship& ship, const SimulateArguments& a) {
-  auto result = pull_out(ship, {.rudder = radians(*a.pullout), .settling = {}}, options_of(a));
+  const PullOutOrder order{.rudder = radians(*a.pullout), .settling = {}};
+  auto result = pull_out(ship, order, options_of(a));
   const auto& [port, starboard] = result.sides;
   write_run(side_named(a.first) == Side::port ? result.sides.port.run : result.sides.starboard.run, ship, a);
+  write_page_of(ship, result.approach_speed, result.propulsion, a,
+                [&](const Sailed& s) { return pull_out_page(result, order, s); });
   if (a.json) {
-    Json json{{"manoeuvre", fmt::format("pullout {:.6g}", *a.pullout)},
+    Json json{{"schema", "swayaw.pullout/1"},
+              {"manoeuvre", fmt::format("pullout {:.6g}", *a.pullout)},
               {"approach_speed_m_s", result.approach_speed},
               {"port", side_json(port)},
               {"starboard", side_json(starboard)}};
@@ -199,15 +211,12 @@ Json place_json(const std::optional<TrackPlace>& p) {
 }
 
 Json williamson_json(const Ship& ship, const WilliamsonTurn& w, const WilliamsonOrder& order) {
-  Json json{{"manoeuvre", fmt::format("williamson {:.6g}", degrees(order.rudder))},
-            {"first", name_of(order.first)},
-            {"approach_speed_m_s", w.approach_speed},
-            {"shifted", place_json(w.shifted)},
-            {"amidships", place_json(w.amidships)},
-            {"reciprocal", place_json(w.reciprocal)},
-            {"way_m", number(w.way)},
-            {"final_heading_rad", w.heading},
-            {"final_yaw_rate_rad_s", w.yaw_rate}};
+  Json json{
+      {"schema", "swayaw.williamson/1"},        {"manoeuvre", fmt::format("williamson {:.6g}", degrees(order.rudder))},
+      {"first", name_of(order.first)},          {"approach_speed_m_s", w.approach_speed},
+      {"shifted", place_json(w.shifted)},       {"amidships", place_json(w.amidships)},
+      {"reciprocal", place_json(w.reciprocal)}, {"way_m", number(w.way)},
+      {"final_heading_rad", w.heading},         {"final_yaw_rate_rad_s", w.yaw_rate}};
   add_propulsion(json, ship, w.propulsion);
   return json;
 }
@@ -222,6 +231,8 @@ void run_williamson(const Ship& ship, const SimulateArguments& a) {
   const WilliamsonOrder order{.rudder = rudder_of(ship, a, 35.0), .first = side_named(a.first)};
   auto result = williamson_turn(ship, order, options_of(a));
   write_run(result.run, ship, a);
+  write_page_of(ship, result.approach_speed, result.propulsion, a,
+                [&](const Sailed& s) { return williamson_page(result, order, s); });
   if (a.json) {
     fmt::print("{}\n", williamson_json(ship, result, order).dump(2));
     return;
@@ -239,7 +250,8 @@ void run_williamson(const Ship& ship, const SimulateArguments& a) {
 
 Json straight_json(const Ship& ship, const WindRun& run, const Controls<double>& propulsion) {
   const auto& f = run.wind_force;
-  Json json{{"manoeuvre", "straight run"},
+  Json json{{"schema", "swayaw.straight_run/1"},
+            {"manoeuvre", "straight run"},
             {"course_rad", number(run.course)},
             {"heading_rad", number(run.psi)},
             {"drift_rad", number(drift_angle(run.motion))},
@@ -257,11 +269,12 @@ void run_straight(const Ship& ship, const SimulateArguments& a) {
   const double approach = a.speed.value_or(service_speed(ship));
   const auto driven = propulsion(ship, approach, a.rev, a.thrust);
   const auto windage = around.windy ? around.windage : Windage<double>{};
-  const auto run =
-      steady_run_in_wind(ship, windage, around.wind, {.direction = radians(*a.straight), .propulsion = driven});
+  const WindRunOrder order{.direction = radians(*a.straight), .propulsion = driven};
+  const auto run = steady_run_in_wind(ship, windage, around.wind, order);
   if (!run)
     throw Refusal(
         fmt::format("no drift and helm keep the ship on course {:.6g} deg in this wind and current", *a.straight));
+  write_page_of(ship, approach, driven, a, [&](const Sailed& s) { return straight_page(ship, *run, order, s); });
   if (a.json) {
     fmt::print("{}\n", straight_json(ship, *run, driven).dump(2));
     return;
@@ -280,12 +293,13 @@ void run_straight(const Ship& ship, const SimulateArguments& a) {
 
 // ---------------------------------------------------------------- IMO criteria
 
-constexpr double smallest_ship = 100.0;  // m
-
 void run_imo(const Ship& ship, const SimulateArguments& a) {
   const auto result = imo_criteria(ship, options_of(a));
+  write_page_of(ship, result.speed, result.propulsion, a,
+                [&](const Sailed& s) { return imo_page(ship, result, options_of(a), s); });
   if (a.json) {
-    Json json{{"manoeuvre", "imo"},
+    Json json{{"schema", "swayaw.imo/1"},
+              {"manoeuvre", "imo"},
               {"length_m", result.L},
               {"test_speed_m_s", result.speed},
               {"length_over_speed_s", result.L / result.speed},
@@ -301,7 +315,7 @@ void run_imo(const Ship& ship, const SimulateArguments& a) {
   fmt::print("  stopping is not simulated\n");
   if (surroundings_at(ship, 0.0).windy)
     fmt::print("  sailed in the wind of the ship file; the criteria are for calm\n");
-  if (result.L < smallest_ship)
+  if (result.L < smallest_judged_ship)
     fmt::print(
         "  the criteria are for ships of 100 m and more; the limits of a scale model's L/V are not those of her "
         "ship\n");

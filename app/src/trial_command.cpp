@@ -3,44 +3,17 @@
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
+#include "page_writing.hpp"
 #include "simulate_output.hpp"
 #include "swayaw/app/report.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/trial.hpp"
+#include "trial_page.hpp"
 #include "trial_table.hpp"
 
 namespace swayaw::app {
 namespace {
-
-struct JudgedRun {
-  Recording recording;
-  TrialResult trial;
-  SimulatedTrial simulated;
-};
-
-// ---------------------------------------------------------------- the same manoeuvre simulated
-
-/// Nothing, with a word on stderr, where the ship cannot sail it.
-SimulatedTrial simulated_trial(const Ship& ship, const TrialResult& t) {
-  SimulatedTrial result;
-  const ManoeuvreOptions options{.speed = t.approach.speed ? std::optional(t.approach.speed->value) : std::nullopt};
-  try {
-    if (t.zigzag) {
-      const ZigzagOrder order{t.manoeuvre.rudder, t.manoeuvre.heading, t.zigzag->first};
-      result.zigzag = zigzag(ship, order, options);
-      result.json = zigzag_json(ship, *result.zigzag, order);
-    }
-    if (t.turn) {
-      const TurnOrder order{t.manoeuvre.rudder, t.turn->side};
-      result.turn = turning_circle(ship, order, options);
-      result.json = circle_json(ship, *result.turn, order);
-    }
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "swayaw: {}: not simulated: {}\n", t.run, error.what());
-  }
-  return result;
-}
 
 // ---------------------------------------------------------------- page
 
@@ -96,15 +69,14 @@ Json series_json(const JudgedRun& run) {
   return series;
 }
 
-void write_report(Json document, const std::vector<JudgedRun>& runs, const std::optional<double>& L,
+void write_report(Json document, const std::vector<JudgedRun>& runs, const TrialQuestion& question,
                   const std::filesystem::path& file) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    document["runs"][i]["rows"] = rows_json(rows_of(runs[i].trial, runs[i].simulated, L));
+    document["runs"][i]["rows"] = rows_json(rows_of(runs[i].trial, runs[i].simulated, question.L));
     document["runs"][i]["plots"] = series_json(runs[i]);
     document["runs"][i]["execute"] = runs[i].trial.approach.execute.value;
   }
-  write_text(file, trial_page(for_page(document)));
-  fmt::print(stderr, "swayaw: report written to {}\n", file.string());
+  write_page(file, trial_page(first_screen(runs, question), for_page(document)));
 }
 
 // ---------------------------------------------------------------- text
@@ -243,7 +215,13 @@ void trial(const TrialArguments& a) {
                   {"cannot_tell", summary.open},
                   {"not_told", summary.missing}}}};
   for (const auto& run : runs) document["runs"].push_back(trial_json(run.trial, run.simulated));
-  if (!a.report.empty()) write_report(document, runs, options.L, a.report);
+  if (a.report.wanted())
+    write_report(document, runs,
+                 {.ship = sailing != nullptr ? sailing->name : "",
+                  .L = options.L,
+                  .L_source = a.length ? "as given" : "of the ship file",
+                  .si = a.report.si},
+                 a.report.file);
   if (a.json) return fmt::print("{}\n", document.dump(2));
   for (const auto& run : runs) print_run(run, options.L), fmt::print("\n");
   fmt::print("{}\n{}\n", in_words(summary), errors_in_words);

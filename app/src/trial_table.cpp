@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulate_output.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
@@ -365,6 +366,27 @@ std::string in_words(const ImoSummary& s) {
   if (!s.open.empty()) words += "; cannot tell " + list(s.open);
   if (!s.missing.empty()) words += "; not told by these runs: " + list(s.missing);
   return words;
+}
+
+/// Nothing, with a word on stderr, where the ship cannot sail it.
+SimulatedTrial simulated_trial(const Ship& ship, const TrialResult& t) {
+  SimulatedTrial result;
+  const ManoeuvreOptions options{.speed = t.approach.speed ? std::optional(t.approach.speed->value) : std::nullopt};
+  try {
+    if (t.zigzag) {
+      const ZigzagOrder order{t.manoeuvre.rudder, t.manoeuvre.heading, t.zigzag->first};
+      result.zigzag = zigzag(ship, order, options);
+      result.json = zigzag_json(ship, *result.zigzag, order);
+    }
+    if (t.turn) {
+      const TurnOrder order{t.manoeuvre.rudder, t.turn->side};
+      result.turn = turning_circle(ship, order, options);
+      result.json = circle_json(ship, *result.turn, order);
+    }
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "swayaw: {}: not simulated: {}\n", t.run, error.what());
+  }
+  return result;
 }
 
 }  // namespace swayaw::app

@@ -19,6 +19,16 @@ struct SimulatedTrial {
   Json json;  ///< as `simulate --json` prints it; null without a ship
 };
 
+/// The manoeuvre of a recording as the ship sails it; nothing but a null where she cannot.
+SimulatedTrial simulated_trial(const Ship& ship, const TrialResult& trial);
+
+/// A recording with what was told of it.
+struct JudgedRun {
+  Recording recording;
+  TrialResult trial;
+  SimulatedTrial simulated;
+};
+
 /// One number of a run in the unit that people read.
 struct TrialRow {
   std::string name, unit;

@@ -6,10 +6,12 @@
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
+#include "page_writing.hpp"
 #include "progress.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/index_tuning.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
+#include "tune_page.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -97,7 +99,8 @@ Json sensitivity_json(const Findings& f) {
 
 Json tune_json(const Findings& f, const TuneArguments& a) {
   const auto& t = f.tuning;
-  return {{"ship", t.ship.name},
+  return {{"schema", "swayaw.tuning/1"},
+          {"ship", t.ship.name},
           {"out", a.out.string()},
           {"status", in_words(t.status)},
           {"error",
@@ -251,6 +254,7 @@ void tune(const TuneArguments& a) {
                    std::move(tuning)};
   if (a.json) fmt::print("{}\n", tune_json(f, a).dump(2));
   else print_text(f, a);
+  if (a.report.wanted()) write_page(a.report.file, html(tune_page(ship, f.measured, f.tuning, a)));
 }
 
 }  // namespace swayaw::app

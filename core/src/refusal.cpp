@@ -12,7 +12,8 @@ std::string text_of(const FilePlace& place, std::string_view what_is_wrong) {
 
 }  // namespace
 
-FileError::FileError(const FilePlace& place, std::string_view what_is_wrong) : Refusal(text_of(place, what_is_wrong)) {}
+FileError::FileError(const FilePlace& place, std::string_view what_is_wrong)
+    : Refusal(text_of(place, what_is_wrong)), place_(place) {}
 
 double require_positive(double value, std::string_view quantity) {
   if (value > 0.0) return value;

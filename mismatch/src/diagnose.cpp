@@ -18,6 +18,8 @@
 #include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
 #include "trial.hpp"
 #include "words.hpp"
 
@@ -206,16 +208,58 @@ double gain_of(std::span<const RunErrors> runs) {
   return count ? sum / count : 0.0;
 }
 
+/// A coefficient of the baseline as a fit moves it.
+BaselineShift shift_of(const Parameter& n, double deviations) {
+  return {std::string(n.key), n.value, n.value + n.deviation * deviations, deviations, std::string(n.table)};
+}
+
 /// Parameters of the baseline that the final fit moves by more than two of their deviations.
 std::vector<BaselineShift> shifts_of(const Trial& trial, const Point& point) {
   std::vector<BaselineShift> shifts;
   for (std::size_t i = 0; i < trial.parameters.size(); ++i) {
     const auto& n = trial.parameters[i];
     const double z = point[static_cast<Eigen::Index>(i)];
-    if (std::abs(z) > 2.0) shifts.push_back({std::string(n.key), n.value, n.value + n.deviation * z, z});
+    if (std::abs(z) > 2.0) shifts.push_back(shift_of(n, z));
   }
   std::ranges::sort(shifts, std::greater{}, [](const BaselineShift& s) { return std::abs(s.deviations); });
   return shifts;
+}
+
+/// The coefficients of a part that a fit moves most.
+std::vector<BaselineShift> most_moved(const Trial& trial, const Point& point, std::string_view part) {
+  constexpr std::size_t most = 2;
+  std::vector<BaselineShift> shifts;
+  for (std::size_t i = 0; i < trial.parameters.size(); ++i)
+    if (trial.parameters[i].table == part)
+      shifts.push_back(shift_of(trial.parameters[i], point[static_cast<Eigen::Index>(i)]));
+  std::ranges::sort(shifts, std::greater{}, [](const BaselineShift& s) { return std::abs(s.deviations); });
+  shifts.resize(std::min(most, shifts.size()));
+  return shifts;
+}
+
+/// Yaw moment of the rudder at 10 deg on a straight course at the service speed.
+double rudder_moment(const Ship& ship) {
+  auto controls = self_propulsion(ship, service_speed(ship));
+  controls.delta = radians(10.0);
+  const auto split = force_breakdown(ship, {0.0, 0.0, 0.0, {service_speed(ship), 0.0, 0.0}}, controls);
+  const auto rudder = std::ranges::find(split.parts, "rudder", &ForcePart<double>::name);
+  return rudder == split.parts.end() ? missing : rudder->force.N;
+}
+
+/// How much of the rudder is left when its coefficients move; nothing where her model does not tell.
+std::optional<double> rudder_left(const Ship& given, const Ship& moved) try {
+  const double left = rudder_moment(moved) / rudder_moment(given);
+  return std::isfinite(left) ? std::optional(left) : std::nullopt;
+} catch (const std::exception&) {
+  return std::nullopt;
+}
+
+/// A point at which the coefficients of a part alone are moved.
+Point moved_alone(const Trial& trial, const Point& point, std::string_view part) {
+  Point alone = Point::Zero(point.size());
+  for (std::size_t i = 0; i < trial.parameters.size(); ++i)
+    if (trial.parameters[i].table == part) alone[static_cast<Eigen::Index>(i)] = point[static_cast<Eigen::Index>(i)];
+  return alone;
 }
 
 // ---------------------------------------------------------------- words
@@ -262,6 +306,12 @@ std::string unknown_words(const Diagnosis& d) {
   return words + fmt::format("; as a map it has the terms {}", listed(terms));
 }
 
+/// "added mass" of "added_mass".
+std::string plain_name(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
 /// Of numbers beyond two deviations; the three that are furthest off.
 std::string shifted_words(std::span<const BaselineShift> shifts) {
   constexpr std::size_t most = 3;
@@ -270,8 +320,30 @@ std::string shifted_words(std::span<const BaselineShift> shifts) {
     moved.push_back(fmt::format("{} from {:.3g} to {:.3g}, {:.1f} of its deviations", s.key, s.given, s.refitted,
                                 std::abs(s.deviations)));
   const std::string others = shifts.size() > most ? fmt::format("; and {} more", shifts.size() - most) : "";
-  return fmt::format("Nothing is missing but numbers of the model are further off than was said: {}{}.",
-                     fmt::join(moved, "; "), others);
+  const auto& part = shifts.front().part;
+  const bool of_one = std::ranges::all_of(shifts, [&](const BaselineShift& s) { return s.part == part; });
+  return fmt::format("No physics is missing, but numbers of the {} are further off than was said: {}{}.",
+                     of_one ? plain_name(part) : "model", fmt::join(moved, "; "), others);
+}
+
+/// "f_alpha from 2.75 to 2.31 (-16 %)"
+std::string change_words(const BaselineShift& s) {
+  const auto share = s.given != 0.0 ? fmt::format(" ({:+.0f} %)", 100.0 * (s.refitted / s.given - 1.0)) : "";
+  return fmt::format("{} from {:.3g} to {:.3g}{}", s.key, s.given, s.refitted, share);
+}
+
+/// "18 % less rudder force"
+std::string force_words(double left) {
+  return fmt::format("{:.0f} % {} rudder force", std::abs(100.0 * (left - 1.0)), left < 1.0 ? "less" : "more");
+}
+
+/// ", most of it by those of the rudder alone, to 7 %: f_alpha from 2.75 to 2.31 (-16 %)"
+std::string moved_words(const MovedPart& moved) {
+  std::vector<std::string> changes;
+  for (const auto& s : moved.most) changes.push_back(change_words(s));
+  const auto together = moved.rudder_force ? ", together " + force_words(*moved.rudder_force) : "";
+  return fmt::format(", most of it by those of the {} alone, to {} %: {}{}", plain_name(moved.part),
+                     in_two_digits(100.0 * moved.discrepancy), listed(changes), together);
 }
 
 /// Verdict in words, how well the baseline is known left out.
@@ -284,8 +356,9 @@ std::string verdict_words(const Diagnosis& d) {
     traces += fmt::format(" Not told from an error in the form of her forces: {}.", fmt::join(d.as_form, ", "));
   if (!d.traces.empty()) traces += fmt::format(" A trace, too small to matter: {}.", fmt::join(d.traces, ", "));
   if (d.verdict == DiagnosisVerdict::nothing_missing)
-    return (d.shifts.empty() ? "Nothing is missing: the model explains the runs within its confidence and their noise."
-                             : shifted_words(d.shifts)) +
+    return (!d.shifts.empty() ? shifted_words(d.shifts)
+            : d.moved         ? "No physics is missing: numbers of the ship file are off, within what was said of them."
+                      : "Nothing is missing: the model explains the runs within its confidence and their noise.") +
            traces;
   if (d.verdict == DiagnosisVerdict::missing_physics)
     return fmt::format("The model leaves out {}.{}", listed(names), traces);
@@ -308,6 +381,7 @@ std::string discrepancy_words(const Diagnosis& d) {
       "The yaw rate is off by {} % of its variation as given, by {} % with the coefficients moved within what is known "
       "of them",
       in_two_digits(100.0 * by.given), in_two_digits(100.0 * by.refitted));
+  if (d.moved) words += moved_words(*d.moved);
   if (!d.effects.empty()) words += fmt::format(", by {} % with what was found", in_two_digits(100.0 * by.after));
   return words + ". ";
 }
@@ -364,6 +438,30 @@ std::optional<Discrepancy> discrepancy_of(std::span<const RunErrors> train, std:
     }
   if (count == 0) return std::nullopt;
   return Discrepancy{sum.given / count, sum.refitted / count, sum.after / count};
+}
+
+/// Of the fall of the discrepancy that moved coefficients bring: a part is named where its own bring more than half.
+constexpr double most_of_it = 0.5;
+
+/// The part whose coefficients, moved alone, bring most of what all of them bring, which must be half of the
+/// discrepancy itself.
+std::optional<MovedPart> moved_part(const Trial& trial, const Point& point, const Discrepancy& all, const Ship& given,
+                                    std::span<const Recording> runs) {
+  if (all.refitted > 0.5 * all.given) return std::nullopt;
+  std::vector<std::string_view> parts;
+  for (const auto& n : trial.parameters)
+    if (std::ranges::count(parts, n.table) == 0) parts.push_back(n.table);
+  std::optional<MovedPart> best;
+  for (const auto part : parts) {
+    const auto alone = moved_alone(trial, point, part);
+    const auto with_it = [&](const Recording& run) { return ship_at(trial, {}, alone, &run); };
+    const auto by = discrepancy_of(errors_of(given, with_it, with_it, runs), {});
+    if (by && (!best || by->after < best->discrepancy))
+      best = MovedPart{std::string(part), by->after, most_moved(trial, point, part),
+                       part == "rudder" ? rudder_left(given, model_at(trial, {}, alone)) : std::nullopt};
+  }
+  const bool enough = best && all.given - best->discrepancy > most_of_it * (all.given - all.refitted);
+  return enough ? best : std::nullopt;
 }
 
 // ---------------------------------------------------------------- where an instrument is wrong
@@ -678,6 +776,8 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   d.train = errors_of(ship, refitted, improved, runs);
   d.holdout = errors_of(ship, refitted, improved, holdout);
   d.discrepancy = discrepancy_of(d.train, d.holdout);
+  if (d.discrepancy)
+    attempt(d, "the part that moved", [&] { d.moved = moved_part(trial, alone.point, *d.discrepancy, ship, runs); });
   put_form(d, trial, s, alone, options.detection, runs, holdout);
   d.verdict = verdict_of(d, s.on_board);
   if (!s.on_board && d.process_noise > ordinary_scale)

@@ -103,6 +103,21 @@ TEST_CASE("identify fits the linear equations to recorded drift", "[app]") {
   CHECK(run(scratch, "indices " + out).code == 0);
 }
 
+// The rudder of the example recordings has 0.82 of its lift, and their hull 1.05 of its resistance.
+TEST_CASE("identify finds on trajectories what no force equation tells", "[app]") {
+  const Scratch scratch;
+  const auto runs = (test::example_recordings / "weak_rudder_zz10_10.csv").string() + " " +
+                    (test::example_recordings / "weak_rudder_turn35.csv").string();
+  const auto base = "identify " + runs + " --ship " + test::ship_file("kvlcc2_l7.toml") + " --model mmg --out " +
+                    (scratch / "new.toml").string() + " --find f_alpha";
+  CHECK_THAT(refusal(base), Catch::Contains("--fit trajectories"));
+  const auto json = document(base + " --fit trajectories");
+  const auto& found = json["coefficients"][0];
+  CHECK(json["method"] == "trajectories");
+  CHECK(json["equations"].empty());
+  CHECK(found["value"].get<double>() / found["before"].get<double>() == Approx(0.82).epsilon(0.01));
+}
+
 TEST_CASE("identify refuses what cannot be found in one line and writes nothing", "[app][refusal]") {
   const Scratch scratch;
   const auto truth = published_ship("kvlcc2_l7");

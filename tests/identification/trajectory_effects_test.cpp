@@ -40,7 +40,8 @@ TEMPLATE_TEST_CASE("coefficients come back from trajectories beside every effect
     CHECK(error_of(known, truth) < 2e-3);
     // a thrust that is recorded tells what the wake did
     const bool told = id == WakeChange<>::id && !takes_shaft_speed(bare);
-    if (!told) CHECK(fit_trajectories(with_values(bare, truth, wrong), run, options).log_likelihood < known.log_likelihood);
+    if (!told)
+      CHECK(fit_trajectories(with_values(bare, truth, wrong), run, options).log_likelihood < known.log_likelihood);
   }
 }
 

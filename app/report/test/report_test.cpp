@@ -19,6 +19,8 @@ void check(bool holds, std::string_view sentence) {
   std::fprintf(stderr, "not true: %.*s\n", static_cast<int>(sentence.size()), sentence.data());
 }
 
+swayaw::Page first() { return {.kicker = "Comparison", .title = "A ship", .headline = "She is off by 3 %."}; }
+
 std::vector<double> wave(std::size_t count, double size) {
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i) values[i] = size * std::sin(0.0123456789 * double(i));
@@ -91,7 +93,7 @@ std::size_t occurrences(const std::string& text, std::string_view piece) {
 
 void the_page_carries_the_document() {
   const json given = document_of({run_of("zz10.csv", 40)});
-  const json shown = json::parse(document_text(swayaw::comparison_page(given)));
+  const json shown = json::parse(document_text(swayaw::comparison_page(first(), given)));
   check(shown["verdict"] == given["verdict"], "the verdict is carried unchanged");
   check(shown["runs"][0]["quantities"] == given["runs"][0]["quantities"], "the errors are carried with full precision");
   check(shown["runs"][0]["series"]["recorded"]["x_m"].size() == 40, "short series are kept whole");
@@ -101,7 +103,7 @@ void the_page_carries_the_document() {
 }
 
 void the_page_is_whole() {
-  const auto page = swayaw::comparison_page(document_of({run_of("zz10.csv", 40)}));
+  const auto page = swayaw::comparison_page(first(), document_of({run_of("zz10.csv", 40)}));
   check(page.starts_with("<!DOCTYPE html>"), "the page is an HTML document");
   check(!contains(page.substr(0, page.find("<script")), "{{"), "every marker in the head is filled");
   check(plotly(page).size() > 900'000, "Plotly is in the page");
@@ -109,7 +111,7 @@ void the_page_is_whole() {
 }
 
 void the_page_names_no_address() {
-  auto page = swayaw::comparison_page(document_of({run_of("zz10.csv", 40)}));
+  auto page = swayaw::comparison_page(first(), document_of({run_of("zz10.csv", 40)}));
   const auto library = plotly(page);
   page.erase(page.find(library), library.size());
   check(!contains(page, "http://"), "nothing outside Plotly names an http address");
@@ -119,8 +121,8 @@ void the_page_names_no_address() {
 
 void a_run_name_stays_text() {
   const std::string name = "</script><!--<script>alert(1)</script>\u2028\u2029{{plotly}}.csv";
-  const auto page = swayaw::comparison_page(document_of({run_of(name, 40)}));
-  const auto harmless = swayaw::comparison_page(document_of({run_of("zz10.csv", 40)}));
+  const auto page = swayaw::comparison_page(first(), document_of({run_of(name, 40)}));
+  const auto harmless = swayaw::comparison_page(first(), document_of({run_of("zz10.csv", 40)}));
   check(occurrences(page, "</script>") == occurrences(harmless, "</script>"),
         "a run name cannot close the script element");
   check(json::parse(document_text(page))["runs"][0]["run"] == name, "a run name is carried exactly");
@@ -128,13 +130,13 @@ void a_run_name_stays_text() {
 }
 
 void broken_text_is_shown_all_the_same() {
-  const auto page = swayaw::comparison_page(document_of({run_of("zz\xff.csv", 40)}));
+  const auto page = swayaw::comparison_page(first(), document_of({run_of("zz\xff.csv", 40)}));
   check(json::accept(document_text(page)), "a name that is not UTF-8 does not spoil the document");
 }
 
 void long_runs_are_thinned() {
   const std::size_t samples = 20'000;
-  const auto page = swayaw::comparison_page(document_of({run_of("long.csv", samples)}));
+  const auto page = swayaw::comparison_page(first(), document_of({run_of("long.csv", samples)}));
   const json series = json::parse(document_text(page))["runs"][0]["series"];
   const auto& windows = series["windows"]["psi_rad"];
   check(series["time_s"].size() <= 1600, "a long run is thinned");
@@ -144,21 +146,22 @@ void long_runs_are_thinned() {
 }
 
 void three_runs_stay_small() {
-  const auto page =
-      swayaw::comparison_page(document_of({run_of("a.csv", 1000), run_of("b.csv", 1000), run_of("c.csv", 1000)}));
+  const auto page = swayaw::comparison_page(
+      first(), document_of({run_of("a.csv", 1000), run_of("b.csv", 1000), run_of("c.csv", 1000)}));
   check(page.size() < 3'000'000, "three runs of a thousand samples take less than 3 MB");
 }
 
 void sparse_documents_are_accepted() {
-  check(!swayaw::comparison_page(json::object()).empty(), "an empty document gives a page");
-  check(!swayaw::comparison_page(document_of({json{{"run", "a.csv"}}})).empty(), "a run without series gives a page");
+  check(!swayaw::comparison_page(first(), json::object()).empty(), "an empty document gives a page");
+  check(!swayaw::comparison_page(first(), document_of({json{{"run", "a.csv"}}})).empty(),
+        "a run without series gives a page");
 }
 
 }  // namespace
 
 void the_loop_page_carries_its_document() {
   const json document = {{"schema", "swayaw.loop/1"}, {"ship", "<Tanker>"}};
-  const auto page = swayaw::loop_page(document);
+  const auto page = swayaw::loop_page(first(), document);
   check(contains(page, "swayaw.loop/1"), "the loop document is in its page");
   check(contains(page, "showLoop"), "the loop page has its own script");
   check(!contains(page, "<Tanker>"), "the ship's name cannot become markup");
@@ -172,23 +175,23 @@ void the_diagnosis_page_carries_its_document() {
                          {"ship", "<Tanker>"},
                          {"effects", {effect}},
                          {"runs", {run_of("zz10.csv", 40)}}};
-  const auto page = swayaw::diagnosis_page(document);
+  const auto page = swayaw::diagnosis_page(first(), document);
   const json shown = json::parse(document_text(page));
   check(shown["effects"] == document["effects"], "the effects are carried unchanged");
   check(shown["runs"][0]["series"]["time_s"].size() == 40, "the series are in the page");
   check(contains(page, "showDiagnosis"), "the page of a diagnosis has its own script");
   check(!contains(page, "<Tanker>"), "the ship's name cannot become markup");
-  check(!swayaw::diagnosis_page(json::object()).empty(), "an empty document gives a page");
+  check(!swayaw::diagnosis_page(first(), json::object()).empty(), "an empty document gives a page");
 }
 
 void the_trial_page_carries_its_document() {
   const json run = {{"run", "zz10.csv"}, {"overshoot_deg", {{{"value", 8.25}, {"standard_error", 0.04}}}}};
   const json document = {{"schema", "swayaw.trial/1"}, {"ship", "<Tanker>"}, {"runs", {run}}};
-  const auto page = swayaw::trial_page(document);
+  const auto page = swayaw::trial_page(first(), document);
   check(json::parse(document_text(page))["runs"] == document["runs"], "the numbers of a trial are carried unchanged");
   check(contains(page, "showTrial"), "the page of a trial has its own script");
   check(!contains(page, "<Tanker>"), "the ship's name cannot become markup");
-  check(!swayaw::trial_page(json::object()).empty(), "an empty document gives a page");
+  check(!swayaw::trial_page(first(), json::object()).empty(), "an empty document gives a page");
 }
 
 int main() {

@@ -2,7 +2,7 @@
 
 namespace swayaw::inline nonlinear::detail {
 
-template std::unique_ptr<SegmentSimulator> make_segment_simulator<AbkowitzShip, true>(const ActingShip<AbkowitzShip<double>>&, const Ship&,
-                                                                          const std::vector<Parameter>&);
+template std::unique_ptr<SegmentSimulator> make_segment_simulator<AbkowitzShip, true>(
+    const ActingShip<AbkowitzShip<double>>&, const Ship&, const std::vector<Parameter>&);
 
 }  // namespace swayaw::nonlinear::detail

@@ -2,7 +2,8 @@
 
 namespace swayaw::inline nonlinear::detail {
 
-template std::unique_ptr<SegmentSimulator> make_segment_simulator<PiShip, true>(const ActingShip<PiShip<double>>&, const Ship&,
-                                                                          const std::vector<Parameter>&);
+template std::unique_ptr<SegmentSimulator> make_segment_simulator<PiShip, true>(const ActingShip<PiShip<double>>&,
+                                                                                const Ship&,
+                                                                                const std::vector<Parameter>&);
 
 }  // namespace swayaw::nonlinear::detail

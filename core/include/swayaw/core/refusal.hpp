@@ -24,6 +24,11 @@ struct FilePlace {
 class FileError : public Refusal {
  public:
   FileError(const FilePlace& place, std::string_view what_is_wrong);
+
+  const FilePlace& place() const { return place_; }
+
+ private:
+  FilePlace place_;
 };
 
 /// @return `value`

@@ -91,6 +91,15 @@ struct BaselineShift {
   std::string key;
   double given, refitted;  ///< SI
   double deviations;
+  std::string part{};  ///< of the ship: "rudder"
+};
+
+/// The part of the ship whose coefficients, moved alone, bring her nearest to the recordings.
+struct MovedPart {
+  std::string part;                      ///< "rudder"
+  double discrepancy;                    ///< error of the yaw rate with these moved and all others as given
+  std::vector<BaselineShift> most;       ///< its coefficients that moved most, in their deviations; at most two
+  std::optional<double> rudder_force{};  ///< of a rudder: its moment at 10 deg straight ahead over that as given
 };
 
 /// An error of an instrument that was found beside everything else, however small.
@@ -154,6 +163,7 @@ struct Diagnosis {
   std::vector<SurroundingsEstimate> surroundings{};  ///< where wind or stream was found
   std::vector<ForceBudget> budget{};
   std::optional<Discrepancy> discrepancy{};  ///< nothing where no run tells a yaw rate
+  std::optional<MovedPart> moved{};          ///< nothing where moving coefficients hardly helps, or no part alone does
   double process_noise;                      ///< scale of what stays unexplained; 1 is ordinary
   double refitted_process_noise;             ///< the same without any effect
   double prior_inflation =

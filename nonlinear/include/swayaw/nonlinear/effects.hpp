@@ -75,7 +75,7 @@ template <class Kind>
 constexpr int ways_to_act = ChangesModel<Kind> + AddsForce<Kind> + DrivesEngine<Kind> + GivesWind<Kind> +
                             GivesCurrent<Kind> + (ActuatesRudder<Kind> && !IsInstrument<Kind>)+IsInstrument<Kind>;
 
-/// Calls visit.operator()<Kind>() for every kind.
+/// Calls `visit.operator()<Kind>()` for every kind.
 template <class Visit>
 constexpr void for_each_kind(Visit&& visit) {
   [&]<std::size_t... I>(std::index_sequence<I...>) {

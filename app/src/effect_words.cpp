@@ -1,0 +1,38 @@
+#include "effect_words.hpp"
+
+#include <algorithm>
+
+namespace swayaw::app {
+
+std::string_view label_of(std::string_view id) { return text_of(make_effect(id)).label; }
+std::string_view label_of(const FoundEffect& effect) { return label_of(id_of(effect.effect)); }
+
+std::string unit_of(const Effect& effect, std::string_view key) {
+  std::string unit;
+  for_each_parameter(effect, [&](const auto& p, double) {
+    if (p.key == key) unit = p.unit;
+  });
+  return unit == "-" ? "" : unit;
+}
+
+std::string name_of_parameter(std::string key, const std::string& unit) {
+  for (const std::string_view ending : {"_rad_s", "_m_s", "_rad", "_Nm", "_N", "_m", "_s"})
+    if (!unit.empty() && key.ends_with(ending)) {
+      key.resize(key.size() - ending.size());
+      break;
+    }
+  return in_words(std::move(key));
+}
+
+std::string in_users_units(const Effect& effect, const ParameterEstimate& p, const UserUnits& units) {
+  const bool direction = p.key.ends_with("_from_rad") || p.key.ends_with("_to_rad");
+  return direction ? units.direction(p.value, p.standard_error)
+                   : units.in_unit(unit_of(effect, p.key), p.value, p.standard_error);
+}
+
+std::string in_words(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+}  // namespace swayaw::app

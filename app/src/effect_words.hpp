@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "swayaw/mismatch/diagnose.hpp"
+#include "user_units.hpp"
+
+/// Effects and their parameters as people read them.
+namespace swayaw::app {
+
+/// "steady wind" of "steady_wind".
+std::string_view label_of(std::string_view id);
+std::string_view label_of(const FoundEffect& effect);
+
+/// The unit of a parameter of an effect; empty for a bare number.
+std::string unit_of(const Effect& effect, std::string_view key);
+
+/// "wind speed" of "wind_speed_m_s".
+std::string name_of_parameter(std::string key, const std::string& unit);
+
+/// "5.1 ± 0.4 kn", "105 ± 6 deg (ESE)"
+std::string in_users_units(const Effect& effect, const ParameterEstimate& parameter, const UserUnits& units);
+
+/// "added mass" of "added_mass".
+std::string in_words(std::string name);
+
+}  // namespace swayaw::app
