@@ -27,8 +27,7 @@ std::string base64(std::string_view bytes) {
     std::uint32_t three = 0;
     for (std::size_t k = 0; k < 3; ++k)
       three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63U] : '=';
+    for (std::size_t k = 0; k < 4; ++k) text += i + k <= bytes.size() ? digits[three >> (18 - 6 * k) & 63U] : '=';
   }
   return text;
 }
@@ -65,8 +64,8 @@ std::string html_of(const PagePicture& picture) {
                         base64(picture.svg));
   if (!picture.caption.empty()) text += fmt::format("<figcaption>{}</figcaption>\n", escaped(picture.caption));
   if (picture.numbers)
-    text += fmt::format("<details><summary>The numbers of this picture</summary>{}</details>\n",
-                        html_of(*picture.numbers));
+    text +=
+        fmt::format("<details><summary>The numbers of this picture</summary>{}</details>\n", html_of(*picture.numbers));
   return text + "</figure>\n";
 }
 

@@ -46,9 +46,7 @@ std::string UserUnits::angle(double rad, double error) const {
   return si_ ? told(rad, error, 1.0, "rad") : told(rad, error, radians(1.0), "deg");
 }
 
-std::string UserUnits::ordered(double rad) const {
-  return si_ ? angle(rad) : fmt::format("{:.6g} deg", degrees(rad));
-}
+std::string UserUnits::ordered(double rad) const { return si_ ? angle(rad) : fmt::format("{:.6g} deg", degrees(rad)); }
 
 std::string UserUnits::yaw_rate(double rad_s, double error) const {
   return si_ ? told(rad_s, error, 1.0, "rad/s") : told(rad_s, error, radians(1.0), "deg/s");

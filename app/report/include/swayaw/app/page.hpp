@@ -17,7 +17,7 @@ struct PageCell {
   Tone tone = Tone::neutral;
 
   PageCell(std::string words, Tone meaning = Tone::neutral) : text(std::move(words)), tone(meaning) {}  // NOLINT
-  PageCell(const char* words) : text(words) {}                                                         // NOLINT
+  PageCell(const char* words) : text(words) {}                                                          // NOLINT
 };
 
 /// The first cell of a row is its heading.
@@ -28,9 +28,9 @@ struct PageTable {
 };
 
 struct PagePicture {
-  std::string words;    ///< what is to be seen, for who cannot see it
-  std::string svg;      ///< empty: no picture, its table only
-  std::string caption;  ///< below
+  std::string words;                   ///< what is to be seen, for who cannot see it
+  std::string svg;                     ///< empty: no picture, its table only
+  std::string caption;                 ///< below
   std::optional<PageTable> numbers{};  ///< what is drawn, opened on demand
 };
 
