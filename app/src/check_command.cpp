@@ -9,6 +9,7 @@
 #include "swayaw/app/report.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -104,7 +105,7 @@ void print_errors(const std::vector<InstrumentError>& errors, bool told) {
   for (const auto& e : errors) {
     if (e.told != told) continue;
     fmt::print("    {}\n", words_for(e));
-    if (const auto remedy = remedy_for(e); !remedy.empty()) fmt::print("        {}\n", remedy);
+    if (const auto remedy = remedy_for(e); !remedy.empty()) print_words("        " + remedy, 8);
   }
 }
 
@@ -124,7 +125,7 @@ void print(const RunCheck& check) {
   print_all(check.errors);
   for (const auto& d : check.derived)
     fmt::print("  Not measured: {} is made of {}; it is left out of the check\n", short_name(d.channel), d.made_of);
-  for (const auto& line : check.cannot_tell) fmt::print("  Cannot tell: {}\n", line);
+  for (const auto& line : check.cannot_tell) print_words("  Cannot tell: " + line, 4);
   for (std::size_t i = 0; i + 1 < check.gaps.size(); i += 2)
     fmt::print("  No heading from {:.6g} to {:.6g} s\n", check.gaps[i], check.gaps[i + 1]);
   fmt::print("  Channels:\n");

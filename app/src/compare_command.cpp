@@ -13,6 +13,7 @@
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
+#include "terminal.hpp"
 #include "user_units.hpp"
 #include "way_ahead.hpp"
 
@@ -279,13 +280,19 @@ std::vector<std::vector<std::string>> rows_of(const std::vector<QuantityError>& 
 const std::vector<std::string> headings{"quantity",  "window error",   "of variation", "bias",
                                         "whole run", "worst interval", "worst region"};
 
+/// Sizes as a table, and below it where each quantity is worst.
 void print_table(const std::vector<QuantityError>& errors) {
   const auto print_row = [](const std::vector<std::string>& cell) {
-    fmt::print("  {:<10}{:>15}{:>14}{:>15}{:>15}  {:<24}{}\n", cell[0], cell[1], cell[2], cell[3], cell[4], cell[5],
-               cell[6]);
+    fmt::print("  {:<10}{:>16}{:>14}{:>16}{:>16}\n", cell[0], cell[1], cell[2], cell[3], cell[4]);
   };
   print_row(headings);
-  for (const auto& row : rows_of(errors)) print_row(row);
+  const auto rows = rows_of(errors);
+  for (const auto& row : rows) print_row(row);
+  for (const auto& row : rows)
+    if (row[5] != "-" || row[6] != "-")
+      print_words(fmt::format("  {} worst: {}{}{}", row[0], row[5] == "-" ? "" : row[5],
+                              row[5] != "-" && row[6] != "-" ? "; " : "", row[6] == "-" ? "" : row[6]),
+                  4);
 }
 
 void print_run(const Comparison& c) {
@@ -357,7 +364,7 @@ void print_text(const Ship& ship, const CompareArguments& a, const std::vector<C
     fmt::print("\nall runs\n");
     print_table(pooled(comparisons));
   }
-  fmt::print("\n{}\n", verdict(comparisons));
+  fmt::print("\n"), print_words(verdict(comparisons));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "run_selection.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/nonlinear/writable_ship.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -220,7 +221,7 @@ void print_surroundings(const std::vector<SurroundingsEstimate>& surroundings, c
   for (const auto& there : surroundings) {
     fmt::print("\nsurroundings of {}\n", there.scope == "all" ? "all runs" : there.scope);
     print_parameters(effect_of(there), there.parameters, units);
-    if (!there.cannot_tell.empty()) fmt::print("  {}\n", there.cannot_tell);
+    if (!there.cannot_tell.empty()) print_words("  " + there.cannot_tell, 2);
   }
 }
 
@@ -261,7 +262,8 @@ void print_candidates(const std::vector<Candidate>& candidates) {
 }
 
 void print_diagnosis(const Ship& ship, const Diagnosis& d, const Json& document, const UserUnits& units) {
-  fmt::print("{}\n{}\n", ship.name, d.words);
+  fmt::print("{}\n", ship.name);
+  print_words(d.words);
   for (const auto& run : document["set_aside"]) fmt::print("Set aside: {}.\n", run["run"].get<std::string>());
   print_budget(d.budget);
   print_effects(d.effects, units);
@@ -274,14 +276,17 @@ void print_diagnosis(const Ship& ship, const Diagnosis& d, const Json& document,
   if (!d.shifts.empty()) fmt::print("\nnumbers of the model beyond two of their deviations\n");
   for (const auto& s : d.shifts)
     fmt::print("  {:<24}{:>12.5g} -> {:<12.5g} {:+.1f} deviations\n", s.key, s.given, s.refitted, s.deviations);
-  if (d.next)
-    fmt::print("\nwhat to sail next\n  {}\n  it separates {}\n", d.next->advice, fmt::join(d.next->separates, ", "));
+  if (d.next) {
+    fmt::print("\nwhat to sail next\n");
+    print_words("  " + d.next->advice, 2);
+    print_words(fmt::format("  it separates {}", fmt::join(d.next->separates, ", ")), 2);
+  }
   print_detectable(d.detectable, units);
   print_candidates(d.candidates);
   print_runs("runs used", d.train);
   print_runs("runs held out", d.holdout);
-  for (const auto& line : document["not_written"]) fmt::print("{}\n", line.get<std::string>());
-  for (const auto& line : d.troubles) fmt::print("{}\n", line);
+  for (const auto& line : document["not_written"]) print_words(line.get<std::string>());
+  for (const auto& line : d.troubles) print_words(line);
 }
 
 // ---------------------------------------------------------------- how long it takes

@@ -18,6 +18,7 @@
 #include "swayaw/mismatch/compare.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/writable_ship.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -563,7 +564,9 @@ void print_resamples(const std::vector<Resample>& resamples, const std::vector<s
 }
 
 void print_answer(const Question& q, const Answer& answer, const Json& document) {
-  fmt::print("{}\n{}\n{}\n\n", q.ship.name, document["verdict"]["words"].get<std::string>(), answer.reason);
+  fmt::print("{}\n", q.ship.name);
+  print_words(document["verdict"]["words"].get<std::string>());
+  print_words(answer.reason + "\n");
   print_coefficients(answer);
   if (!answer.forces.equations.empty()) fmt::print("\nforce equations\n");
   print_equations(answer);
@@ -575,9 +578,9 @@ void print_answer(const Question& q, const Answer& answer, const Json& document)
                angles_text(z.after));
   print_resamples(answer.resamples, q.options.parameters);
   fmt::print("\nstraight course: {}\n", answer.stability.words);
-  for (const auto& line : answer.advice) fmt::print("{}\n", line);
-  for (const auto& line : document["not_written"]) fmt::print("{}\n", line.get<std::string>());
-  for (const auto& line : answer.troubles) fmt::print("{}\n", line);
+  for (const auto& line : answer.advice) print_words(line);
+  for (const auto& line : document["not_written"]) print_words(line.get<std::string>());
+  for (const auto& line : answer.troubles) print_words(line);
 }
 
 /// What a script must know of a work that was done: runs that were not used are predicted worse, or what was asked for

@@ -9,6 +9,7 @@
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/trial.hpp"
+#include "terminal.hpp"
 #include "trial_page.hpp"
 #include "trial_table.hpp"
 
@@ -176,7 +177,7 @@ void print_run(const JudgedRun& run, const std::optional<double>& L) {
   if (t.zigzag)
     fmt::print("  K is positive where rudder to starboard turns to starboard; inside swayaw it has the other sign\n");
   print_imo(t);
-  for (const auto& note : t.notes) fmt::print("  {}\n", note);
+  for (const auto& note : t.notes) print_words("  " + note, 2);
 }
 
 /// "± is one standard error" and what is in it, once.
@@ -224,7 +225,8 @@ void trial(const TrialArguments& a) {
                  a.report.file);
   if (a.json) return fmt::print("{}\n", document.dump(2));
   for (const auto& run : runs) print_run(run, options.L), fmt::print("\n");
-  fmt::print("{}\n{}\n", in_words(summary), errors_in_words);
+  print_words(in_words(summary));
+  print_words(errors_in_words);
   if (options.L && *options.L < 100.0)
     fmt::print(
         "the criteria are for ships of 100 m and more; the limits of a scale model's L/V are not those of her ship\n");

@@ -13,11 +13,14 @@
     diagnosis.py zeros RUN.csv...                           zero of the gyro: slope of (integral of r) - psi
     diagnosis.py roll RUN.csv...                            roll acceleration by regression on roll, its rate and the side acceleration
     diagnosis.py lag RUN.csv...                             yaw acceleration by regression on the order, by how late the order is taken
-    diagnosis.py errors FILE.json                           replays before, refitted and after, used and held-out runs"""
+    diagnosis.py errors FILE.json                           replays before, refitted and after, used and held-out runs
+    diagnosis.py picture PAGE.html OUT.svg                  the first picture of a page"""
 import argparse
+import base64
 import csv
 import json
 import math
+import re
 import sys
 
 SHOWN = ["heading", "yaw_rate", "drift", "speed", "position"]
@@ -318,6 +321,15 @@ def errors(path):
             print(f"| {run['run']} | {title} | " + " | ".join(cells) + " |")
 
 
+def picture(page, out):
+    """The picture of the first screen, as the page carries it."""
+    found = re.search(r'src="data:image/svg\+xml;base64,([^"]+)"', open(page, encoding="utf-8").read())
+    if not found:
+        sys.exit(f"{page}: no picture; is gnuplot installed?")
+    with open(out, "wb") as file:
+        file.write(base64.b64decode(found[1]))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
@@ -342,10 +354,13 @@ def main():
     sub.add_argument("file")
     sub.add_argument("most", nargs="?", type=int, default=6)
     commands.add_parser("errors").add_argument("file")
+    sub = commands.add_parser("picture")
+    sub.add_argument("page")
+    sub.add_argument("out")
     a = parser.parse_args()
     {"prepare": prepare, "wind": wind, "found": lambda x: found(x.files), "surroundings": lambda x: surroundings(x.files), "budget": lambda x: budget(x.files), "instruments": lambda x: instruments(x.files), "track": lambda x: track(x.files), "zeros": lambda x: zeros(x.files), "roll": lambda x: roll(x.files), "lag": lambda x: lag(x.files),
      "numbers": lambda x: numbers(x.before, x.after, x.keys), "candidates": lambda x: candidates(x.file, x.most),
-     "errors": lambda x: errors(x.file)}[a.command](a)
+     "errors": lambda x: errors(x.file), "picture": lambda x: picture(x.page, x.out)}[a.command](a)
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ while read -r run begin end; do
   helper wind "$recordings/$run.csv" --from "$begin" --to "$end" > "$run.wind.json"
 done < "$here/esso_osaka_runs.txt"
 
-"$program" diagnose "$ship" turn_*.csv --json > turns.json
+"$program" diagnose "$ship" turn_*.csv --report turns.html --json > turns.json
 "$program" diagnose "$ship" zigzag_*.csv --json > zigzags.json
 # every other turn is held out
 "$program" diagnose "$ship" turn_14-Sep-2020_1{3_39,4_16,5_47}_*.csv turn_cut_*.csv --holdout turn_14-Sep-2020_1{3_51,4_50,5_58}_*.csv --json > held_out.json
@@ -26,4 +26,5 @@ helper budget "turns=turns.json" "zigzags=zigzags.json" > tables/budget.md
 helper found "seven turns of 14 September=turns.json" "seven zigzags of 31 July=zigzags.json" "four of the turns=held_out.json" > tables/found.md
 helper candidates turns.json 8 > tables/candidates.md
 helper errors held_out.json > tables/errors.md
+helper picture turns.html "$here/esso_osaka.svg"
 "$here/../papers/put_tables.sh" "$here/esso_osaka_diagnosis.md" "$work/tables"

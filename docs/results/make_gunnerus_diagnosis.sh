@@ -18,7 +18,7 @@ columns=ug_m_s:u_m_s,vg_m_s:v_m_s,delta_order_rad:delta_rad
 for run in "$recordings"/*.csv; do helper prepare "$run" "$(basename "$run")" --rename "$columns" --drop phi_rad; done
 for run in [0-9]*.csv; do helper prepare "$run" "trackless_$run" --drop x_m,y_m; done
 
-"$program" diagnose gunnerus.toml trackless_{1550,1850,3250}_*.csv --holdout trackless_3700_*.csv trackless_4150_*.csv --json > order.json
+"$program" diagnose gunnerus.toml trackless_{1550,1850,3250}_*.csv --holdout trackless_3700_*.csv trackless_4150_*.csv --report order.html --json > order.json
 "$program" diagnose gunnerus.toml 0350_*.csv 0800_*.csv 1100_*.csv --json > speed.json
 helper found "zigzags, without positions=order.json" "two circles and a straight leg, with positions=speed.json" > tables/found.md
 helper candidates order.json 8 > tables/order.md
@@ -26,4 +26,5 @@ helper candidates speed.json 8 > tables/speed.md
 helper errors order.json > tables/errors.md
 helper track "$recordings"/*.csv > tables/track.md
 helper lag "$recordings"/*zigzag*.csv > tables/lag.md
+helper picture order.html "$here/gunnerus.svg"
 "$here/../papers/put_tables.sh" "$here/gunnerus_diagnosis.md" "$work/tables"

@@ -15,11 +15,12 @@ helper() { python3 "$here/diagnosis.py" "$@"; }
 for run in "$recordings"/kcs_*.csv; do helper prepare "$run" "$(basename "$run")" --every 13 --drop p_rad_s --key "reference_x_m = -3.404"; done
 for run in kcs_*.csv; do helper prepare "$run" "blind_$run" --drop phi_rad; done
 
-"$program" diagnose "$ship" kcs_zigzag_port_10.csv kcs_zigzag_port_20.csv --holdout kcs_turning_port_35.csv --json > seen.json
+"$program" diagnose "$ship" kcs_zigzag_port_10.csv kcs_zigzag_port_20.csv --holdout kcs_turning_port_35.csv --report seen.html --json > seen.json
 "$program" diagnose "$ship" blind_kcs_zigzag_port_10.csv blind_kcs_zigzag_port_20.csv --holdout blind_kcs_turning_port_35.csv --json > blind.json
 
 helper found "roll recorded=seen.json" "roll column taken out=blind.json" > tables/found.md
 helper candidates seen.json 8 > tables/candidates.md
 helper errors seen.json > tables/errors.md
 helper roll "$recordings"/kcs_*.csv > tables/roll.md
+helper picture seen.html "$here/kcs.svg"
 "$here/../papers/put_tables.sh" "$here/kcs_diagnosis.md" "$work/tables"

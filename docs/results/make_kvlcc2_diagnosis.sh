@@ -18,7 +18,7 @@ for run in "$recordings"/marin_*.csv; do helper prepare "$run" "$(basename "$run
 
 four=(hsva_zz10_10_port.csv hsva_zz10_10_stbd.csv hsva_zz20_10_port.csv hsva_zz20_10_stbd.csv)
 others=(hsva_zz15_05_stbd.csv hsva_zz10_01_stbd.csv hsva_zz30_05_stbd.csv)
-"$program" diagnose "$ships/kvlcc2_pi.toml" "${four[@]}" --holdout "${others[@]}" --json > hull.json
+"$program" diagnose "$ships/kvlcc2_pi.toml" "${four[@]}" --holdout "${others[@]}" --report hull.html --json > hull.json
 "$program" diagnose open_wake.toml "${four[@]}" --holdout "${others[@]}" --save-model wake.toml --json > wake.json
 "$program" diagnose "$ships/kvlcc2_pi_vvr.toml" marin_*.csv --reference "${four[@]}" --json > gyro.json
 for run in marin_zz10_10_port marin_zz20_20_stbd; do "$program" diagnose "$ships/kvlcc2_pi_vvr.toml" "$run.csv" --json > "$run.json"; done
@@ -31,4 +31,5 @@ helper errors wake.json > tables/wake_errors.md
 helper found "both, four HSVA runs as reference=gyro.json" "10/10 alone=marin_zz10_10_port.json" "20/20 alone=marin_zz20_20_stbd.json" > tables/gyro.md
 helper instruments "both, four HSVA runs as reference=gyro.json" "10/10 alone=marin_zz10_10_port.json" "20/20 alone=marin_zz20_20_stbd.json" > tables/instruments.md
 helper zeros marin_zz10_10_port.csv marin_zz20_20_stbd.csv > tables/zeros.md
+helper picture hull.html "$here/kvlcc2.svg"
 "$here/../papers/put_tables.sh" "$here/kvlcc2_diagnosis.md" "$work/tables"
