@@ -344,8 +344,6 @@ void diagnose(const DiagnoseArguments& a) {
   if (a.report.wanted())
     attempt(unsaved, a.report.file.string(), [&] {
       Json page = document;
-      page["ship_file"] = a.ship.string();
-      page["reference_runs"] = reference.size();
       page["needed_gain"] = options.detection;
       write_diagnosis_report(std::move(page), ship, diagnosis, a);
     });

@@ -325,7 +325,8 @@ Page diagnosis_first_screen(const Ship& ship, const Diagnosis& d, const Diagnose
                         {"What should I sail next?", what_next(d)}},
             .picture = picture_of_proof(ship, d),
             .table = table_of(ship, d),
-            .assumed = assumed_of(d, a)};
+            .assumed = assumed_of(d, a),
+            .sections = {{.title = "In one sentence", .words = {d.words}}}};
   std::erase_if(page.answers, [](const PageAnswer& answer) { return answer.answer.empty(); });
   return page;
 }

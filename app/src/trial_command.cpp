@@ -227,7 +227,7 @@ void trial(const TrialArguments& a) {
   for (const auto& run : runs) print_run(run, options.L), fmt::print("\n");
   print_words(in_words(summary));
   print_words(errors_in_words);
-  if (options.L && *options.L < 100.0)
+  if (options.L && *options.L < shortest_ship_of_criteria)
     fmt::print(
         "the criteria are for ships of 100 m and more; the limits of a scale model's L/V are not those of her ship\n");
 }

@@ -19,9 +19,6 @@ namespace {
 /// Up to so many runs all their numbers are in the first table, and each has its sentence.
 constexpr std::size_t few_runs = 3, runs_in_headline = 2;
 
-/// Ships for which the criteria are made are at least so long [m].
-constexpr double shortest_ship_of_criteria = 100.0;
-
 // ---------------------------------------------------------------- words
 
 /// "zigzag 10/10", "turning circle with 35 deg to port"

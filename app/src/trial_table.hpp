@@ -12,6 +12,9 @@
 /// What `swayaw trial` shows of a judged run: as JSON, and as rows for text and page.
 namespace swayaw::app {
 
+/// Ships for which the criteria of MSC.137(76) are made are at least so long [m].
+inline constexpr double shortest_ship_of_criteria = 100.0;
+
 /// The same manoeuvre of a ship, at the approach speed of the recording.
 struct SimulatedTrial {
   std::optional<Zigzag> zigzag;
