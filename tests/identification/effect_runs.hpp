@@ -23,4 +23,12 @@ inline Recording zigzag_of(const Ship& ship) {
       .run;
 }
 
+/// Calls f(id, ship) for each effect that the ship can have, the ship with it; of a size by chance.
+template <class F>
+void for_each_effect(const Ship& bare, unsigned seed, F&& f) {
+  RandomEffects effects(seed);
+  for (const auto id : effect_ids())
+    if (const auto effect = effects.of_kind(id, bare)) f(id, with_effect(bare, *effect));
+}
+
 }  // namespace swayaw::test

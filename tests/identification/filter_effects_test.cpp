@@ -41,12 +41,8 @@ double largest_innovation(const StateEstimate& estimate) {
 TEMPLATE_TEST_CASE("the filter knows every effect that simulations know", "[identification][second-route]",
                    MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>) {
   const auto bare = test::sailing_ship<TestType>();
-  test::RandomEffects effects(11);
-  for (const auto id : effect_ids()) {
-    const auto effect = effects.of_kind(id, bare);
-    if (!effect) continue;
+  test::for_each_effect(bare, 11, [&](std::string_view id, const Ship& ship) {
     INFO(id);
-    const auto ship = with_effect(bare, *effect);
     const auto run = test::zigzag_of(ship);
     const auto options = strict(bare);
     const auto known = estimate_states(ship, run, options), unknown = estimate_states(bare, run, options);
@@ -54,7 +50,7 @@ TEMPLATE_TEST_CASE("the filter knows every effect that simulations know", "[iden
     // a thrust that is recorded tells what the wake did
     const bool told = id == WakeChange<>::id && !takes_shaft_speed(bare);
     if (!told) CHECK(known.noise.log_likelihood > unknown.noise.log_likelihood + 1.0);
-  }
+  });
 }
 
 // Beside a known effect the linear damping is what it was without it; without the effect in the file it is not.

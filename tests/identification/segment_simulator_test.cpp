@@ -115,12 +115,8 @@ TEMPLATE_TEST_CASE("derivatives of a trajectory by its start and by all coeffici
 TEMPLATE_TEST_CASE("beside every effect, too", "[identification][second-route]", MmgShip<double>, PiShip<double>,
                    PuShip<double>, AbkowitzShip<double>) {
   const auto bare = test::sailing_ship<TestType>();
-  test::RandomEffects effects(13);
-  for (const auto id : effect_ids()) {
-    const auto effect = effects.of_kind(id, bare);
-    if (!effect) continue;
+  test::for_each_effect(bare, 13, [&](std::string_view id, const Ship& ship) {
     INFO(id);
-    const auto ship = with_effect(bare, *effect);
     auto parameters = parameters_of(ship, test::told_parameters<TestType>());
     std::erase_if(parameters, [](const Parameter& n) { return n.value == 0.0; });
     const auto simulator = segment_simulator(ship, parameters);
@@ -129,19 +125,15 @@ TEMPLATE_TEST_CASE("beside every effect, too", "[identification][second-route]",
     const auto place = place_of(ship, parameters);
     check_slopes(*simulator, segment, place, length(ship));
     if (simulator->states() > 6) check_slopes(*simulator, segment, with_hidden(place, ship), length(ship));
-  }
+  });
 }
 
 TEMPLATE_TEST_CASE("a segment shows what a simulation with any effect recorded", "[identification][second-route]",
                    MmgShip<double>, PiShip<double>, PuShip<double>, AbkowitzShip<double>) {
   const auto bare = test::sailing_ship<TestType>();
   const double L = length(bare), U = service_speed(bare);
-  test::RandomEffects effects(14);
-  for (const auto id : effect_ids()) {
-    const auto effect = effects.of_kind(id, bare);
-    if (!effect) continue;
+  test::for_each_effect(bare, 14, [&](std::string_view id, const Ship& ship) {
     INFO(id);
-    const auto ship = with_effect(bare, *effect);
     const auto recorded = test::zigzag_of(ship);
     const auto run = sampled_run(ship, recorded);
     const auto true_run = as_it_was(recorded, instruments_of(ship));
@@ -156,7 +148,7 @@ TEMPLATE_TEST_CASE("a segment shows what a simulation with any effect recorded",
         worst = std::max(worst, std::abs(response.residual[static_cast<Eigen::Index>(i)]) /
                                     unit_of(run.measurements[i].channel, L, U));
     CHECK(worst < 1e-3);
-  }
+  });
 }
 
 }  // namespace swayaw
