@@ -116,4 +116,4 @@ function showCheck(report) {
   renderWhenSeen();
 }
 
-showCheck(JSON.parse(document.getElementById('document').textContent));
+showCheck(JSON.parse(document.getElementById('data').textContent));

@@ -555,4 +555,4 @@ function show(report) {
   else renderWhenSeen();
 }
 
-show(prepared(JSON.parse(document.getElementById('document').textContent)));
+show(prepared(JSON.parse(document.getElementById('data').textContent)));

@@ -652,4 +652,4 @@ function showDiagnosis(report) {
   renderWhenSeen();
 }
 
-showDiagnosis(preparedReport(JSON.parse(document.getElementById('document').textContent)));
+showDiagnosis(preparedReport(JSON.parse(document.getElementById('data').textContent)));

@@ -173,4 +173,4 @@ function showLoop(report) {
   renderAll();
 }
 
-showLoop(JSON.parse(document.getElementById('document').textContent));
+showLoop(JSON.parse(document.getElementById('data').textContent));

@@ -118,16 +118,16 @@ void compact_series(json& series, std::size_t limit) {
   }
 }
 
-json compact(json document) {
-  const auto runs = document.find("runs");
-  if (runs == document.end()) return document;
+json compact(json data) {
+  const auto runs = data.find("runs");
+  if (runs == data.end()) return data;
   for (auto& run : *runs) {
     const auto series = run.find("series");
     if (series != run.end() && series->is_object()) {
       compact_series(*series, sample_limit(runs->size()));
     }
   }
-  return document;
+  return data;
 }
 
 // JSON text that no HTML parser can take for markup: these three only occur inside strings.
@@ -150,8 +150,8 @@ std::string script_safe(std::string_view text) {
   return safe;
 }
 
-std::string document_text(const json& document) {
-  return script_safe(document.dump(-1, ' ', false, json::error_handler_t::replace));
+std::string data_text(const json& data) {
+  return script_safe(data.dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
 using Texts = std::map<std::string_view, std::string_view>;
@@ -174,7 +174,7 @@ std::string fill(std::string_view page, const Texts& texts) {
 
 std::string scripts_html(std::string_view script, const std::string& data) {
   return fill(between(swayaw_report_scripts_html, swayaw_report_scripts_html_end),
-              {{"document", data},
+              {{"data", data},
                {"plotly", between(swayaw_report_plotly_js, swayaw_report_plotly_js_end)},
                {"helpers", between(swayaw_report_page_js, swayaw_report_page_js_end)},
                {"script", script}});
@@ -196,32 +196,32 @@ std::string filled(const Page& page, std::string_view details, std::string_view 
                            {"scripts", scripts}});
 }
 
-std::string with_plots(const Page& page, std::string_view script, const json& document) {
-  return filled(page, drawn_details, scripts_html(script, document_text(document)));
+std::string with_plots(const Page& page, std::string_view script, const json& data) {
+  return filled(page, drawn_details, scripts_html(script, data_text(data)));
 }
 
 }  // namespace
 
 std::string html(const Page& page) { return filled(page, {}, {}); }
 
-std::string check_page(const Page& page, const json& document) {
-  return with_plots(page, between(swayaw_report_check_js, swayaw_report_check_js_end), document);
+std::string check_page(const Page& page, const json& data) {
+  return with_plots(page, between(swayaw_report_check_js, swayaw_report_check_js_end), data);
 }
 
-std::string comparison_page(const Page& page, const json& document) {
-  return with_plots(page, between(swayaw_report_compare_js, swayaw_report_compare_js_end), compact(document));
+std::string comparison_page(const Page& page, const json& data) {
+  return with_plots(page, between(swayaw_report_compare_js, swayaw_report_compare_js_end), compact(data));
 }
 
-std::string loop_page(const Page& page, const json& document) {
-  return with_plots(page, between(swayaw_report_loop_js, swayaw_report_loop_js_end), document);
+std::string loop_page(const Page& page, const json& data) {
+  return with_plots(page, between(swayaw_report_loop_js, swayaw_report_loop_js_end), data);
 }
 
-std::string diagnosis_page(const Page& page, const json& document) {
-  return with_plots(page, between(swayaw_report_diagnose_js, swayaw_report_diagnose_js_end), compact(document));
+std::string diagnosis_page(const Page& page, const json& data) {
+  return with_plots(page, between(swayaw_report_diagnose_js, swayaw_report_diagnose_js_end), compact(data));
 }
 
-std::string trial_page(const Page& page, const json& document) {
-  return with_plots(page, between(swayaw_report_trial_js, swayaw_report_trial_js_end), document);
+std::string trial_page(const Page& page, const json& data) {
+  return with_plots(page, between(swayaw_report_trial_js, swayaw_report_trial_js_end), data);
 }
 
 }  // namespace swayaw

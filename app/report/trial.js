@@ -123,5 +123,5 @@ function showTrial(report) {
   renderAll();
 }
 
-const judged = JSON.parse(document.getElementById('document').textContent);
+const judged = JSON.parse(document.getElementById('data').textContent);
 showTrial({ ...judged, runs: (judged.runs || []).map((run) => ({ notes: [], rows: [], plots: {}, ...run })) });

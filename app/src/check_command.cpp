@@ -155,7 +155,8 @@ void check(const CheckArguments& a) {
   }
   if (a.report.wanted())
     write_page(a.report.file,
-               check_page(first_screen(checks, one_clock, a.report.si), for_page(document_of(checks, one_clock))));
+               check_page(first_screen(checks, one_clock, a.report.si),
+                          for_page(only(document_of(checks, one_clock), {"version", "runs", "all_runs"}))));
   if (a.json) {
     fmt::print("{}\n", document_of(checks, one_clock).dump(2));
     return;

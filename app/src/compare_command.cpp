@@ -237,10 +237,11 @@ Page first_screen(const Ship& ship, const CompareArguments& a, const std::vector
           .assumed = assumed_of(a, comparisons)};
 }
 
-void write_report(Json document, const Ship& ship, const CompareArguments& a,
+void write_report(const Json& document, const Ship& ship, const CompareArguments& a,
                   const std::vector<Comparison>& comparisons) {
-  for (std::size_t i = 0; i < comparisons.size(); ++i) document["runs"][i]["series"] = series_json(comparisons[i]);
-  write_page(a.report.file, comparison_page(first_screen(ship, a, comparisons), for_page(document)));
+  Json data = only(document, {"version", "length_m", "window_ship_lengths", "all_runs", "runs"});
+  for (std::size_t i = 0; i < comparisons.size(); ++i) data["runs"][i]["series"] = series_json(comparisons[i]);
+  write_page(a.report.file, comparison_page(first_screen(ship, a, comparisons), for_page(data)));
 }
 
 // ---------------------------------------------------------------- text

@@ -342,11 +342,8 @@ void diagnose(const DiagnoseArguments& a) {
   for (const auto& [run, why] : aside) document["set_aside"].push_back({{"run", run}, {"why", why}});
   document["not_written"] = kept.changed;
   if (a.report.wanted())
-    attempt(unsaved, a.report.file.string(), [&] {
-      Json page = document;
-      page["needed_gain"] = options.detection;
-      write_diagnosis_report(std::move(page), ship, diagnosis, a);
-    });
+    attempt(unsaved, a.report.file.string(),
+            [&] { write_diagnosis_report(document, ship, diagnosis, options.detection, a); });
   if (a.json) fmt::print("{}\n", document.dump(2));
   else print_diagnosis(ship, diagnosis, document, UserUnits(a.report.si, length(ship)));
   if (!unsaved.empty()) throw Refusal(fmt::format("not everything was written: {}", fmt::join(unsaved, "; ")));

@@ -47,9 +47,7 @@ std::string how_far(const Diagnosis& d) {
 
 /// ": 18 % less rudder force", where numbers of the rudder explain the runs.
 std::string rudder_words(const Diagnosis& d) {
-  if (!d.moved || !d.moved->rudder_force) return {};
-  const double more = *d.moved->rudder_force - 1.0;
-  return fmt::format(": {} {} rudder force", percent_of(std::abs(more)), more < 0.0 ? "less" : "more");
+  return d.moved && d.moved->rudder_force ? ": " + rudder_force_words(*d.moved->rudder_force) : "";
 }
 
 std::string what_is_wrong(const Diagnosis& d, const UserUnits& units) {

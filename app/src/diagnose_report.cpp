@@ -67,7 +67,6 @@ Json picture_json(const RunPicture& p, double L, bool held_out, bool with_effect
   return {{"run", p.run},
           {"manoeuvre", manoeuvre.empty() ? Json(nullptr) : Json(manoeuvre)},
           {"held_out", held_out},
-          {"duration_s", run.time.back() - run.time.front()},
           {"series", std::move(series)}};
 }
 
@@ -107,15 +106,17 @@ void require_folder(const std::filesystem::path& page) {
     throw FileError({.file = page}, "cannot be written (there is no such folder)");
 }
 
-void write_diagnosis_report(Json document, const Ship& ship, const Diagnosis& diagnosis,
+void write_diagnosis_report(const Json& document, const Ship& ship, const Diagnosis& diagnosis, double needed_gain,
                             const DiagnoseArguments& asked) {
-  document["ship"] = ship.name;
-  document["length_m"] = length(ship);
-  document["ordinary_force"] = ordinary_json(diagnosis.refitted);
-  document["effect_names"] = effect_names();
-  keep_order(document["effects"], diagnosis.effects);
-  document["runs"] = pictures_json(ship, diagnosis);
-  write_page(asked.report.file, diagnosis_page(diagnosis_first_screen(ship, diagnosis, asked), for_page(document)));
+  Json data = only(document, {"version", "verdict", "location", "effects", "candidates", "budget", "surroundings",
+                              "fit", "next_manoeuvre", "detectable"});
+  data["length_m"] = length(ship);
+  data["needed_gain"] = needed_gain;
+  data["ordinary_force"] = ordinary_json(diagnosis.refitted);
+  data["effect_names"] = effect_names();
+  keep_order(data["effects"], diagnosis.effects);
+  data["runs"] = pictures_json(ship, diagnosis);
+  write_page(asked.report.file, diagnosis_page(diagnosis_first_screen(ship, diagnosis, asked), for_page(data)));
 }
 
 }  // namespace swayaw::app

@@ -12,8 +12,9 @@ namespace swayaw::app {
 void require_folder(const std::filesystem::path& page);
 
 /// Writes the page of a diagnosis whose pictures were asked for.
-/// @param document  the diagnosis as JSON
-void write_diagnosis_report(Json document, const Ship& ship, const Diagnosis& diagnosis,
+/// @param document     the diagnosis as JSON
+/// @param needed_gain  in log evidence, of an effect that is called found
+void write_diagnosis_report(const Json& document, const Ship& ship, const Diagnosis& diagnosis, double needed_gain,
                             const DiagnoseArguments& asked);
 
 }  // namespace swayaw::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
@@ -21,7 +22,10 @@ inline Json parameters(std::span<const double> values) {
   return list;
 }
 
-/// As a page takes it.
-nlohmann::json for_page(const Json& document);
+/// Data for the script of a page.
+nlohmann::json for_page(const Json& data);
+
+/// Those keys of an object that are in the list: of a document, what the script of a page reads.
+Json only(const Json& document, std::initializer_list<const char*> keys);
 
 }  // namespace swayaw::app

@@ -244,41 +244,20 @@ Json indices_json(const LinearShip& ship) {
   return json;
 }
 
-std::string verdict_of(const Finding& f) {
-  const auto& m = f.loop;
-  auto text = fmt::format(
-      "The {} takes {:.2f} ship lengths; its loop has an area of {:.4f} rad and passes zero drift at omega' = {:.3f}.",
-      cycle_words(f), f.cycle.zigzag.period().value(), m.area, m.omega_at_beta_zero);
-  if (f.sensitivity)
-    text += fmt::format(
-        " One hundredth more of T3w changes the area by {:+.2g} rad and the first overshoot by {:+.2g} deg; of T3b by "
-        "{:+.2g} rad and not the overshoot.",
-        0.01 * f.sensitivity->by_T3w.area, 0.01 * degrees(f.sensitivity->overshoot_by_T3w.front()),
-        0.01 * f.sensitivity->by_T3b.area);
-  return text;
-}
-
-Json page_document(const LinearShip& ship, const Finding& f, const LoopArguments& a) {
+/// What the plots of the page show.
+Json page_data(const LinearShip& ship, const Finding& f) {
   const auto i = indices(ship);
   Json measures = measures_json(f.loop);
   measures["period"] = number(f.cycle.zigzag.period().value());
-  Json json{{"schema", "swayaw.loop/1"},
-            {"version", version()},
-            {"ship", ship.name},
-            {"ship_file", a.ship.string()},
-            {"manoeuvre", manoeuvre_words(f)},
-            {"length_m", ship.particulars.L},
-            {"speed_m_s", f.speed},
-            {"verdict", verdict_of(f)},
-            {"indices", indices_json(ship)},
-            {"slope", number(i.Kw / i.Kb)},
-            {"loop", std::move(measures)},
-            {"overshoot_deg", parameters(overshoots_deg(f.cycle.zigzag.reversals))},
-            {"sensitivity", sensitivity_json(f.sensitivity)},
-            {"zigzag", curves_json(approach_of(ship, f))},
-            {"cycle", curves_json(cycle_of(ship, f))},
-            {"map", f.sensitivity ? map_json(i, f.order) : Json(nullptr)}};
-  return json;
+  return {{"version", version()},
+          {"indices", indices_json(ship)},
+          {"slope", number(i.Kw / i.Kb)},
+          {"loop", std::move(measures)},
+          {"overshoot_deg", parameters(overshoots_deg(f.cycle.zigzag.reversals))},
+          {"sensitivity", sensitivity_json(f.sensitivity)},
+          {"zigzag", curves_json(approach_of(ship, f))},
+          {"cycle", curves_json(cycle_of(ship, f))},
+          {"map", f.sensitivity ? map_json(i, f.order) : Json(nullptr)}};
 }
 
 // ---------------------------------------------------------------- plot
@@ -406,7 +385,7 @@ Page first_screen(const LinearShip& ship, const Finding& f, const LoopArguments&
 }
 
 void write_report(const LinearShip& ship, const Finding& f, const LoopArguments& a) {
-  write_page(a.report.file, loop_page(first_screen(ship, f, a), for_page(page_document(ship, f, a))));
+  write_page(a.report.file, loop_page(first_screen(ship, f, a), for_page(page_data(ship, f))));
 }
 
 // ---------------------------------------------------------------- text

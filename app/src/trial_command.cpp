@@ -70,14 +70,18 @@ Json series_json(const JudgedRun& run) {
   return series;
 }
 
-void write_report(Json document, const std::vector<JudgedRun>& runs, const TrialQuestion& question,
+void write_report(const Json& document, const std::vector<JudgedRun>& runs, const TrialQuestion& question,
                   const std::filesystem::path& file) {
+  Json data = only(document, {"version", "length_m"});
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    document["runs"][i]["rows"] = rows_json(rows_of(runs[i].trial, runs[i].simulated, question.L));
-    document["runs"][i]["plots"] = series_json(runs[i]);
-    document["runs"][i]["execute"] = runs[i].trial.approach.execute.value;
+    auto run = only(document["runs"][i], {"run", "manoeuvre", "first", "approach_heading_rad", "approach_speed_m_s",
+                                          "approach_speed_source", "execute_s", "peak_s", "steps", "notes"});
+    run["rows"] = rows_json(rows_of(runs[i].trial, runs[i].simulated, question.L));
+    run["plots"] = series_json(runs[i]);
+    run["execute"] = runs[i].trial.approach.execute.value;
+    data["runs"].push_back(std::move(run));
   }
-  write_page(file, trial_page(first_screen(runs, question), for_page(document)));
+  write_page(file, trial_page(first_screen(runs, question), for_page(data)));
 }
 
 // ---------------------------------------------------------------- text

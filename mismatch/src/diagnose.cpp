@@ -332,16 +332,11 @@ std::string change_words(const BaselineShift& s) {
   return fmt::format("{} from {:.3g} to {:.3g}{}", s.key, s.given, s.refitted, share);
 }
 
-/// "18 % less rudder force"
-std::string force_words(double left) {
-  return fmt::format("{:.0f} % {} rudder force", std::abs(100.0 * (left - 1.0)), left < 1.0 ? "less" : "more");
-}
-
 /// ", most of it by those of the rudder alone, to 7 %: f_alpha from 2.75 to 2.31 (-16 %)"
 std::string moved_words(const MovedPart& moved) {
   std::vector<std::string> changes;
   for (const auto& s : moved.most) changes.push_back(change_words(s));
-  const auto together = moved.rudder_force ? ", together " + force_words(*moved.rudder_force) : "";
+  const auto together = moved.rudder_force ? ", together " + rudder_force_words(*moved.rudder_force) : "";
   return fmt::format(", most of it by those of the {} alone, to {} %: {}{}", plain_name(moved.part),
                      in_two_digits(100.0 * moved.discrepancy), listed(changes), together);
 }
@@ -720,6 +715,11 @@ std::string_view name_of(Follows follows) {
     case Follows::nothing: return "unexplained";
   }
   return {};
+}
+
+std::string rudder_force_words(double over_given) {
+  return fmt::format("{:.0f} % {} rudder force", std::abs(100.0 * (over_given - 1.0)),
+                     over_given < 1.0 ? "less" : "more");
 }
 
 std::string_view name_of(DiagnosisVerdict verdict) {

@@ -1,4 +1,4 @@
-#include "swayaw/nonlinear/simulation/segment_simulator.hpp"
+#include "swayaw/identification/segment_simulator.hpp"
 
 #include <catch.hpp>
 #include <cmath>

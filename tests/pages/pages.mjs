@@ -3,11 +3,11 @@
 //
 //   node pages.mjs PROGRAM PROJECT FOLDER [SHOTS]      77: there is no Chromium
 import { execFileSync, spawnSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { fetched } from './npm.mjs';
 
 const [program, project, folder, shots] = process.argv.slice(2);
-const here = join(project, 'tests/pages');
 const recordings = ['weak_rudder_zz10_10.csv', 'weak_rudder_turn35.csv'].map((run) => join(project, 'examples/recordings', run));
 const ship = (name) => join(project, 'ships', `${name}.toml`);
 const indices = join(project, 'examples/indices/nawigator.toml');
@@ -68,14 +68,10 @@ function browse(file, size, more) {
   return { out: run.stdout, complaints: run.stderr.split('\n').filter((line) => /CONSOLE/.test(line) && /error|uncaught|refused/i.test(line)) };
 }
 
-// axe-core as npm has it; nothing where there is no network.
+// The text of axe-core; null where it could not be fetched.
 function axe() {
-  const file = join(folder, 'node_modules/axe-core/axe.min.js');
-  if (!existsSync(file)) {
-    for (const name of ['package.json', 'package-lock.json']) copyFileSync(join(here, name), join(folder, name));
-    spawnSync('npm', ['ci', '--prefer-offline', '--ignore-scripts', '--no-audit', '--no-fund'], { cwd: folder });
-  }
-  if (existsSync(file)) return readFileSync(file, 'utf8');
+  const file = fetched('axe-core/axe.min.js', folder);
+  if (file) return readFileSync(file, 'utf8');
   console.log('[skipped] accessibility is not tested: axe-core could not be fetched');
   return null;
 }
@@ -138,6 +134,15 @@ function tryAll(page, html, helper) {
   for (const barrier of barriers || []) check(false, `${page.name}: nobody is kept out: ${barrier}`);
 }
 
+// The data of a page are what its script reads: keys of the whole and of each run.
+function lookAtData(page, html) {
+  const [, text] = /<script id="data"[^>]*>(.*?)<\/script>/s.exec(html) || [];
+  if (!text) return;
+  const data = JSON.parse(text), script = html.slice(html.lastIndexOf('<script>'));
+  for (const key of new Set([data, ...(data.runs || [])].flatMap(Object.keys)))
+    check(new RegExp(`\\b${key}\\b`).test(script), `${page.name}: the script reads ${key} of the data`);
+}
+
 for (const place of [folder, shots].filter(Boolean)) mkdirSync(place, { recursive: true });
 const helper = axe();
 for (const page of PAGES) {
@@ -147,6 +152,7 @@ for (const page of PAGES) {
   check(statSync(file).size < MOST_BYTES, `${page.name}: less than ${MOST_BYTES} bytes`);
   const html = readFileSync(file, 'utf8');
   for (const screen of SCREENS) look(page, html, screen);
+  lookAtData(page, html);
   tryAll(page, html, helper);
   if (shots) browse(file, [1400, 900], [`--screenshot=${join(shots, `${page.name}.png`)}`]);
 }

@@ -2,13 +2,13 @@
 //
 //   node schemas.mjs PROGRAM PROJECT FOLDER      77: ajv could not be fetched
 import { spawnSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { basename, join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { fetched } from './npm.mjs';
 
 const [program, project, folder] = process.argv.slice(2).map((path) => resolve(path));
-const here = join(project, 'tests/pages');
 const { idOf, page, schemas } = await import(pathToFileURL(join(project, 'docs/schemas/make_page.mjs')));
 
 let failures = 0;
@@ -18,24 +18,15 @@ function check(holds, sentence) {
   console.error(`not true: ${sentence}`);
 }
 
-// ajv as npm has it; nothing where there is no network.
-function ajv() {
-  const file = join(folder, 'node_modules/ajv/dist/2020.js');
-  if (!existsSync(file)) {
-    for (const name of ['package.json', 'package-lock.json']) copyFileSync(join(here, name), join(folder, name));
-    spawnSync('npm', ['ci', '--prefer-offline', '--ignore-scripts', '--no-audit', '--no-fund'], { cwd: folder });
-  }
-  return existsSync(file) ? createRequire(import.meta.url)(file).Ajv2020 : null;
-}
-
 mkdirSync(folder, { recursive: true });
 const made = readFileSync(join(project, 'docs/json.md'), 'utf8') === page();
 check(made, 'docs/json.md is what node docs/schemas/make_page.mjs writes');
-const Ajv = ajv();
-if (!Ajv) {
+const ajv = fetched('ajv/dist/2020.js', folder);
+if (!ajv) {
   console.log('[skipped] the documents are not held against their schemas: ajv could not be fetched');
   process.exit(failures ? 1 : 77);
 }
+const { Ajv2020: Ajv } = createRequire(import.meta.url)(ajv);
 const judge = new Ajv({ allErrors: true, allowUnionTypes: true, strictTypes: false, strictRequired: false });
 const all = schemas();
 for (const schema of all.values()) judge.addSchema(schema);

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "swayaw/identification/segment_simulator.hpp"
 #include "swayaw/identification/trajectory_fit.hpp"
-#include "swayaw/nonlinear/simulation/segment_simulator.hpp"
 
 /// What a trajectory fit works on. Not installed.
 namespace swayaw::inline identification::detail {

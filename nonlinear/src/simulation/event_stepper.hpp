@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "ship_stepper.hpp"
-#include "stepper_state.hpp"
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/recording.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -29,6 +28,7 @@
 #include "swayaw/nonlinear/models/models.hpp"
 #include "swayaw/nonlinear/simulation/equations_of_motion.hpp"
 #include "swayaw/nonlinear/simulation/rudder_track.hpp"
+#include "swayaw/nonlinear/simulation/stepper_state.hpp"
 #include "swayaw/nonlinear/surroundings/surroundings.hpp"
 
 /// Integration of a ship from event to event (docs/simulation.md). Not installed.

@@ -102,6 +102,9 @@ struct MovedPart {
   std::optional<double> rudder_force{};  ///< of a rudder: its moment at 10 deg straight ahead over that as given
 };
 
+/// "18 % less rudder force" of 0.82 times that as given.
+std::string rudder_force_words(double over_given);
+
 /// An error of an instrument that was found beside everything else, however small.
 struct InstrumentEstimate {
   std::string channel;  ///< "r", "x" for both coordinates of a position

@@ -5,11 +5,11 @@
 
 #include "branch_stepper.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/identification/segment_simulator.hpp"
 #include "swayaw/nonlinear/instruments/instruments.hpp"
-#include "swayaw/nonlinear/simulation/segment_simulator.hpp"
 
 /// The simulator of a model. Not installed; included by one file for each model.
-namespace swayaw::inline nonlinear::detail {
+namespace swayaw::inline identification::detail {
 
 template <template <class> class Model, bool with_effects>
 class ModelSegmentSimulator final : public SegmentSimulator {
@@ -213,4 +213,4 @@ std::unique_ptr<SegmentSimulator> make_segment_simulator(const ActingShip<Model<
   return std::make_unique<ModelSegmentSimulator<Model, with_effects>>(acting, ship, parameters);
 }
 
-}  // namespace swayaw::nonlinear::detail
+}  // namespace swayaw::identification::detail

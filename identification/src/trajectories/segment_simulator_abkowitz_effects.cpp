@@ -1,8 +1,8 @@
 #include "segment_simulator_of.hpp"
 
-namespace swayaw::inline nonlinear::detail {
+namespace swayaw::inline identification::detail {
 
 template std::unique_ptr<SegmentSimulator> make_segment_simulator<AbkowitzShip, true>(
     const ActingShip<AbkowitzShip<double>>&, const Ship&, const std::vector<Parameter>&);
 
-}  // namespace swayaw::nonlinear::detail
+}  // namespace swayaw::identification::detail

@@ -6,8 +6,8 @@
 #include "swayaw/core/motion.hpp"
 #include "swayaw/nonlinear/effects/acting_effects.hpp"
 
-/// The state that a stepper integrates. Not installed.
-namespace swayaw::inline nonlinear::detail {
+/// The state that a stepper integrates.
+namespace swayaw::inline nonlinear {
 
 /// x, y, psi, u, v, r, and the hidden states of effects where there are some.
 template <class S, std::size_t hidden_states>
@@ -34,4 +34,4 @@ StepperState<S, hidden_states> joined(const StateVector<S>& motion, const Hidden
   return joined;
 }
 
-}  // namespace swayaw::nonlinear::detail
+}  // namespace swayaw::nonlinear

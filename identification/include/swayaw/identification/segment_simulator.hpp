@@ -11,7 +11,7 @@
 
 /// Segments of recorded runs, simulated with exact derivatives by the state at their beginning and by parameters of the
 /// ship.
-namespace swayaw::inline nonlinear {
+namespace swayaw::inline identification {
 
 /// A value that a channel has at a sample.
 struct Measurement {
@@ -83,4 +83,4 @@ std::unique_ptr<SegmentSimulator> make_segment_simulator(const ActingShip<Model<
 
 }  // namespace detail
 
-}  // namespace swayaw::nonlinear
+}  // namespace swayaw::identification

@@ -7,15 +7,15 @@
 #include <type_traits>
 #include <utility>
 
-#include "stepper_state.hpp"
 #include "swayaw/core/dual.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/models/branch.hpp"
 #include "swayaw/nonlinear/simulation/equations_of_motion.hpp"
 #include "swayaw/nonlinear/simulation/runge_kutta.hpp"
+#include "swayaw/nonlinear/simulation/stepper_state.hpp"
 
 /// Classical Runge–Kutta steps in double or dual numbers, on one branch of the force model at a time. Not installed.
-namespace swayaw::inline nonlinear::detail {
+namespace swayaw::inline identification::detail {
 
 /// Controls that change in straight lines over a time.
 struct ControlLine {
@@ -220,4 +220,4 @@ class BranchStepper {
   ShipBranch branch_{};
 };
 
-}  // namespace swayaw::nonlinear::detail
+}  // namespace swayaw::identification::detail

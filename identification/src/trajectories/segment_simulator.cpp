@@ -1,6 +1,6 @@
-#include "swayaw/nonlinear/simulation/segment_simulator.hpp"
+#include "swayaw/identification/segment_simulator.hpp"
 
-namespace swayaw::inline nonlinear {
+namespace swayaw::inline identification {
 
 std::unique_ptr<SegmentSimulator> segment_simulator(const Ship& ship, const std::vector<Parameter>& parameters) {
   return visit_acting(ship, [&]<template <class> class Model>(const ActingShip<Model<double>>& acting) {
@@ -10,4 +10,4 @@ std::unique_ptr<SegmentSimulator> segment_simulator(const Ship& ship, const std:
   });
 }
 
-}  // namespace swayaw::nonlinear
+}  // namespace swayaw::identification
