@@ -113,7 +113,7 @@ function showCheck(report) {
     el('div', { class: 'runs runs-2 block' }, ...groups(report.runs).map((group) => groupBox(group, report.all_runs))),
     ...report.runs.map(runBlock),
     footer(report));
-  renderWhenSeen();
+  renderWhenNear();
 }
 
-showCheck(JSON.parse(document.getElementById('data').textContent));
+showAfterPaint(showCheck);

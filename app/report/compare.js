@@ -19,7 +19,6 @@ const SOURCES = [
   { id: 'windows', label: 'Simulated, restarted', line: { color: '#e07b00', width: 1.9 } },
 ];
 
-const RENDER_ALL_UP_TO = 4;
 const JUMP_LIST_ABOVE = 3;
 const PANEL_HEIGHT = 158;
 
@@ -551,8 +550,7 @@ function show(report) {
     summary(report, lengths),
     ...(report.runs.length > JUMP_LIST_ABOVE ? [jumpList(report.runs)] : []),
     ...report.runs.map((run) => runSection(run, ship)), footer(report, lengths));
-  if (report.runs.length <= RENDER_ALL_UP_TO) renderAll();
-  else renderWhenSeen();
+  renderWhenNear();
 }
 
-show(prepared(JSON.parse(document.getElementById('data').textContent)));
+showAfterPaint((report) => show(prepared(report)));

@@ -414,7 +414,7 @@ function budgetSection({ budget }) {
   if (rows.length === 0) return null;
   return el('section', { class: 'part', id: 'budget' }, el('h2', {}, 'What the missing force follows'),
     el('p', {}, 'The force that the model as given lacks, in shares of its mean square; size: its mean square over that of the force on the hull.'),
-    el('div', { class: 'scroll' }, el('table', { class: 'stages' },
+    scrolled(el('table', { class: 'stages' },
       el('thead', {}, row(el('th', { scope: 'col' }), ...FOLLOWS.map(([, words]) => el('th', { scope: 'col' }, words)), el('th', { scope: 'col' }, 'size'))),
       el('tbody', {}, ...rows))));
 }
@@ -458,7 +458,7 @@ function errorTable(runs, report) {
     row(el('th', { scope: 'col' }, 'Run'), ...quantities.flatMap(() => stages.map(({ name }, i) => el('th', { scope: 'col', class: i === 0 ? 'group' : '' }, small(name))))));
   const cells = (run) => quantities.flatMap((id) => stages.map((stage) => shadedShare((run[stage.id] || {})[id])));
   const rows = runs.map((run) => row(el('th', { scope: 'row' }, run.run.replace(/\.csv$/, '')), ...cells(run)));
-  return el('div', { class: 'scroll' }, el('table', { class: 'stages' }, head, el('tbody', {}, ...rows)));
+  return scrolled(el('table', { class: 'stages' }, head, el('tbody', {}, ...rows)));
 }
 
 // Error with the effects over error of the refitted model, the median of runs and quantities.
@@ -649,7 +649,7 @@ function showDiagnosis(report) {
   nameAfter(report.verdict);
   const sections = [budgetSection, surroundingsSection, forceSection, planeSection, rankingSection, proofSection, nextSection].map((make) => make(report)).filter(Boolean);
   document.getElementById('report').append(...cards(report), jumpList(sections), ...sections, footer(report));
-  renderWhenSeen();
+  renderWhenNear();
 }
 
-showDiagnosis(preparedReport(JSON.parse(document.getElementById('data').textContent)));
+showAfterPaint((report) => showDiagnosis(preparedReport(report)));

@@ -170,7 +170,7 @@ function showLoop(report) {
     report.map ? mapBlock(report) : null,
     footer(report),
   ].filter(Boolean));
-  renderAll();
+  renderWhenNear();
 }
 
-showLoop(JSON.parse(document.getElementById('data').textContent));
+showAfterPaint(showLoop);

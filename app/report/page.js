@@ -51,11 +51,11 @@ const row = (...cells) => el('tr', {}, ...cells);
 const column = (...words) => el('th', { scope: 'col' }, ...words);
 const small = (words) => el('small', {}, words);
 
+// What may be wider than the screen; the keyboard moves it, too.
+const scrolled = (node) => el('div', { class: 'scroll', tabindex: '0' }, node);
+
 function table(className, headings, rows) {
-  return el('div', { class: 'scroll' },
-    el('table', { class: className },
-      el('thead', {}, row(...headings)),
-      el('tbody', {}, ...rows)));
+  return scrolled(el('table', { class: className }, el('thead', {}, row(...headings)), el('tbody', {}, ...rows)));
 }
 
 // White at nothing, deep orange from 40 %.
@@ -82,6 +82,21 @@ function combine(formula, ...channels) {
 }
 
 const inDegrees = (channel) => combine((angle) => angle * DEGREES, channel);
+
+// ---- opening -----------------------------------------------------------------------------
+
+// The first screen is painted before the data are read and anything is drawn.
+function showAfterPaint(show) {
+  const data = () => JSON.parse(document.getElementById('data').textContent);
+  requestAnimationFrame(() => setTimeout(() => show(data())));
+}
+
+// The library is a text of the page until the first plot comes near.
+function loadPlotly() {
+  const script = document.createElement('script');
+  script.textContent = document.getElementById('plotly').textContent;
+  document.head.append(script);
+}
 
 // ---- plots -------------------------------------------------------------------------------
 
@@ -119,6 +134,7 @@ function plot(node, traces, layout, options = {}) {
     toImageButtonOptions: { format: 'svg' },
     ...options,
   };
+  if (!window.Plotly) loadPlotly();
   Plotly.newPlot(node, traces, { ...shared, ...layout }, config);
 }
 
@@ -179,11 +195,11 @@ function stations(part, length) {
   });
 }
 
-// ---- printing ----------------------------------------------------------------------------
+// ---- when plots are drawn ----------------------------------------------------------------
 
 const renderAll = () => [...pending.keys()].forEach(render);
 
-function renderWhenSeen() {
+function renderWhenNear() {
   const seen = new IntersectionObserver((entries) => {
     for (const entry of entries.filter(({ isIntersecting }) => isIntersecting)) {
       seen.unobserve(entry.target);

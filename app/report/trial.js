@@ -120,8 +120,11 @@ function showTrial(report) {
         'A criterion cannot be told where its limit lies within two standard errors of the value.'),
       el('p', {}, 'K is positive where a rudder to starboard turns the ship to starboard. Rudder angles in the plots are positive to port.'),
       el('p', {}, `Made by swayaw ${report.version || ''}. Plots by Plotly.js, MIT licence.`)));
-  renderAll();
+  renderWhenNear();
 }
 
-const judged = JSON.parse(document.getElementById('data').textContent);
-showTrial({ ...judged, runs: (judged.runs || []).map((run) => ({ notes: [], rows: [], plots: {}, ...run })) });
+function prepared(report) {
+  return { ...report, runs: (report.runs || []).map((run) => ({ notes: [], rows: [], plots: {}, ...run })) };
+}
+
+showAfterPaint((report) => showTrial(prepared(report)));

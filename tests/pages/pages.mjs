@@ -5,7 +5,9 @@
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { chromium, HEADLESS } from './browser.mjs';
 import { fetched } from './npm.mjs';
+import { pagesOf, threeRuns } from './three_runs.mjs';
 
 const [program, project, folder, shots] = process.argv.slice(2);
 const recordings = ['weak_rudder_zz10_10.csv', 'weak_rudder_turn35.csv'].map((run) => join(project, 'examples/recordings', run));
@@ -52,10 +54,6 @@ function check(holds, sentence) {
   console.error(`not true: ${sentence}`);
 }
 
-function chromium() {
-  return ['chromium', 'chromium-browser', 'google-chrome'].find((name) => spawnSync(name, ['--version']).status === 0);
-}
-
 const browser = chromium();
 if (!browser) {
   console.log('[skipped] the pages are not looked at: there is no Chromium');
@@ -63,7 +61,7 @@ if (!browser) {
 }
 
 function browse(file, size, more) {
-  const run = spawnSync(browser, ['--headless', '--no-sandbox', '--disable-gpu', '--hide-scrollbars', '--enable-logging=stderr', `--window-size=${size}`,
+  const run = spawnSync(browser, [...HEADLESS, '--enable-logging=stderr', `--window-size=${size}`,
     '--virtual-time-budget=20000', ...more, `file://${file}`], { encoding: 'utf8', maxBuffer: 1 << 28 });
   return { out: run.stdout, complaints: run.stderr.split('\n').filter((line) => /CONSOLE/.test(line) && /error|uncaught|refused/i.test(line)) };
 }
@@ -121,17 +119,29 @@ function look(page, html, screen) {
 // The rules for narrow screens hold in a frame of the phone's width whatever the window.
 const phoneStyle = (html, screen) => (screen.name === 'phone' ? html.replace(/@media \(max-width: (860|640)px\)/g, '@media all') : html);
 
+// What axe-core finds, and the plots that are not drawn when the page is printed.
+const trial = (withAxe) => `async () => {
+  await new Promise((then) => setTimeout(then, 1500));
+  const found = ${withAxe ? 'await axe.run()' : '{ violations: [] }'};
+  dispatchEvent(new Event('beforeprint'));
+  return {
+    barriers: found.violations.filter(({ impact }) => ['serious', 'critical'].includes(impact))
+      .map(({ id, nodes }) => id + ': ' + nodes.slice(0, 2).map(({ html }) => html.slice(0, 120)).join(' and ')),
+    drawn: document.querySelectorAll('.js-plotly-plot').length,
+    missing: [...document.querySelectorAll('.plot:not(.js-plotly-plot)')].map((plot) => plot.getAttribute('aria-label')),
+  };
+}`;
+
 function tryAll(page, html, helper) {
-  const file = join(folder, `${page.name}_whole.html`);
-  const script = helper === null ? 'async () => []'
-    : "async () => { await new Promise((then) => setTimeout(then, 1500)); return (await axe.run()).violations.filter(({ impact }) => ['serious', 'critical'].includes(impact))"
-      + ".map(({ id, nodes }) => `${id}: ${nodes.slice(0, 2).map(({ html }) => html.slice(0, 120)).join(' and ')}`); }";
+  const file = join(folder, `${page.name}_whole.html`), script = trial(helper !== null);
   writeFileSync(file, asked(helper === null ? html : `${html}<script>${helper}</script>`, script));
   const { out, complaints } = browse(file, [1400, 900], ['--dump-dom']);
   check(complaints.length === 0, `${page.name}: the console is silent: ${complaints.join(' ')}`);
-  const barriers = found(out);
-  check(barriers !== null, `${page.name}: axe-core ends`);
-  for (const barrier of barriers || []) check(false, `${page.name}: nobody is kept out: ${barrier}`);
+  const seen = found(out);
+  check(seen !== null, `${page.name}: its scripts end`);
+  for (const barrier of seen ? seen.barriers : []) check(false, `${page.name}: nobody is kept out: ${barrier}`);
+  if (html.includes('id="data"')) check(seen && seen.drawn > 0, `${page.name}: there are plots`);
+  for (const plot of seen ? seen.missing : []) check(false, `${page.name}: ${plot} is drawn for print`);
 }
 
 // The data of a page are what its script reads: keys of the whole and of each run.
@@ -155,6 +165,12 @@ for (const page of PAGES) {
   lookAtData(page, html);
   tryAll(page, html, helper);
   if (shots) browse(file, [1400, 900], [`--screenshot=${join(shots, `${page.name}.png`)}`]);
+}
+for (const page of pagesOf(threeRuns(program, project, folder))) {
+  const file = join(folder, `${page.name}_three_runs.html`);
+  execFileSync(program, [...page.words, '--report', file], { stdio: 'ignore' });
+  check(statSync(file).size < MOST_BYTES, `${page.name}: three runs of a thousand samples take less than ${MOST_BYTES} bytes`);
+  tryAll({ name: `${page.name} of three runs` }, readFileSync(file, 'utf8'), helper);
 }
 console.log(failures ? `${failures} failures` : `${PAGES.length} pages looked at`);
 process.exit(failures ? 1 : 0);

@@ -74,7 +74,7 @@ std::string data_text(const std::string& page) {
   return element(page, "<script id=\"data\" type=\"application/json\">");
 }
 
-std::string plotly(const std::string& page) { return element(page, "<script id=\"plotly\">"); }
+std::string plotly(const std::string& page) { return element(page, "<script id=\"plotly\" type=\"text/plain\">"); }
 
 bool contains(const std::string& text, std::string_view piece) { return text.find(piece) != std::string::npos; }
 
