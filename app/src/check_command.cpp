@@ -94,18 +94,18 @@ Unit unit_of(Channel channel) {
 
 void print_channel(const ChannelCharacter& c) {
   const auto [factor, unit] = unit_of(c.channel);
-  fmt::print("    {:<12}{:>8} samples, noise {:.2g} {}", short_name(c.channel), c.samples, factor * c.noise, unit);
-  if (c.step > c.noise) fmt::print(", in steps of {:.2g} {}", factor * c.step, unit);
-  if (c.interpolated) fmt::print(", measured every {:.2g} s and on straight lines between", c.interval);
-  if (!c.outliers.empty()) fmt::print(", {} outlier{}", c.outliers.size(), c.outliers.size() == 1 ? "" : "s");
-  fmt::print("\n");
+  say("    {:<12}{:>8} samples, noise {:.2g} {}", short_name(c.channel), c.samples, factor * c.noise, unit);
+  if (c.step > c.noise) say(", in steps of {:.2g} {}", factor * c.step, unit);
+  if (c.interpolated) say(", measured every {:.2g} s and on straight lines between", c.interval);
+  if (!c.outliers.empty()) say(", {} outlier{}", c.outliers.size(), c.outliers.size() == 1 ? "" : "s");
+  say("\n");
 }
 
 void print_errors(const std::vector<InstrumentError>& errors, bool told) {
   for (const auto& e : errors) {
     if (e.told != told) continue;
-    fmt::print("    {}\n", words_for(e));
-    if (const auto remedy = remedy_for(e); !remedy.empty()) print_words("        " + remedy, 8);
+    say("    {}\n", words_for(e));
+    if (const auto remedy = remedy_for(e); !remedy.empty()) say("        {}\n", remedy);
   }
 }
 
@@ -114,21 +114,21 @@ bool has(const std::vector<InstrumentError>& errors, bool told) {
 }
 
 void print_all(const std::vector<InstrumentError>& errors) {
-  fmt::print("{}\n", has(errors, true) ? "  Told:" : "  No error of an instrument is told.");
+  say("{}\n", has(errors, true) ? "  Told:" : "  No error of an instrument is told.");
   print_errors(errors, true);
-  if (has(errors, false)) fmt::print("  Not told from none, or too small to matter (± standard error):\n");
+  if (has(errors, false)) say("  Not told from none, or too small to matter (± standard error):\n");
   print_errors(errors, false);
 }
 
 void print(const RunCheck& check) {
-  fmt::print("{}\n", check.run);
+  say("{}\n", check.run);
   print_all(check.errors);
   for (const auto& d : check.derived)
-    fmt::print("  Not measured: {} is made of {}; it is left out of the check\n", short_name(d.channel), d.made_of);
-  for (const auto& line : check.cannot_tell) print_words("  Cannot tell: " + line, 4);
+    say("  Not measured: {} is made of {}; it is left out of the check\n", short_name(d.channel), d.made_of);
+  for (const auto& line : check.cannot_tell) say("  Cannot tell: {}\n", line);
   for (std::size_t i = 0; i + 1 < check.gaps.size(); i += 2)
-    fmt::print("  No heading from {:.6g} to {:.6g} s\n", check.gaps[i], check.gaps[i + 1]);
-  fmt::print("  Channels:\n");
+    say("  No heading from {:.6g} to {:.6g} s\n", check.gaps[i], check.gaps[i + 1]);
+  say("  Channels:\n");
   std::ranges::for_each(check.channels, print_channel);
 }
 
@@ -137,7 +137,7 @@ void print_groups(const std::vector<RunCheck>& checks) {
   const auto groups = grouped(checks);
   if (groups.size() < 2) return;
   for (const auto& group : groups) {
-    fmt::print("{}: {}\n", group.group.empty() ? "Without group" : "Group " + group.group, fmt::join(group.runs, ", "));
+    say("{}: {}\n", group.group.empty() ? "Without group" : "Group " + group.group, fmt::join(group.runs, ", "));
     print_all(group.errors);
   }
 }
@@ -164,10 +164,10 @@ void check(const CheckArguments& a) {
   std::ranges::for_each(checks, print);
   if (checks.size() < 2) return;
   print_groups(checks);
-  fmt::print("All runs\n");
+  say("All runs\n");
   print_all(pooled(checks));
   if (!one_clock) return;
-  fmt::print("The log that the runs were cut from, on one clock\n");
+  say("The log that the runs were cut from, on one clock\n");
   print_all(one_clock->errors);
 }
 

@@ -284,22 +284,21 @@ const std::vector<std::string> headings{"quantity",  "window error",   "of varia
 /// Sizes as a table, and below it where each quantity is worst.
 void print_table(const std::vector<QuantityError>& errors) {
   const auto print_row = [](const std::vector<std::string>& cell) {
-    fmt::print("  {:<10}{:>16}{:>14}{:>16}{:>16}\n", cell[0], cell[1], cell[2], cell[3], cell[4]);
+    say("  {:<10}{:>16}{:>14}{:>16}{:>16}\n", cell[0], cell[1], cell[2], cell[3], cell[4]);
   };
   print_row(headings);
   const auto rows = rows_of(errors);
   for (const auto& row : rows) print_row(row);
   for (const auto& row : rows)
     if (row[5] != "-" || row[6] != "-")
-      print_words(fmt::format("  {} worst: {}{}{}", row[0], row[5] == "-" ? "" : row[5],
-                              row[5] != "-" && row[6] != "-" ? "; " : "", row[6] == "-" ? "" : row[6]),
-                  4);
+      say("  {} worst: {}{}{}\n", row[0], row[5] == "-" ? "" : row[5], row[5] != "-" && row[6] != "-" ? "; " : "",
+          row[6] == "-" ? "" : row[6]);
 }
 
 void print_run(const Comparison& c) {
-  fmt::print("\n{}", c.recorded.name);
-  if (!c.recorded.facts.manoeuvre.empty()) fmt::print(": {}", c.recorded.facts.manoeuvre);
-  fmt::print(", {:.5g} s, {} windows\n", c.recorded.time.back() - c.recorded.time.front(), c.window_starts.size());
+  say("\n{}", c.recorded.name);
+  if (!c.recorded.facts.manoeuvre.empty()) say(": {}", c.recorded.facts.manoeuvre);
+  say(", {:.5g} s, {} windows\n", c.recorded.time.back() - c.recorded.time.front(), c.window_starts.size());
   print_table(c.errors);
 }
 
@@ -356,16 +355,15 @@ void print_markdown(const std::vector<Comparison>& comparisons) {
 }
 
 void print_text(const Ship& ship, const CompareArguments& a, const std::vector<Comparison>& comparisons) {
-  fmt::print("{}\n", ship.name);
-  fmt::print(
-      "The simulation takes up the recorded state every {:g} ship lengths; errors are simulated minus recorded.\n",
+  say("{}\n", ship.name);
+  say("The simulation takes up the recorded state every {:g} ship lengths; errors are simulated minus recorded.\n",
       a.window_lengths);
   for (const auto& c : comparisons) print_run(c);
   if (comparisons.size() > 1) {
-    fmt::print("\nall runs\n");
+    say("\nall runs\n");
     print_table(pooled(comparisons));
   }
-  fmt::print("\n"), print_words(verdict(comparisons));
+  say("\n"), say("{}\n", verdict(comparisons));
 }
 
 }  // namespace

@@ -182,33 +182,34 @@ Json document_of(const Diagnosis& d) {
 /// A row of each quantity of each run.
 void print_runs(std::string_view title, const std::vector<RunErrors>& runs) {
   if (runs.empty()) return;
-  fmt::print("\n{}: error of replays over two ship lengths, of the variation\n", title);
-  fmt::print("  {:<30}{:<12}{:>10}{:>10}{:>14}\n", "run", "quantity", "as given", "refitted", "with effects");
+  say("\n{}: error of replays over two ship lengths, of the variation\n", title);
+  say("  {:<30}{:<12}{:>10}{:>10}{:>14}\n", "run", "quantity", "as given", "refitted", "with effects");
   for (const auto& run : runs)
     for (std::size_t i = 0; i < run.before.size() && i < run.refitted.size() && i < run.after.size(); ++i)
-      fmt::print("  {:<30}{:<12}{:>8.1f} %{:>8.1f} %{:>12.1f} %\n", i == 0 ? run.run : "",
-                 in_words(std::string(name_of(run.before[i].quantity))), 100.0 * run.before[i].normalised(),
-                 100.0 * run.refitted[i].normalised(), 100.0 * run.after[i].normalised());
+      say("  {:<30}{:<12}{:>8.1f} %{:>8.1f} %{:>12.1f} %\n", i == 0 ? run.run : "",
+          in_words(std::string(name_of(run.before[i].quantity))), 100.0 * run.before[i].normalised(),
+          100.0 * run.refitted[i].normalised(), 100.0 * run.after[i].normalised());
 }
 
 /// The force that is missing by what it follows, in per cent of its mean square; a row of each.
 void print_budget(const std::vector<ForceBudget>& budget) {
   if (budget.empty()) return;
-  fmt::print("\nthe force that the model as given lacks, by what it follows, % of its mean square\n  {:<20}", "");
-  for (const auto& b : budget) fmt::print("{:>18}", in_words(b.quantity));
+  say("\nforce that the model as given lacks, by what it follows, % of its mean square\n  {:<20}", "");
+  for (const auto& b : budget) say("{:>18}", in_words(b.quantity));
   for (std::size_t i = 0; i < follows_count; ++i) {
-    fmt::print("\n  {:<20}", in_words(std::string(name_of(static_cast<Follows>(i)))));
-    for (const auto& b : budget) fmt::print("{:>11.0f} ± {:<4.0f}", 100.0 * b.share[i], 100.0 * b.standard_error[i]);
+    say("\n  {:<20}", in_words(std::string(name_of(static_cast<Follows>(i)))));
+    for (const auto& b : budget)
+      say("{:>11.0f} ± {:<4.0f}", std::round(100.0 * b.share[i]) + 0.0, 100.0 * b.standard_error[i]);
   }
-  fmt::print("\n  {:<20}", "over force on hull");
-  for (const auto& b : budget) fmt::print("{:>18.2g}", b.size);
-  fmt::print("\n");
+  say("\n  {:<20}", "over force on hull");
+  for (const auto& b : budget) say("{:>18.2g}", b.size);
+  say("\n");
 }
 
 void print_parameters(const Effect& effect, const std::vector<ParameterEstimate>& parameters, const UserUnits& units) {
   for (const auto& p : parameters)
     if (!std::isnan(p.value))
-      fmt::print("  {:<26}{}\n", name_of_parameter(p.key, unit_of(effect, p.key)), in_users_units(effect, p, units));
+      say("  {:<26}{}\n", name_of_parameter(p.key, unit_of(effect, p.key)), in_users_units(effect, p, units));
 }
 
 /// The wind or stream that a place has.
@@ -219,74 +220,74 @@ Effect effect_of(const SurroundingsEstimate& there) {
 
 void print_surroundings(const std::vector<SurroundingsEstimate>& surroundings, const UserUnits& units) {
   for (const auto& there : surroundings) {
-    fmt::print("\nsurroundings of {}\n", there.scope == "all" ? "all runs" : there.scope);
+    say("\nsurroundings of {}\n", there.scope == "all" ? "all runs" : there.scope);
     print_parameters(effect_of(there), there.parameters, units);
-    if (!there.cannot_tell.empty()) print_words("  " + there.cannot_tell, 2);
+    if (!there.cannot_tell.empty()) say("  {}\n", there.cannot_tell);
   }
 }
 
 void print_effects(const std::vector<FoundEffect>& effects, const UserUnits& units) {
   for (const auto& e : effects) {
-    fmt::print("\n{} ({}), probability {:.3f}\n", label_of(e), id_of(e.effect), e.probability);
+    say("\n{} ({}), probability {:.3f}\n", label_of(e), id_of(e.effect), e.probability);
     print_parameters(e.effect, e.parameters, units);
     if (!e.indistinguishable_from.empty())
-      fmt::print("  as well explained by {}\n", fmt::join(e.indistinguishable_from, ", "));
+      say("  as well explained by {}\n", fmt::join(e.indistinguishable_from, ", "));
   }
 }
 
 void print_places(const Diagnosis& d) {
-  if (!d.location.empty()) fmt::print("\nwhere force is missing\n");
+  if (!d.location.empty()) say("\nwhere force is missing\n");
   for (const auto& p : d.location)
-    fmt::print("  {}: {} from {:.5g} to {:.5g} s, {:.0f} % of it\n    {}\n", p.run, in_words(p.quantity), p.from, p.to,
-               100.0 * p.share, p.where);
-  if (!d.symmetry.empty()) fmt::print("  {}\n", d.symmetry);
+    say("  {}: {} from {:.5g} to {:.5g} s, {:.0f} % of it\n    {}\n", p.run, in_words(p.quantity), p.from, p.to,
+        100.0 * p.share, p.where);
+  if (!d.symmetry.empty()) say("  {}\n", d.symmetry);
 }
 
 /// The first of each effect: the smallest size that these runs would have shown.
 void print_detectable(const std::vector<DetectableSize>& sizes, const UserUnits& units) {
-  if (!sizes.empty()) fmt::print("\nsmallest effects that these runs would have shown\n");
+  if (!sizes.empty()) say("\nsmallest effects that these runs would have shown\n");
   for (const auto& x : sizes) {
     const auto effect = make_effect(x.effect);
-    fmt::print("  {:<32}{:<22}{}\n", label_of(x.effect), name_of_parameter(x.key, unit_of(effect, x.key)),
-               in_users_units(effect, {x.key, x.value, 0.0}, units));
+    say("  {:<32}{:<22}{}\n", label_of(x.effect), name_of_parameter(x.key, unit_of(effect, x.key)),
+        in_users_units(effect, {x.key, x.value, 0.0}, units));
   }
 }
 
 void print_candidates(const std::vector<Candidate>& candidates) {
-  fmt::print("\ncandidates{:>28}{:>13}\n", "gain", "probability");
+  say("\ncandidates{:>28}{:>13}\n", "gain", "probability");
   for (const auto& c : candidates)
-    fmt::print("  {:<26}{:>10.1f}{:>13.3f}{}\n", c.effect, c.log_evidence_gain, c.probability,
-               c.as_form ? "  may be the form of her forces"
-               : c.trace ? "  too small to matter"
-                         : "");
+    say("  {:<26}{:>10.1f}{:>13.3f}{}\n", c.effect, c.log_evidence_gain, c.probability,
+        c.as_form ? "  may be the form of her forces"
+        : c.trace ? "  too small to matter"
+                  : "");
 }
 
 void print_diagnosis(const Ship& ship, const Diagnosis& d, const Json& document, const UserUnits& units) {
-  fmt::print("{}\n", ship.name);
-  print_words(d.words);
-  for (const auto& run : document["set_aside"]) fmt::print("Set aside: {}.\n", run["run"].get<std::string>());
+  say("{}\n", ship.name);
+  say("{}\n", d.words);
+  for (const auto& run : document["set_aside"]) say("Set aside: {}.\n", run["run"].get<std::string>());
   print_budget(d.budget);
   print_effects(d.effects, units);
   print_surroundings(d.surroundings, units);
-  if (!d.instruments.empty()) fmt::print("\ninstruments, allowed for\n");
+  if (!d.instruments.empty()) say("\ninstruments, allowed for\n");
   for (const auto& i : d.instruments)
-    fmt::print("  {:<10}{:<14}{} {}\n", i.channel, i.error, with_error(i.value, i.standard_error), i.unit);
+    say("  {:<10}{:<14}{} {}\n", i.channel, i.error, with_error(i.value, i.standard_error), i.unit);
   print_places(d);
-  if (const auto words = words_of(d.linear); !words.empty()) fmt::print("\n{}\n", words);
-  if (!d.shifts.empty()) fmt::print("\nnumbers of the model beyond two of their deviations\n");
+  if (const auto words = words_of(d.linear); !words.empty()) say("\n{}\n", words);
+  if (!d.shifts.empty()) say("\nnumbers of the model beyond two of their deviations\n");
   for (const auto& s : d.shifts)
-    fmt::print("  {:<24}{:>12.5g} -> {:<12.5g} {:+.1f} deviations\n", s.key, s.given, s.refitted, s.deviations);
+    say("  {:<24}{:>12.5g} -> {:<12.5g} {:+.1f} deviations\n", s.key, s.given, s.refitted, s.deviations);
   if (d.next) {
-    fmt::print("\nwhat to sail next\n");
-    print_words("  " + d.next->advice, 2);
-    print_words(fmt::format("  it separates {}", fmt::join(d.next->separates, ", ")), 2);
+    say("\nwhat to sail next\n");
+    say("  {}\n", d.next->advice);
+    say("  it separates {}\n", fmt::join(d.next->separates, ", "));
   }
   print_detectable(d.detectable, units);
   print_candidates(d.candidates);
   print_runs("runs used", d.train);
   print_runs("runs held out", d.holdout);
-  for (const auto& line : document["not_written"]) print_words(line.get<std::string>());
-  for (const auto& line : d.troubles) print_words(line);
+  for (const auto& line : document["not_written"]) say("{}\n", line.get<std::string>());
+  for (const auto& line : d.troubles) say("{}\n", line);
 }
 
 // ---------------------------------------------------------------- how long it takes

@@ -14,6 +14,7 @@
 #include "swayaw/nonlinear/estimates/estimate_spread.hpp"
 #include "swayaw/nonlinear/manoeuvres/imo_criteria.hpp"
 #include "swayaw/nonlinear/surroundings/windage_sources.hpp"
+#include "terminal.hpp"
 
 /// swayaw estimate: a ship from main dimensions.
 namespace swayaw::app {
@@ -324,27 +325,27 @@ Json document_of(const Estimate& e, const EstimateArguments& a) {
 
 // ---------------------------------------------------------------- text
 
+/// Below each number what formulas say of it, where they do not agree.
 void print_spread(const std::vector<CoefficientSpread>& spread) {
-  fmt::print("\n  {:<18}{:>12}{:>8}  {:<39}{}\n", "coefficient", "value", "sd %", "how it is told",
-             "what formulas say");
-  for (const auto& s : spread)
-    fmt::print("  {:<18}{:>12.4g}{:>8.0f}  {:<39}{}\n", s.key, s.value, 100.0 * s.relative(), basis_of(s),
-               values_text(s));
+  say("\n  {:<18}{:>12}{:>8}  {}\n", "coefficient", "value", "sd %", "how it is told");
+  for (const auto& s : spread) {
+    say("  {:<18}{:>12.4g}{:>8.0f}  {}\n", s.key, s.value, 100.0 * s.relative(), basis_of(s));
+    if (s.distinct() > 1) say("      {}\n", values_text(s));
+  }
 }
 
 void print_text(const Estimate& e, const EstimateArguments& a) {
-  fmt::print("{}: {}\n\nassumed\n", e.ship.name, dimensions_text(e));
-  for (const auto& line : e.guess.assumptions) fmt::print("  {}\n", line);
+  say("{}: {}\n\nassumed\n", e.ship.name, dimensions_text(e));
+  for (const auto& line : e.guess.assumptions) say("  {}\n", line);
   print_spread(e.spread);
-  fmt::print("\nwhat she does at {:.4g} m/s, the same to both sides\n", e.speed);
+  say("\nwhat she does at {:.4g} m/s, the same to both sides\n", e.speed);
   if (e.linear) print_steering(*e.linear, e.speed);
   print_criteria(e.criteria);
-  if (!e.not_sailed.empty()) fmt::print("  not all of it could be sailed: {}\n", e.not_sailed);
+  if (!e.not_sailed.empty()) say("  not all of it could be sailed: {}\n", e.not_sailed);
   const auto out = a.out.string();
-  fmt::print("\nnext\n  swayaw simulate {} --turn 35 --out turn.csv     her manoeuvres\n", out);
-  fmt::print("  swayaw trial RUN.csv --ship {}                   a recorded manoeuvre beside hers\n", out);
-  fmt::print("  swayaw identify RUN.csv --ship {} --model mmg --prior --out new.toml   her numbers from recordings\n",
-             out);
+  say("\nnext\n  her manoeuvres\n    swayaw simulate {} --turn 35 --out turn.csv\n", out);
+  say("  a recorded manoeuvre beside hers\n    swayaw trial RUN.csv --ship {}\n", out);
+  say("  her numbers from recordings\n    swayaw identify RUN.csv --ship {} --model mmg --prior --out new.toml\n", out);
 }
 
 }  // namespace

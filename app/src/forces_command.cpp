@@ -10,6 +10,7 @@
 #include "json.hpp"
 #include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -78,15 +79,15 @@ Json document_of(const ForceBreakdown& split) {
 }
 
 void print_row(std::string_view name, const PlanarForce<double>& f) {
-  fmt::print("  {:<24}{:>14.6g}{:>14.6g}{:>14.6g}\n", name, f.X, f.Y, f.N);
+  say("  {:<24}{:>14.6g}{:>14.6g}{:>14.6g}\n", name, f.X, f.Y, f.N);
 }
 
 void print_text(const Ship& ship, const ForceBreakdown& split) {
-  fmt::print("{}\n  {:<24}{:>14}{:>14}{:>14}\n", ship.name, "about midship", "X N", "Y N", "N N m");
+  say("{}\n  {:<24}{:>14}{:>14}{:>14}\n", ship.name, "about midship", "X N", "Y N", "N N m");
   for (const auto& part : split.parts) print_row(part.name, part.force);
   print_row("total", split.total);
   const auto& a = split.acceleration;
-  fmt::print("  {:<24}{:>14.6g}{:>14.6g}{:>14.6g}\n", "acceleration m/s2, rad/s2", a.u, a.v, a.r);
+  say("  {:<24}{:>14.6g}{:>14.6g}{:>14.6g}\n", "acceleration m/s2, rad/s2", a.u, a.v, a.r);
 }
 
 }  // namespace

@@ -6,7 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <fstream>
+#include <memory>
+#include <sstream>
 #include <vector>
+
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -19,13 +23,13 @@ struct Example {
 constexpr std::array examples{
     Example{"check", "swayaw check run1.csv run2.csv --report page.html"},
     Example{"compare", "swayaw compare kvlcc2_l7 zz10.csv turn35.csv --report page.html"},
-    Example{
-        "diagnose",
-        "swayaw diagnose ship.toml zz10.csv turn35.csv --holdout zz20.csv --report page.html --save-model new.toml"},
+    Example{"diagnose",
+            "swayaw diagnose ship.toml zz10.csv turn35.csv --holdout zz20.csv \\\n    --report page.html --save-model "
+            "new.toml"},
     Example{"estimate", "swayaw estimate --length 230 --beam 32.2 --draught 10.8 --block 0.651 --out ship.toml"},
     Example{"forces", "swayaw forces wpcc_pi --state u=0.96,v=0.05,r=-0.03,delta=0.1"},
     Example{"identify",
-            "swayaw identify zz10.csv zz20.csv --ship kvlcc2 --model mmg --holdout zz15.csv --out new.toml"},
+            "swayaw identify zz10.csv zz20.csv --ship kvlcc2 --model mmg \\\n    --holdout zz15.csv --out new.toml"},
     Example{"import", "swayaw import log.csv --out run.csv"},
     Example{"indices", "swayaw indices tanker97 --report page.html"},
     Example{"invert", "swayaw invert ships/tanker97_nomoto.toml --parts ships/tanker97.toml --known Y_w"},
@@ -47,12 +51,32 @@ std::vector<std::string> options_of(const CLI::App& command) {
   return names;
 }
 
+/// Lines of no more than 80 columns.
+class NarrowFormatter : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
+    std::istringstream wide(CLI::Formatter::make_help(app, std::move(name), mode));
+    std::string narrow;
+    for (std::string line; std::getline(wide, line);)
+      narrow += (line.starts_with("  -") && line.find("   ") == std::string::npos ? folded(line, columns, option_indent)
+                                                                                  : fitted(line, columns)) +
+                "\n";
+    return narrow;
+  }
+
+ private:
+  static constexpr int columns = 80;
+  static constexpr std::size_t option_indent = 6;
+};
+
 }  // namespace
 
 void add_examples(CLI::App& app) {
   for (const auto& [command, text] : examples)
     app.get_subcommand(std::string(command))->footer(fmt::format("For example\n  {}", text));
 }
+
+void narrow_help(CLI::App& app) { app.formatter(std::make_shared<NarrowFormatter>()); }
 
 std::string completion_script(const CLI::App& app) {
   std::vector<std::string> commands;

@@ -15,6 +15,9 @@ namespace swayaw::app {
 /// Puts an example or two below the help of each command.
 void add_examples(CLI::App& app);
 
+/// Help of no more than 80 columns, of the program and of the commands that are added to it afterwards.
+void narrow_help(CLI::App& app);
+
 /// A script for bash, or zsh by its bashcompinit, that completes commands, their options and files.
 std::string completion_script(const CLI::App& app);
 

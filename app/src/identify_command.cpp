@@ -507,22 +507,20 @@ Json document_of(const Question& q, const Answer& answer, const Predictions& pre
 // ---------------------------------------------------------------- text
 
 void print_coefficients(const Answer& answer) {
-  fmt::print("  {:<20}{:>13}{:>13}{:>13}   {:<26}{:>10}\n", "coefficient", "before", "found", "std error",
-             "95 % interval", "inflation");
-  for (const auto& f : answer.found) {
-    const auto interval = fmt::format("{:.5g} ... {:.5g}", f.low, f.high);
-    fmt::print("  {:<20}{:>13.5g}{:>13.5g}{:>13.2g}   {:<26}", f.before.name, f.before.value, f.estimate.value,
-               f.estimate.standard_error, interval);
-    if (f.variance_inflation) fmt::print("{:>10.3g}", *f.variance_inflation);
-    fmt::print("{}\n", f.undetermined ? "  not determined" : "");
-  }
+  say("  {:<17}{:>10}{:>10}{:>10}  {:<20}{:>9}\n", "coefficient", "before", "found", "std error", "95 % interval",
+      "inflation");
+  for (const auto& f : answer.found)
+    say("  {:<17}{:>10.4g}{:>10.4g}{:>10.2g}  {:<20}{:>9}\n", f.before.name + (f.undetermined ? " *" : ""),
+        f.before.value, f.estimate.value, f.estimate.standard_error, fmt::format("{:.4g} to {:.4g}", f.low, f.high),
+        f.variance_inflation ? fmt::format("{:.3g}", *f.variance_inflation) : "");
+  if (std::ranges::any_of(answer.found, &Found::undetermined)) say("  * not determined by these runs\n");
 }
 
 void print_equations(const Answer& answer) {
   for (const auto& e : answer.forces.equations) {
-    fmt::print("  {}: R2 {:.3f}, condition number {:.3g}, {:.0f} independent samples, {}\n", in_words(e.component),
-               e.fit.R2, e.fit.condition_number, e.fit.samples, in_words(e.fit.solver));
-    for (const auto& combination : e.fit.undetermined) fmt::print("     not determined: {}\n", in_words(combination));
+    say("  {}: R2 {:.3f}, condition number {:.3g}, {:.0f} independent samples, {}\n", in_words(e.component), e.fit.R2,
+        e.fit.condition_number, e.fit.samples, in_words(e.fit.solver));
+    for (const auto& combination : e.fit.undetermined) say("     not determined: {}\n", in_words(combination));
   }
 }
 
@@ -535,52 +533,59 @@ std::string angles_text(const std::optional<std::vector<double>>& angles) {
 
 void print_errors(std::string_view title, const Json& list) {
   if (list.empty()) return;
-  fmt::print("\n{}: error of replays over two ship lengths, share of the variation, before -> after\n", title);
+  say("\n{}: error of replays over two ship lengths, of the variation\n", title);
+  say("  {:<40}{:<12}{:>11}{:>11}\n", "run", "quantity", "before", "after");
   for (const auto& run : list) {
-    fmt::print("  {:<28}", run["run"].get<std::string>());
-    for (const auto* quantity : {"heading", "yaw_rate", "speed", "drift"}) {
-      const auto share = [&](const char* when) {
-        return run[when].is_object() && run[when].contains(quantity) && run[when][quantity].is_number()
-                   ? fmt::format("{:.1f}", 100.0 * run[when][quantity].get<double>())
-                   : std::string("-");
-      };
-      fmt::print("  {} {} -> {} %", quantity, share("before"), share("after"));
+    auto name = run["run"].get<std::string>();
+    const auto share = [&](const char* when, const char* quantity) {
+      return run[when].is_object() && run[when].contains(quantity) && run[when][quantity].is_number()
+                 ? fmt::format("{:.1f} %", 100.0 * run[when][quantity].get<double>())
+                 : std::string("-");
+    };
+    for (const auto& [quantity, words] : {std::pair{"heading", "heading"}, std::pair{"yaw_rate", "yaw rate"},
+                                          std::pair{"speed", "speed"}, std::pair{"drift", "drift"}}) {
+      say("  {:<40}{:<12}{:>11}{:>11}\n", name, words, share("before", quantity), share("after", quantity));
+      name.clear();
     }
-    fmt::print("\n");
   }
 }
 
-/// Values of one number over the choices of runs.
+/// Values of numbers over the choices of runs, some numbers beside each other.
 void print_resamples(const std::vector<Resample>& resamples, const std::vector<std::string>& names) {
   if (resamples.empty()) return;
-  fmt::print("\nother choices of runs\n  {:<40}", "");
-  for (const auto& name : names) fmt::print("{:>13}", name);
-  fmt::print("\n");
-  for (const auto& r : resamples) {
-    fmt::print("  {:<40}", r.runs);
-    for (const auto& value : r.values) value ? fmt::print("{:>13.5g}", *value) : fmt::print("{:>13}", "-");
-    fmt::print("\n");
+  constexpr std::size_t beside = 3;
+  for (std::size_t first = 0; first < names.size(); first += beside) {
+    const auto last = std::min(first + beside, names.size());
+    say("\n  {:<38}", first == 0 ? "other choices of runs" : "");
+    for (std::size_t j = first; j < last; ++j) say("{:>13}", names[j]);
+    say("\n");
+    for (const auto& r : resamples) {
+      say("  {:<38}", r.runs);
+      for (std::size_t j = first; j < last; ++j)
+        say("{:>13}", r.values[j] ? fmt::format("{:.5g}", *r.values[j]) : std::string("-"));
+      say("\n");
+    }
   }
 }
 
 void print_answer(const Question& q, const Answer& answer, const Json& document) {
-  fmt::print("{}\n", q.ship.name);
-  print_words(document["verdict"]["words"].get<std::string>());
-  print_words(answer.reason + "\n");
+  say("{}\n", q.ship.name);
+  say("{}\n", document["verdict"]["words"].get<std::string>());
+  say("{}\n\n", answer.reason);
   print_coefficients(answer);
-  if (!answer.forces.equations.empty()) fmt::print("\nforce equations\n");
+  if (!answer.forces.equations.empty()) say("\nforce equations\n");
   print_equations(answer);
   print_errors("runs used", document["errors"]["train"]);
   print_errors("runs held out", document["errors"]["holdout"]);
-  if (!answer.zigzags.empty()) fmt::print("\nzigzags, overshoots in deg\n");
+  if (!answer.zigzags.empty()) say("\nzigzags, overshoots in deg\n");
   for (const auto& z : answer.zigzags)
-    fmt::print("  {:<28}  recorded {}; before {}; after {}\n", z.run, angles_text(z.recorded), angles_text(z.before),
-               angles_text(z.after));
+    say("  {:<28}  recorded {}; before {}; after {}\n", z.run, angles_text(z.recorded), angles_text(z.before),
+        angles_text(z.after));
   print_resamples(answer.resamples, q.options.parameters);
-  fmt::print("\nstraight course: {}\n", answer.stability.words);
-  for (const auto& line : answer.advice) print_words(line);
-  for (const auto& line : document["not_written"]) print_words(line.get<std::string>());
-  for (const auto& line : answer.troubles) print_words(line);
+  say("\nstraight course: {}\n", answer.stability.words);
+  for (const auto& line : answer.advice) say("{}\n", line);
+  for (const auto& line : document["not_written"]) say("{}\n", line.get<std::string>());
+  for (const auto& line : answer.troubles) say("{}\n", line);
 }
 
 /// What a script must know of a work that was done: runs that were not used are predicted worse, or what was asked for

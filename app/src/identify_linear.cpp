@@ -10,6 +10,7 @@
 #include "page_writing.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/linear_fit.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -113,10 +114,10 @@ void identify_linear(const IdentifyArguments& a) {
                                 version(), verdict_of(fit)));
   if (a.json) fmt::print("{}\n", document_of(fit, p, runs).dump(2));
   else {
-    fmt::print("{}\n  {:<12}{:>12}{:>12}\n", p.name, "", "found", "std error");
+    say("{}\n  {:<12}{:>12}{:>12}\n", p.name, "", "found", "std error");
     for (const auto& [name, e] : rows_of(fit))
-      fmt::print("  {:<12}{:>12.5g}{:>12.2g}  {}\n", name, e.value, e.standard_error, in_words(e.verdict()));
-    fmt::print("{}\n", verdict_of(fit));
+      say("  {:<12}{:>12.5g}{:>12.2g}  {}\n", name, e.value, e.standard_error, in_words(e.verdict()));
+    say("{}\n", verdict_of(fit));
   }
   if (a.report.wanted())
     write_page(a.report.file,

@@ -14,6 +14,7 @@
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/version.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -117,10 +118,10 @@ Json piece_json(const WrittenPiece& p) {
 }
 
 void print_pieces(const ImportArguments& a, const std::vector<WrittenPiece>& pieces) {
-  if (a.split && pieces.empty()) fmt::print("no manoeuvre was found in it\n");
+  if (a.split && pieces.empty()) say("no manoeuvre was found in it\n");
   for (const auto& p : pieces)
-    fmt::print("{}: {} from {:.6g} to {:.6g} s, {}\n", p.file.string(), p.piece.manoeuvre, p.piece.begin, p.piece.end,
-               p.piece.why);
+    say("{}: {} from {:.6g} to {:.6g} s, {}\n", p.file.string(), p.piece.manoeuvre, p.piece.begin, p.piece.end,
+        p.piece.why);
 }
 
 // ---------------------------------------------------------------- answers
@@ -146,10 +147,10 @@ void print_text(const ImportArguments& a, const Import& import) {
   for (const auto& c : import.columns) {
     const auto samples =
         c.samples > 0 ? fmt::format(", {} sample{}", grouped(c.samples), c.samples == 1 ? "" : "s") : "";
-    if (c.taken_for.empty()) fmt::print("{}: {}{}\n", c.source, c.why, samples);
-    else fmt::print("{} -> {}: {}{}\n", c.source, c.taken_for, c.why, samples);
+    if (c.taken_for.empty()) say("{}: {}{}\n", c.source, c.why, samples);
+    else say("{} -> {}: {}{}\n", c.source, c.taken_for, c.why, samples);
   }
-  for (const auto& note : import.notes) fmt::print("{}\n", note);
+  for (const auto& note : import.notes) say("{}\n", note);
   fmt::print(stderr, "swayaw: recording written to {}\n", a.out.string());
 }
 

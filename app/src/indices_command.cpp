@@ -12,6 +12,7 @@
 #include "plot.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/linear/frequency_response.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -119,36 +120,46 @@ namespace {
 
 // ---------------------------------------------------------------- text
 
-void print_row(std::string_view name, double prime, double dimensional, std::string_view unit, std::string_view words) {
-  fmt::print("  {:<9}{:>12}{:>13} {:<5} {}\n", name, cell(prime), cell(dimensional), unit, words);
+void print_index(std::string_view name, double prime, double dimensional, std::string_view unit,
+                 std::string_view words) {
+  say("  {:<9}{:>12}{:>13} {:<5} {}\n", name, cell(prime), cell(dimensional), unit, words);
 }
 
 void print_indices(const Findings& f, const PrimeScale& scale) {
   const double t = scale.L / scale.U;
-  fmt::print("  {:<9}{:>12}{:>13}\n", "index", "per L/U", fmt::format("{:.4g} m/s", scale.U));
-  print_row("T1", f.T.T1, f.T.T1 * t, "s", "slower mode");
-  print_row("T2", f.T.T2, f.T.T2 * t, "s", "faster mode");
-  print_row("T1 T2", f.i.T1T2, f.i.T1T2 * t * t, "s2", "");
-  print_row("T1 + T2", f.i.T1_plus_T2, f.i.T1_plus_T2 * t, "s", "");
-  print_row("T3b", f.i.T3b, f.i.T3b * t, "s", "rudder rate to drift");
-  print_row("T3w", f.i.T3w, f.i.T3w * t, "s", "rudder rate to yaw");
-  print_row("Kb", f.i.Kb, f.i.Kb, "-", "drift angle by rudder angle");
-  print_row("Kw", f.i.Kw, f.i.Kw / t, "1/s", "yaw rate by rudder angle");
-  print_row("T_b", f.T_b, f.T_b * t, "s", "first-order drift, T1 + T2 - T3b");
-  print_row("T_w", f.T_w, f.T_w * t, "s", "first-order yaw, T1 + T2 - T3w");
-  print_row("K", -f.i.Kw, -f.i.Kw / t, "1/s", "-Kw: positive where rudder to starboard turns her to starboard");
+  say("  {:<9}{:>12}{:>13}\n", "index", "per L/U", fmt::format("{:.4g} m/s", scale.U));
+  print_index("T1", f.T.T1, f.T.T1 * t, "s", "slower mode");
+  print_index("T2", f.T.T2, f.T.T2 * t, "s", "faster mode");
+  print_index("T1 T2", f.i.T1T2, f.i.T1T2 * t * t, "s2", "");
+  print_index("T1 + T2", f.i.T1_plus_T2, f.i.T1_plus_T2 * t, "s", "");
+  print_index("T3b", f.i.T3b, f.i.T3b * t, "s", "rudder rate to drift");
+  print_index("T3w", f.i.T3w, f.i.T3w * t, "s", "rudder rate to yaw");
+  print_index("Kb", f.i.Kb, f.i.Kb, "-", "drift angle by rudder angle");
+  print_index("Kw", f.i.Kw, f.i.Kw / t, "1/s", "yaw rate by rudder angle");
+  print_index("T_b", f.T_b, f.T_b * t, "s", "first-order drift, T1 + T2 - T3b");
+  print_index("T_w", f.T_w, f.T_w * t, "s", "first-order yaw, T1 + T2 - T3w");
+  print_index("K", -f.i.Kw, -f.i.Kw / t, "1/s", "yaw rate by rudder to starboard, -Kw");
+}
+
+/// Six columns; a name that is longer than its column has a line of its own.
+void print_row(std::string_view name, const std::vector<std::string>& cells) {
+  constexpr std::size_t width = 18;
+  say("  {:<{}}{}", name, width, name.size() > width ? fmt::format("\n{:{}}", "", 2 + width) : "");
+  for (const auto& cell : cells) say("{:>10}", cell);
+  say("\n");
 }
 
 /// The rudder's part of each coefficient in percent of the whole.
 void print_rudder_share(const SwayYawCoefficients<double>& rudder, const SwayYawCoefficients<double>& whole) {
-  fmt::print("  {:<24}", "rudder share");
+  std::vector<std::string> shares;
   for (const auto& p : whole.parameters())
-    fmt::print("{:>11}", fmt::format("{:.0f} %", 100.0 * rudder.*p.member / whole.*p.member));
-  fmt::print("\n");
+    shares.push_back(fmt::format("{:.0f} %", 100.0 * rudder.*p.member / whole.*p.member));
+  print_row("rudder share", shares);
 }
 
 void print_equations(const LinearShip& ship, const SwayYawCoefficients<double>& m) {
-  fmt::print("\n  {:<24}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "a1", "b1", "c1", "a2", "b2", "c2");
+  say("\n");
+  print_coefficient_names();
   if (const auto* given = parts(ship)) {
     const auto split = coefficients(*given);
     print_coefficients("hull", split.hull);
@@ -175,27 +186,28 @@ Steering steering_of(const LinearShip& ship, double speed) {
 
 void print_steering(const LinearShip& ship, double speed) {
   const auto s = steering_of(ship, speed);
-  fmt::print("  K' = {} ({} 1/s), T' = {} ({} s), K positive where rudder to starboard turns her to starboard\n",
-             cell(s.K_prime), cell(s.K_per_s), cell(s.T_prime), cell(s.T_s));
-  fmt::print("  {}\n", stability_words(transfer_functions(ship)));
+  say("  yaw rate by rudder to starboard: K' = {} ({} 1/s), T' = {} ({} s)\n", cell(s.K_prime), cell(s.K_per_s),
+      cell(s.T_prime), cell(s.T_s));
+  say("  {}\n", stability_words(transfer_functions(ship)));
 }
 
+void print_coefficient_names() { print_row("", {"a1", "b1", "c1", "a2", "b2", "c2"}); }
+
 void print_coefficients(std::string_view name, const SwayYawCoefficients<double>& m) {
-  fmt::print("  {:<24}", name);
-  for (const auto& p : m.parameters()) fmt::print("{:>11}", cell(m.*p.member));
-  fmt::print("\n");
+  std::vector<std::string> cells;
+  for (const auto& p : m.parameters()) cells.push_back(fmt::format("{:.4g}", m.*p.member + 0.0));
+  print_row(name, cells);
 }
 
 namespace {
 
 void print_text(const LinearShip& ship, double speed) {
   const auto f = findings_of(ship);
-  fmt::print("{}: L = {:.5g} m, given by {}\n", ship.name, ship.particulars.L, form_words(ship));
-  fmt::print("The ship is {}.\n\n", stability_words(f.h));
+  say("{}: L = {:.5g} m, given by {}\n", ship.name, ship.particulars.L, form_words(ship));
+  say("The ship is {}.\n\n", stability_words(f.h));
   print_indices(f, prime_scale(ship, speed));
   print_equations(ship, f.m);
-  if (!has_coefficients(ship))
-    fmt::print("\nNo coupled equations follow from these indices: T3b = T3w, or Kb or Kw = 0.\n");
+  if (!has_coefficients(ship)) say("\nNo coupled equations follow from these indices: T3b = T3w, or Kb or Kw = 0.\n");
 }
 
 // ---------------------------------------------------------------- plot
@@ -260,13 +272,12 @@ Json document_of(const SteeringSides& sides, double speed) {
 
 void print_sides(const SteeringSides& sides, double speed) {
   if (!sides.port) return print_text(sides.mean, speed);
-  fmt::print(
-      "Her forces have a kink straight ahead: rudder, propeller or wake differ between turns to port and to "
+  say("Her forces have a kink straight ahead: rudder, propeller or wake differ between turns to port and to "
       "starboard.\n"
       "First the mean of both, then each.\n\n");
   print_text(sides.mean, speed);
   for (const auto& [side, ship] : {std::pair{Side::port, &*sides.port}, {Side::starboard, &*sides.starboard}}) {
-    fmt::print("\nturning to {}: she is {}\n", name_of(side), stability_words(transfer_functions(*ship)));
+    say("\nturning to {}: she is {}\n", name_of(side), stability_words(transfer_functions(*ship)));
     print_index_table(*ship, speed);
   }
 }

@@ -11,6 +11,7 @@
 #include "linear_output.hpp"
 #include "swayaw/linear/inversion.hpp"
 #include "swayaw/linear/uncertainty.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -164,26 +165,39 @@ Json document_of(const Question& q, const Answer& answer) {
 
 // ---------------------------------------------------------------- text
 
+/// Three digits of an elasticity in a narrow column.
+std::string elasticity_cell(double x) {
+  if (!std::isfinite(x)) return "-";
+  return fmt::format("{:.{}f}", x, std::abs(x) < 9.995 ? 2 : std::abs(x) < 99.95 ? 1 : 0);
+}
+
+/// "T1+T2" of "T1_plus_T2".
+std::string heading_of(std::string_view input) {
+  constexpr std::string_view plus = "_plus_";
+  std::string name(input);
+  if (const auto at = name.find(plus); at != std::string::npos) name.replace(at, plus.size(), "+");
+  return name;
+}
+
 void print_numbers(std::span<const InvertedNumber> parameters, std::size_t inputs) {
-  fmt::print("  {:<14}{:>12}   change in % per % of\n  {:<14}{:>12}", "", "", "", "value");
-  for (std::size_t k = 0; k < inputs; ++k) fmt::print("{:>11}", inversion_inputs[k]);
-  fmt::print("\n");
+  say("  {:<14}{:>10}  change in % per % of\n  {:<14}{:>10}", "", "", "", "value");
+  for (std::size_t k = 0; k < inputs; ++k) say("{:>6}", heading_of(inversion_inputs[k]));
+  say("\n");
   for (const auto& n : parameters) {
-    fmt::print("  {:<14}{:>12}", n.name, cell(n.value));
-    for (std::size_t k = 0; k < inputs; ++k)
-      fmt::print("{:>11}", std::isfinite(n.elasticity[k]) ? fmt::format("{:.3f}", n.elasticity[k]) : "-");
-    fmt::print("\n");
+    say("  {:<14}{:>10}", n.name, cell(n.value));
+    for (std::size_t k = 0; k < inputs; ++k) say("{:>6}", elasticity_cell(n.elasticity[k]));
+    say("\n");
   }
 }
 
 void print_certainty(const Answer& answer, const Confidence& confidence) {
   const auto& c = *answer.certainty;
-  fmt::print("\nWith the indices known to {:g} % ([confidence]; T3b and T3w are {:.1f} standard errors apart)\n",
-             100.0 * confidence.coefficients, c.separation);
-  fmt::print("  {:<14}{:>12}{:>16}{:>28}\n", "", "value", "standard error", "95 % of samples within");
+  say("\nWith the indices known to {:g} % ([confidence]; T3b and T3w are {:.1f} standard errors apart)\n",
+      100.0 * confidence.coefficients, c.separation);
+  say("  {:<14}{:>12}{:>16}{:>28}\n", "", "value", "standard error", "95 % of samples within");
   const auto print_row = [](const InvertedNumber& n, double variance, double low, double high) {
-    fmt::print("  {:<14}{:>12}{:>16}{:>28}\n", n.name, cell(n.value), cell(std::sqrt(variance)),
-               fmt::format("{} to {}", cell(low), cell(high)));
+    say("  {:<14}{:>12}{:>16}{:>28}\n", n.name, cell(n.value), cell(std::sqrt(variance)),
+        fmt::format("{} to {}", cell(low), cell(high)));
   };
   for (int k = 0; k < 6; ++k)
     print_row(answer.coefficients[static_cast<std::size_t>(k)], c.coefficients(k, k), c.sampled.low[k],
@@ -195,18 +209,18 @@ void print_certainty(const Answer& answer, const Confidence& confidence) {
 }
 
 void print_conditions(const Answer& answer) {
-  fmt::print("\n  which number to know     % per % of it   worst for 1 % in a1 ... c2 and it\n");
+  say("\n  which number to know     % per % of it   worst for 1 % in a1 ... c2 and it\n");
   for (const auto& c : answer.conditions)
-    fmt::print("  {:<14}{:>24}{:>20}\n", name_of(c.known), cell(c.by_known), cell(c.worst));
-  fmt::print("Best conditioned: {}.\n", name_of(best_known(answer.conditions)));
+    say("  {:<14}{:>24}{:>20}\n", name_of(c.known), cell(c.by_known), cell(c.worst));
+  say("Best conditioned: {}.\n", name_of(best_known(answer.conditions)));
 }
 
 void print_text(const Question& q, const Answer& answer) {
-  fmt::print("{}: given by {}\n\nCoefficients\n", q.ship.name, form_words(q.ship));
+  say("{}: given by {}\n\nCoefficients\n", q.ship.name, form_words(q.ship));
   print_numbers(answer.coefficients, inversion_inputs.size() - 1);
-  fmt::print("Condition number of the indices by the coefficients: {}\n", cell(answer.condition_number));
+  say("Condition number of the indices by the coefficients: {}\n", cell(answer.condition_number));
   if (answer.parts) {
-    fmt::print("\nHull and rudder, {} known\n", name_of(q.known));
+    say("\nHull and rudder, {} known\n", name_of(q.known));
     print_numbers(answer.parts->parts, inversion_inputs.size());
     print_conditions(answer);
   }

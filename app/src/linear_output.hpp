@@ -46,7 +46,8 @@ inline constexpr double largest_linear_drift = radians(15.0);
 /// Adds to a page whether linear equations hold at a drift angle [rad]; where they do not, in its headline too.
 void tell_drift(Page& page, double drift, const UserUnits& units);
 
-/// A row a1 … c2.
+/// The heading a1 … c2, and a row of it.
+void print_coefficient_names();
 void print_coefficients(std::string_view name, const SwayYawCoefficients<double>& m);
 
 /// "course stable, …" and the like.

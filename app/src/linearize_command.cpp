@@ -5,6 +5,7 @@
 #include "linear_output.hpp"
 #include "swayaw/nonlinear/equilibria.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -94,17 +95,19 @@ void add_sides(Json& json, const Ship& ship, const OperatingPoint& point) {
 // ---------------------------------------------------------------- text
 
 void print_parts(const Linearization& linear) {
-  fmt::print("\n  {:<24}{:>11}{:>11}{:>11}{:>11}{:>11}{:>11}\n", "", "a1", "b1", "c1", "a2", "b2", "c2");
+  say("\n");
+  print_coefficient_names();
   for (const auto& part : linear.parts) print_coefficients(part.name, sway_yaw(part.derivatives, linear.scale));
   print_coefficients("whole", sway_yaw(linear.whole, linear.scale));
 }
 
 void print_text(const Ship& ship, const Linearization& linear, std::string_view of_what) {
   const auto& [m, c] = linear.point;
-  fmt::print("{}: small motions about u = {:.5g} m/s, v = {:.4g} m/s, r = {:.4g} deg/s, delta = {:.4g} deg{}\n",
-             ship.name, m.u, m.v, degrees(m.r), degrees(c.delta), of_what);
+  say("{}{}\n", ship.name, of_what);
+  say("Small motions about u {:.5g} m/s, v {:.4g} m/s, r {:.4g} deg/s, delta {:.4g} deg.\n", m.u, m.v, degrees(m.r),
+      degrees(c.delta));
   const auto slim = linear_ship(ship, linear);
-  fmt::print("The ship is {}.\n\n", stability_words(transfer_functions(slim)));
+  say("The ship is {}.\n\n", stability_words(transfer_functions(slim)));
   print_index_table(slim, linear.scale.U);
   print_parts(linear);
 }
@@ -130,7 +133,7 @@ void linearize(const LinearizeArguments& a) {
   print_text(ship, linear, kink ? ", mean of turns to both sides" : "");
   if (!kink) return;
   for (const Side each : {Side::port, Side::starboard}) {
-    fmt::print("\n");
+    say("\n");
     print_text(ship, linearize_transient(ship, point, each), fmt::format(", turning to {}", name_of(each)));
   }
 }

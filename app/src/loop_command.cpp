@@ -14,6 +14,7 @@
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/linear/batch.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -417,16 +418,16 @@ std::string derivative_cell(double derivative, double value) {
 }
 
 void print_row(std::string_view name, std::string_view unit, double value, double by_T3b, double by_T3w, bool varied) {
-  fmt::print("  {:<22}{:>11} {:<4}", name, cell(value), unit);
-  if (varied) fmt::print("{:>13}{:>13}", derivative_cell(by_T3b, value), derivative_cell(by_T3w, value));
-  fmt::print("\n");
+  say("  {:<22}{:>11} {:<4}", name, cell(value), unit);
+  if (varied) say("{:>13}{:>13}", derivative_cell(by_T3b, value), derivative_cell(by_T3w, value));
+  say("\n");
 }
 
 void print_text(const LinearShip& ship, const Finding& f) {
   const auto& s = f.sensitivity;
   const auto& reversals = f.cycle.zigzag.reversals;
-  fmt::print("{}: {} at {:.4g} m/s, the loop of the {}\n", ship.name, manoeuvre_words(f), f.speed, cycle_words(f));
-  fmt::print("  {:<22}{:>11} {:<4}{}\n", "", "value", "", s ? "      by T3b       by T3w" : "");
+  say("{}: {} at {:.4g} m/s, the loop of the {}\n", ship.name, manoeuvre_words(f), f.speed, cycle_words(f));
+  say("  {:<22}{:>11} {:<4}{}\n", "", "value", "", s ? "      by T3b       by T3w" : "");
   for (const auto& [name, unit, member, scale] : rows)
     print_row(name, unit, f.loop.*member * scale, s ? s->by_T3b.*member * scale : 0.0,
               s ? s->by_T3w.*member * scale : 0.0, s.has_value());

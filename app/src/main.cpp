@@ -436,6 +436,7 @@ int run(int count, char** words) {
       "Ship steering dynamics: simulate manoeuvres, explain linear steering, and say where a model and a recording "
       "differ.",
       "swayaw");
+  narrow_help(app);
   app.set_version_flag("--version", "swayaw " + std::string(version()));
   app.require_subcommand(1);
   SimulateArguments simulate_arguments;

@@ -6,6 +6,7 @@
 #include "measured_surroundings.hpp"
 #include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 
@@ -25,8 +26,7 @@ void replay(const ReplayArguments& a) {
     fmt::print("{}\n", document.dump(2));
     return;
   }
-  fmt::print("{}: {} samples from {:.6g} to {:.6g} s written to {}\n", run.name, run.samples(), begin, end,
-             a.out.string());
+  say("{}: {} samples from {:.6g} to {:.6g} s written to {}\n", run.name, run.samples(), begin, end, a.out.string());
 }
 
 }  // namespace swayaw::app

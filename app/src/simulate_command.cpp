@@ -10,6 +10,7 @@
 #include "simulate_trials.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -17,18 +18,18 @@ namespace {
 // ---------------------------------------------------------------- zigzag
 
 void print_zigzag(const Ship& ship, const Zigzag& z) {
-  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, z.run.facts.manoeuvre, z.approach_speed,
-             propulsion_text(ship, z.propulsion));
-  fmt::print("  {:<10}{:>12}{:>12}{:>16}\n", "reversal", "at s", "peak s", "overshoot deg");
+  say("{}: {}, approach {:.4g} m/s, {}\n", ship.name, z.run.facts.manoeuvre, z.approach_speed,
+      propulsion_text(ship, z.propulsion));
+  say("  {:<10}{:>12}{:>12}{:>16}\n", "reversal", "at s", "peak s", "overshoot deg");
   for (std::size_t i = 0; i < z.reversals.size(); ++i) {
     const auto& r = z.reversals[i];
-    fmt::print("  {:<10}{:>12.3f}", i + 1, r.time);
-    if (r.overshoot) fmt::print("{:>12.3f}{:>16.3f}\n", *r.peak_time, degrees(*r.overshoot));
-    else fmt::print("{:>12}{:>16}\n", "-", "-");
+    say("  {:<10}{:>12.3f}", i + 1, r.time);
+    if (r.overshoot) say("{:>12.3f}{:>16.3f}\n", *r.peak_time, degrees(*r.overshoot));
+    else say("{:>12}{:>16}\n", "-", "-");
   }
-  if (z.period) fmt::print("  period of the last cycle {:.2f} s\n", *z.period);
-  if (z.initial_turning) fmt::print("  way made at the first reversal {:.2f} L\n", *z.initial_turning / length(ship));
-  if (z.reversals.empty()) fmt::print("  the heading never reached the switch angle\n");
+  if (z.period) say("  period of the last cycle {:.2f} s\n", *z.period);
+  if (z.initial_turning) say("  way made at the first reversal {:.2f} L\n", *z.initial_turning / length(ship));
+  if (z.reversals.empty()) say("  the heading never reached the switch angle\n");
 }
 
 void run_zigzag(const Ship& ship, const SimulateArguments& a) {
@@ -47,21 +48,21 @@ void run_zigzag(const Ship& ship, const SimulateArguments& a) {
 
 void print_circle(const Ship& ship, const TurningCircle& c) {
   const double L = length(ship);
-  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, c.run.facts.manoeuvre, c.approach_speed,
-             propulsion_text(ship, c.propulsion));
+  say("{}: {}, approach {:.4g} m/s, {}\n", ship.name, c.run.facts.manoeuvre, c.approach_speed,
+      propulsion_text(ship, c.propulsion));
   print_length("advance", c.advance, L);
   print_length("transfer", c.transfer, L);
   print_length("tactical diameter", c.tactical_diameter, L);
   print_length("way to 10 deg", c.initial_turning, L);
-  if (c.time_90) fmt::print("  {:<20}{:>12.2f} s\n", "time to 90 deg", *c.time_90);
-  if (c.time_180) fmt::print("  {:<20}{:>12.2f} s\n", "time to 180 deg", *c.time_180);
-  if (c.way_lost) return fmt::print("  no steady turn: the ship no longer moves ahead at {:.1f} s\n", *c.way_lost);
-  if (!c.steady) return fmt::print("  no steady turn was found\n");
+  if (c.time_90) say("  {:<20}{:>12.2f} s\n", "time to 90 deg", *c.time_90);
+  if (c.time_180) say("  {:<20}{:>12.2f} s\n", "time to 180 deg", *c.time_180);
+  if (c.way_lost) return say("  no steady turn: the ship no longer moves ahead at {:.1f} s\n", *c.way_lost);
+  if (!c.steady) return say("  no steady turn was found\n");
   print_length("final diameter", c.final_diameter, L);
-  fmt::print("  {:<20}{:>12.4f} m/s, {:.0f} % of the approach\n", "final speed", speed(*c.steady),
-             100.0 * speed(*c.steady) / c.approach_speed);
-  fmt::print("  {:<20}{:>12.2f} deg\n", "final drift angle", degrees(drift_angle(*c.steady)));
-  fmt::print("  {:<20}{:>12.4f} deg/s\n", "final yaw rate", degrees(c.steady->r));
+  say("  {:<20}{:>12.4f} m/s, {:.0f} % of the approach\n", "final speed", speed(*c.steady),
+      100.0 * speed(*c.steady) / c.approach_speed);
+  say("  {:<20}{:>12.2f} deg\n", "final drift angle", degrees(drift_angle(*c.steady)));
+  say("  {:<20}{:>12.4f} deg/s\n", "final yaw rate", degrees(c.steady->r));
 }
 
 void run_circle(const Ship& ship, const SimulateArguments& a) {

@@ -10,6 +10,7 @@
 #include "simulate_files.hpp"
 #include "simulate_output.hpp"
 #include "simulate_page.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -104,18 +105,18 @@ Json zigzag_json(const Run& run) {
 }
 
 void print_zigzag(const LinearShip& ship, const Run& run) {
-  fmt::print("{}: {} first {}, {:.4g} m/s\n", ship.name, name_of(ZigzagAngles{run.order.rudder, run.order.heading}),
-             name_of(run.order.first), run.scale.U);
-  fmt::print("  {:<10}{:>12}{:>12}{:>16}\n", "reversal", "at s", "peak s", "overshoot deg");
+  say("{}: {} first {}, {:.4g} m/s\n", ship.name, name_of(ZigzagAngles{run.order.rudder, run.order.heading}),
+      name_of(run.order.first), run.scale.U);
+  say("  {:<10}{:>12}{:>12}{:>16}\n", "reversal", "at s", "peak s", "overshoot deg");
   for (std::size_t k = 0; k < run.execute.size(); ++k) {
-    fmt::print("  {:<10}{:>12.3f}", k + 1, run.execute[k]);
+    say("  {:<10}{:>12.3f}", k + 1, run.execute[k]);
     if (k < run.zigzag.reversals.size())
-      fmt::print("{:>12.3f}{:>16.3f}\n", run.seconds(run.zigzag.reversals[k].peak),
-                 degrees(run.zigzag.reversals[k].overshoot));
-    else fmt::print("{:>12}{:>16}\n", "-", "-");
+      say("{:>12.3f}{:>16.3f}\n", run.seconds(run.zigzag.reversals[k].peak),
+          degrees(run.zigzag.reversals[k].overshoot));
+    else say("{:>12}{:>16}\n", "-", "-");
   }
-  if (run.period()) fmt::print("  period of the last cycle {:.2f} s\n", *run.period());
-  if (run.execute.empty()) fmt::print("  the heading never reached the switch angle\n");
+  if (run.period()) say("  period of the last cycle {:.2f} s\n", *run.period());
+  if (run.execute.empty()) say("  the heading never reached the switch angle\n");
   print_criteria(criteria_of(run));
 }
 
@@ -201,11 +202,11 @@ void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
     fmt::print("{}\n", turn_json(turn, a, speed).dump(2));
     return;
   }
-  fmt::print("{}: turn {:.6g} to {}, {:.4g} m/s held, steady values of the linear equations\n", ship.name, *a.turn,
-             a.first, speed);
-  fmt::print("  {:<20}{:>12.2f} m{:>10.3f} L\n", "final diameter", turn.diameter, turn.diameter / ship.particulars.L);
-  fmt::print("  {:<20}{:>12.2f} deg\n", "final drift angle", degrees(turn.drift));
-  fmt::print("  {:<20}{:>12.4f} deg/s\n", "final yaw rate", degrees(turn.yaw_rate));
+  say("{}: turn {:.6g} to {}, {:.4g} m/s held, steady values of the linear equations\n", ship.name, *a.turn, a.first,
+      speed);
+  say("  {:<20}{:>12.2f} m{:>10.3f} L\n", "final diameter", turn.diameter, turn.diameter / ship.particulars.L);
+  say("  {:<20}{:>12.2f} deg\n", "final drift angle", degrees(turn.drift));
+  say("  {:<20}{:>12.4f} deg/s\n", "final yaw rate", degrees(turn.yaw_rate));
 }
 
 }  // namespace

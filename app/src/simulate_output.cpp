@@ -5,6 +5,7 @@
 #include "input.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -93,16 +94,16 @@ Json circle_json(const Ship& ship, const TurningCircle& c, const TurnOrder& orde
 
 void print_criteria(const std::vector<Criterion>& criteria) {
   if (criteria.empty()) return;
-  fmt::print("  {:<24}{:<12}{:>12}{:>10}  {:<5}{}\n", "MSC.137(76)", "to", "value", "limit", "", "verdict");
+  say("  {:<24}{:<12}{:>12}{:>10}  {:<5}{}\n", "MSC.137(76)", "to", "value", "limit", "", "verdict");
   for (const auto& c : criteria) {
     const auto value = c.value ? fmt::format("{:.3f}", *c.value) : std::string("not reached");
-    fmt::print("  {:<24}{:<12}{:>12}{:>10.3f}  {:<5}{}\n", c.name, name_of(c.side), value, c.limit, c.unit, verdict(c));
+    say("  {:<24}{:<12}{:>12}{:>10.3f}  {:<5}{}\n", c.name, name_of(c.side), value, c.limit, c.unit, verdict(c));
   }
 }
 
 void print_length(std::string_view name, const std::optional<double>& metres, double L) {
-  if (metres) fmt::print("  {:<20}{:>12.2f} m{:>10.3f} L\n", name, *metres, *metres / L);
-  else fmt::print("  {:<20}{:>12}\n", name, "not reached");
+  if (metres) say("  {:<20}{:>12.2f} m{:>10.3f} L\n", name, *metres, *metres / L);
+  else say("  {:<20}{:>12}\n", name, "not reached");
 }
 
 }  // namespace swayaw::app

@@ -18,6 +18,7 @@
 #include "swayaw/nonlinear/manoeuvres/steady_run_in_wind.hpp"
 #include "swayaw/nonlinear/manoeuvres/williamson_turn.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -35,7 +36,7 @@ Json column(const Range& rows, Value&& value) {
 }
 
 void print_head(const Ship& ship, std::string_view manoeuvre, double speed, const Controls<double>& propulsion) {
-  fmt::print("{}: {}, approach {:.4g} m/s, {}\n", ship.name, manoeuvre, speed, propulsion_text(ship, propulsion));
+  say("{}: {}, approach {:.4g} m/s, {}\n", ship.name, manoeuvre, speed, propulsion_text(ship, propulsion));
 }
 
 // ---------------------------------------------------------------- spirals
@@ -86,25 +87,25 @@ std::string yaw_rate_cell(const SpiralPoint& p) {
 }
 
 void print_loop(std::string_view name, const std::optional<InstabilityLoop>& loop) {
-  if (loop) fmt::print("  {}: {:.3f} deg wide, {:.5f} deg/s high\n", name, degrees(loop->width), degrees(loop->height));
-  else fmt::print("  {}: none\n", name);
+  if (loop) say("  {}: {:.3f} deg wide, {:.5f} deg/s high\n", name, degrees(loop->width), degrees(loop->height));
+  else say("  {}: none\n", name);
 }
 
 void print_loop(std::string_view name, const std::optional<SpiralLoop>& loop, double step) {
   if (loop)
-    fmt::print("  {}: {:.3f} to {:.3f} deg wide, {:.5f} deg/s high\n", name, degrees(loop->width),
-               degrees(loop->width + 2.0 * step), degrees(loop->height));
-  else fmt::print("  {}: none\n", name);
+    say("  {}: {:.3f} to {:.3f} deg wide, {:.5f} deg/s high\n", name, degrees(loop->width),
+        degrees(loop->width + 2.0 * step), degrees(loop->height));
+  else say("  {}: none\n", name);
 }
 
 void print_spiral(const Ship& ship, const Spiral& s, double step) {
   print_head(ship, s.run.facts.manoeuvre, s.approach_speed, s.propulsion);
-  fmt::print("  {:>12}{:>18}{:>18}\n", "rudder deg", "way out deg/s", "way back deg/s");
+  say("  {:>12}{:>18}{:>18}\n", "rudder deg", "way out deg/s", "way back deg/s");
   for (std::size_t i = 0; i < s.down.size(); ++i)
-    fmt::print("  {:>12.3f}{:>18}{:>18}\n", degrees(s.down[i].delta), yaw_rate_cell(s.down[i]),
-               yaw_rate_cell(s.up[s.up.size() - 1 - i]));
+    say("  {:>12.3f}{:>18}{:>18}\n", degrees(s.down[i].delta), yaw_rate_cell(s.down[i]),
+        yaw_rate_cell(s.up[s.up.size() - 1 - i]));
   const auto all_settled = [](const auto& way) { return std::ranges::all_of(way, &SpiralPoint::settled); };
-  if (!all_settled(s.down) || !all_settled(s.up)) fmt::print("  * not steady when the wait ended\n");
+  if (!all_settled(s.down) || !all_settled(s.up)) say("  * not steady when the wait ended\n");
   print_loop("loop of the spiral", s.loop, step);
   print_loop("loop of the steady turns", s.exact);
 }
@@ -150,12 +151,12 @@ void run_reverse_spiral(const Ship& ship, const SimulateArguments& a) {
     return;
   }
   print_head(ship, "reverse spiral", result.approach_speed, result.propulsion);
-  fmt::print("  {:>16}{:>14}\n", "yaw rate deg/s", "rudder deg");
+  say("  {:>16}{:>14}\n", "yaw rate deg/s", "rudder deg");
   for (const auto& [r, turn] : result.points) {
     if (turn)
-      fmt::print("  {:>16.5f}{:>14.4f}{}\n", degrees(r), degrees(turn->delta),
-                 turn->stable ? "" : "  unstable with the rudder fixed");
-    else fmt::print("  {:>16.5f}{:>14}\n", degrees(r), "beyond");
+      say("  {:>16.5f}{:>14.4f}{}\n", degrees(r), degrees(turn->delta),
+          turn->stable ? "" : "  unstable with the rudder fixed");
+    else say("  {:>16.5f}{:>14}\n", degrees(r), "beyond");
   }
 }
 
@@ -172,11 +173,12 @@ Json side_json(const PullOutSide& s) {
           {"linear_T1_s", number(s.T1)}};
 }
 
+bool is_steady(const PullOutSide& s) { return s.settled && s.turning_settled; }
+
 void print_side(std::string_view name, const PullOutSide& s) {
   const auto seconds = [](const std::optional<double>& t) { return t ? fmt::format("{:.2f}", *t) : std::string("-"); };
-  fmt::print("  {:<12}{:>16.5f}{:>18.5f}{:>12}{:>12}{:>12}{}\n", name, degrees(s.turning), degrees(s.residual),
-             seconds(s.fall_time), seconds(s.decay_time), seconds(s.T1),
-             s.settled && s.turning_settled ? "" : "  not steady when the wait ended");
+  say("  {:<10}{:>14.5f}{:>16.5f}{:>12}{:>12}{:>12}{}\n", name, degrees(s.turning), degrees(s.residual),
+      seconds(s.fall_time), seconds(s.decay_time), seconds(s.T1), is_steady(s) ? "" : " *");
 }
 
 void run_pull_out(const Ship& ship, const SimulateArguments& a) {
@@ -196,10 +198,11 @@ void run_pull_out(const Ship& ship, const SimulateArguments& a) {
     fmt::print("{}\n", json.dump(2));
   } else {
     print_head(ship, fmt::format("pullout {:.6g}", *a.pullout), result.approach_speed, result.propulsion);
-    fmt::print("  {:<12}{:>16}{:>18}{:>12}{:>12}{:>12}\n", "from", "turning deg/s", "residual deg/s", "fall s",
-               "decay s", "T1 s");
+    say("  {:<10}{:>14}{:>16}{:>12}{:>12}{:>12}\n", "from", "turning deg/s", "residual deg/s", "fall s", "decay s",
+        "T1 s");
     print_side("starboard", starboard);
     print_side("port", port);
+    if (!is_steady(port) || !is_steady(starboard)) say("  * not steady when the wait ended\n");
   }
 }
 
@@ -222,8 +225,8 @@ Json williamson_json(const Ship& ship, const WilliamsonTurn& w, const Williamson
 }
 
 void print_place(std::string_view name, const std::optional<TrackPlace>& p, double L) {
-  if (!p) fmt::print("  {:<24}{:>10}\n", name, "not reached");
-  else fmt::print("  {:<24}{:>10.2f}{:>12.2f}{:>12.2f}{:>10.3f}\n", name, p->time, p->along, p->offset, p->offset / L);
+  if (!p) say("  {:<24}{:>10}\n", name, "not reached");
+  else say("  {:<24}{:>10.2f}{:>12.2f}{:>12.2f}{:>10.3f}\n", name, p->time, p->along, p->offset, p->offset / L);
 }
 
 void run_williamson(const Ship& ship, const SimulateArguments& a) {
@@ -238,12 +241,12 @@ void run_williamson(const Ship& ship, const SimulateArguments& a) {
     return;
   }
   print_head(ship, result.run.facts.manoeuvre, result.approach_speed, result.propulsion);
-  fmt::print("  {:<24}{:>10}{:>12}{:>12}{:>10}\n", "", "at s", "along m", "offset m", "offset L");
+  say("  {:<24}{:>10}{:>12}{:>12}{:>10}\n", "", "at s", "along m", "offset m", "offset L");
   print_place("rudder to the other side", result.shifted, L);
   print_place("rudder amidships", result.amidships, L);
   print_place("reciprocal heading", result.reciprocal, L);
   if (result.way) print_length("way made", result.way, L);
-  if (!result.reciprocal) fmt::print("  the heading had changed by {:.2f} deg at the end\n", degrees(result.heading));
+  if (!result.reciprocal) say("  the heading had changed by {:.2f} deg at the end\n", degrees(result.heading));
 }
 
 // ---------------------------------------------------------------- straight run in wind
@@ -280,15 +283,14 @@ void run_straight(const Ship& ship, const SimulateArguments& a) {
     return;
   }
   print_head(ship, fmt::format("straight run, course {:.6g} deg", *a.straight), approach, driven);
-  fmt::print("  {:<20}{:>12.3f} deg\n", "heading", degrees(run->psi));
-  fmt::print("  {:<20}{:>12.3f} deg\n", "drift angle", degrees(drift_angle(run->motion)));
-  fmt::print("  {:<20}{:>12.3f} deg to {}{}\n", "helm", std::abs(degrees(run->delta)),
-             run->delta > 0.0 ? "port" : "starboard",
-             run->holds ? "" : ", beyond the ship's largest: she cannot hold this course");
-  fmt::print("  {:<20}{:>12.4f} m/s through the water, {:.4f} m/s over ground\n", "speed", speed(run->motion),
-             run->speed_over_ground);
-  fmt::print("  {:<20}X {:.5g} N, Y {:.5g} N, N {:.5g} N m\n", "wind", run->wind_force.X, run->wind_force.Y,
-             run->wind_force.N);
+  say("  {:<20}{:>12.3f} deg\n", "heading", degrees(run->psi));
+  say("  {:<20}{:>12.3f} deg\n", "drift angle", degrees(drift_angle(run->motion)));
+  say("  {:<20}{:>12.3f} deg to {}{}\n", "helm", std::abs(degrees(run->delta)), run->delta > 0.0 ? "port" : "starboard",
+      run->holds ? "" : ", beyond the ship's largest: she cannot hold this course");
+  say("  {:<20}{:>12.4f} m/s through the water, {:.4f} m/s over ground\n", "speed", speed(run->motion),
+      run->speed_over_ground);
+  say("  {:<20}X {:.5g} N, Y {:.5g} N, N {:.5g} N m\n", "wind", run->wind_force.X, run->wind_force.Y,
+      run->wind_force.N);
 }
 
 // ---------------------------------------------------------------- IMO criteria
@@ -312,12 +314,10 @@ void run_imo(const Ship& ship, const SimulateArguments& a) {
   print_head(ship, fmt::format("steering criteria, L/V {:.3g} s", result.L / result.speed), result.speed,
              result.propulsion);
   print_criteria(result.criteria);
-  fmt::print("  stopping is not simulated\n");
-  if (surroundings_at(ship, 0.0).windy)
-    fmt::print("  sailed in the wind of the ship file; the criteria are for calm\n");
+  say("  stopping is not simulated\n");
+  if (surroundings_at(ship, 0.0).windy) say("  sailed in the wind of the ship file; the criteria are for calm\n");
   if (result.L < smallest_judged_ship)
-    fmt::print(
-        "  the criteria are for ships of 100 m and more; the limits of a scale model's L/V are not those of her "
+    say("  the criteria are for ships of 100 m and more; the limits of a scale model's L/V are not those of her "
         "ship\n");
 }
 

@@ -15,6 +15,20 @@ std::size_t width_of(std::string_view text) {
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
+/// Where a line goes on: below its last column that leaves room for words.
+std::size_t indent_of(std::string_view line, std::size_t columns) {
+  constexpr std::size_t room = 24;
+  const auto first = std::min(line.find_first_not_of(' '), line.size());
+  auto indent = first;
+  for (auto gap = line.find("  ", first); gap != std::string_view::npos; gap = line.find("  ", gap)) {
+    gap = line.find_first_not_of(' ', gap);
+    const auto column = width_of(line.substr(0, gap));
+    if (gap == std::string_view::npos || column + room > columns) break;
+    indent = column;
+  }
+  return indent;
+}
+
 }  // namespace
 
 int terminal_columns() {
@@ -45,8 +59,21 @@ std::string folded(std::string_view words, int columns, std::size_t indent) {
   return text;
 }
 
-void print_words(std::string_view words, std::size_t indent) {
-  fmt::print("{}\n", folded(words, terminal_columns(), indent));
+std::string fitted(std::string_view line, int columns) {
+  line = line.substr(0, line.find_last_not_of(' ') + 1);
+  const auto wide = static_cast<std::size_t>(std::max(columns, 0));
+  return wide == 0 || width_of(line) <= wide ? std::string(line) : folded(line, columns, indent_of(line, wide));
+}
+
+void print_fitted(std::string_view text) {
+  static std::string line;  // until it ends
+  for (auto end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    line += text.substr(0, end);
+    fmt::print("{}\n", fitted(line, terminal_columns()));
+    line.clear();
+    text.remove_prefix(end + 1);
+  }
+  line += text;
 }
 
 }  // namespace swayaw::app

@@ -102,48 +102,48 @@ std::string padded(const std::string& text, std::size_t width) {
 }
 
 void print_rows(const std::vector<TrialRow>& rows, bool corrected, bool simulated) {
-  fmt::print("  {:<34}{}{}{}\n", "", padded("recorded", 20), corrected ? padded("corrected", 20) : "",
-             simulated ? padded("simulated", 12) : "");
+  say("  {:<34}{}{}{}\n", "", padded("recorded", 20), corrected ? padded("corrected", 20) : "",
+      simulated ? padded("simulated", 12) : "");
   for (const auto& row : rows) {
-    fmt::print("  {:<34}{}", row.name, padded(cell(row.recorded), 20));
-    if (corrected) fmt::print("{}", padded(row.corrected ? cell(row.corrected) : "", 20));
-    if (simulated) fmt::print("{:>12}", row.simulated ? fmt::format("{:.4g}", *row.simulated) : "");
-    fmt::print("  {}", row.unit);
-    if (row.in_lengths) fmt::print("  {:.3f} L", *row.in_lengths);
-    fmt::print("\n");
+    say("  {:<34}{}", row.name, padded(cell(row.recorded), 20));
+    if (corrected) say("{}", padded(row.corrected ? cell(row.corrected) : "", 20));
+    if (simulated) say("{:>12}", row.simulated ? fmt::format("{:.4g}", *row.simulated) : "");
+    say("  {}", row.unit);
+    if (row.in_lengths) say("  {:.3f} L", *row.in_lengths);
+    say("\n");
   }
 }
 
 void print_moves(const TrialResult& t) {
   if (t.rudder.empty()) return;
-  fmt::print("  rudder, deg to port:");
+  say("  rudder, deg to port:");
   for (const auto& m : t.rudder) {
-    fmt::print(" {:.1f} at {:.1f} s", degrees(m.to) + 0.0, m.start.value);
-    if (m.rate) fmt::print(" ({:.2f} deg/s)", degrees(*m.rate));
-    fmt::print("{}", &m == &t.rudder.back() ? "\n" : ",");
+    say(" {:.1f} at {:.1f} s", degrees(m.to) + 0.0, m.start.value);
+    if (m.rate) say(" ({:.2f} deg/s)", degrees(*m.rate));
+    say("{}", &m == &t.rudder.back() ? "\n" : ",");
   }
 }
 
 void print_reversals(const TrialResult& t) {
   if (!t.zigzag || t.zigzag->reversals.empty()) return;
-  fmt::print("  {:<10}{:<12}{}{}{}{}\n", "reversal", "heading", padded("at H, s", 18), padded("peak, s", 18),
-             padded("rudder back, s", 18), padded("heading then, deg", 20));
+  say("  {:<12}{}{}{}{}\n", "reversal", padded("at H, s", 16), padded("peak, s", 16), padded("rudder back, s", 16),
+      padded("heading then, deg", 18));
   for (std::size_t k = 0; k < t.zigzag->reversals.size(); ++k) {
     const auto& r = t.zigzag->reversals[k];
     const MaybeTold then =
         r.heading_then ? MaybeTold(Told{degrees(r.heading_then->value), degrees(r.heading_then->standard_error)})
                        : std::nullopt;
-    fmt::print("  {:<10}{:<12}{}{}{}{}\n", k + 1, name_of(r.side), padded(cell(r.execute), 18),
-               padded(cell(r.peak_time), 18), padded(cell(r.rudder_start), 18), padded(cell(then), 20));
+    say("  {:<12}{}{}{}{}\n", fmt::format("{} {}", k + 1, name_of(r.side)), padded(cell(r.execute), 16),
+        padded(cell(r.peak_time), 16), padded(cell(r.rudder_start), 16), padded(cell(then), 18));
   }
 }
 
 void print_imo(const TrialResult& t) {
   if (t.imo.empty()) return;
-  fmt::print("  {:<24}{:<12}{}{:>10}  {:<5}{}\n", "MSC.137(76)", "to", padded("value", 18), "limit", "", "verdict");
+  say("  {:<24}{:<12}{}{:>10}  {:<5}{}\n", "MSC.137(76)", "to", padded("value", 18), "limit", "", "verdict");
   for (const auto& c : t.imo)
-    fmt::print("  {:<24}{:<12}{}{:>10.3f}  {:<5}{}\n", c.name, name_of(c.side), padded(cell(c.value), 18), c.limit,
-               c.unit, verdict_of(c));
+    say("  {:<24}{:<12}{}{:>10.3f}  {:<5}{}\n", c.name, name_of(c.side), padded(cell(c.value), 18), c.limit, c.unit,
+        verdict_of(c));
 }
 
 void print_second_order(const SteeringTrial& k) {
@@ -151,10 +151,10 @@ void print_second_order(const SteeringTrial& k) {
   const auto& s = *k.second;
   const auto open = [](const char* name, const MaybeTold& x, bool told) {
     if (told) return;
-    if (!x) fmt::print("  {} cannot be told: the two time constants are not both real\n", name);
+    if (!x) say("  {} cannot be told: the two time constants are not both real\n", name);
     else
-      fmt::print("  {} cannot be told: between {:.3g} and {:.3g} s\n", name, x->value - 2.0 * x->standard_error,
-                 x->value + 2.0 * x->standard_error);
+      say("  {} cannot be told: between {:.3g} and {:.3g} s\n", name, x->value - 2.0 * x->standard_error,
+          x->value + 2.0 * x->standard_error);
   };
   open("T1", s.T1, s.T1_told);
   open("T2", s.T2, s.T2_told);
@@ -163,25 +163,24 @@ void print_second_order(const SteeringTrial& k) {
 
 void print_run(const JudgedRun& run, const std::optional<double>& L) {
   const auto& t = run.trial;
-  fmt::print("{}: {}{}", t.run, t.manoeuvre.name, t.manoeuvre.said ? "" : " (told from rudder and heading)");
-  if (t.zigzag) fmt::print(", first to {}", name_of(t.zigzag->first));
-  if (t.turn) fmt::print(" to {}, {:.0f} deg in all", name_of(t.turn->side), degrees(t.turn->heading_change));
-  fmt::print("\n");
-  if (t.approach.speed)
-    fmt::print("  approach {} m/s {},", shown(*t.approach.speed), in_words(t.approach.speed_source));
-  fmt::print("  heading {} deg",
-             shown({compass(t.approach.heading.value), degrees(t.approach.heading.standard_error)}));
+  say("{}: {}{}", t.run, t.manoeuvre.name, t.manoeuvre.said ? "" : " (told from rudder and heading)");
+  if (t.zigzag) say(", first to {}", name_of(t.zigzag->first));
+  if (t.turn) say(" to {}, {:.0f} deg in all", name_of(t.turn->side), degrees(t.turn->heading_change));
+  say("\n");
+  if (t.approach.speed) say("  approach {} m/s {},", shown(*t.approach.speed), in_words(t.approach.speed_source));
+  say("{} heading {} deg", t.approach.speed ? "" : " ",
+      shown({compass(t.approach.heading.value), degrees(t.approach.heading.standard_error)}));
   if (t.zigzag || t.turn)
-    fmt::print(", execute at {} s{}", shown(t.approach.execute), t.approach.execute_said ? "" : " by the rudder");
-  fmt::print("\n");
+    say(", execute at {} s{}", shown(t.approach.execute), t.approach.execute_said ? "" : " by the rudder");
+  say("\n");
   print_moves(t);
   print_reversals(t);
   print_rows(rows_of(t, run.simulated, L), t.turn && t.turn->corrected, !run.simulated.json.is_null());
   print_second_order(t.steering);
   if (t.zigzag)
-    fmt::print("  K is positive where rudder to starboard turns to starboard; inside swayaw it has the other sign\n");
+    say("  K is positive where rudder to starboard turns to starboard; inside swayaw it has the other sign\n");
   print_imo(t);
-  for (const auto& note : t.notes) print_words("  " + note, 2);
+  for (const auto& note : t.notes) say("  {}\n", note);
 }
 
 /// "± is one standard error" and what is in it, once.
@@ -228,12 +227,11 @@ void trial(const TrialArguments& a) {
                   .si = a.report.si},
                  a.report.file);
   if (a.json) return fmt::print("{}\n", document.dump(2));
-  for (const auto& run : runs) print_run(run, options.L), fmt::print("\n");
-  print_words(in_words(summary));
-  print_words(errors_in_words);
+  for (const auto& run : runs) print_run(run, options.L), say("\n");
+  say("{}\n", in_words(summary));
+  say("{}\n", errors_in_words);
   if (options.L && *options.L < shortest_ship_of_criteria)
-    fmt::print(
-        "the criteria are for ships of 100 m and more; the limits of a scale model's L/V are not those of her ship\n");
+    say("the criteria are for ships of 100 m and more; the limits of a scale model's L/V are not those of her ship\n");
 }
 
 }  // namespace swayaw::app

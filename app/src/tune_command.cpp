@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "commands.hpp"
+#include "effect_words.hpp"
 #include "input.hpp"
 #include "json.hpp"
 #include "page_writing.hpp"
@@ -11,6 +13,7 @@
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/index_tuning.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
+#include "terminal.hpp"
 #include "tune_page.hpp"
 
 namespace swayaw::app {
@@ -118,8 +121,6 @@ Json tune_json(const Findings& f, const TuneArguments& a) {
 
 // ---------------------------------------------------------------- text
 
-std::string percent(double x) { return std::isfinite(x) ? fmt::format("{:+.2f}", 100.0 * x) : "-"; }
-
 /// Largest sensitivity of a number to the indices of a manoeuvre.
 double largest(const Findings& f, std::size_t j, std::size_t first, std::size_t last) {
   double size = 0.0;
@@ -127,22 +128,39 @@ double largest(const Findings& f, std::size_t j, std::size_t first, std::size_t 
   return size;
 }
 
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Names as headings of columns, in as many lines as they need.
+void print_headings(const std::vector<MeasuredIndex>& indices) {
+  constexpr int width = 10;
+  std::vector<std::vector<std::string>> headings;
+  for (const auto& i : indices) headings.push_back(lines_of(folded(in_words(i.name), width)));
+  std::size_t most = 0;
+  for (const auto& lines : headings) most = std::max(most, lines.size());
+  for (std::size_t row = 0; row < most; ++row) {
+    say("  {:<12}", "");
+    for (const auto& lines : headings) say("{:>11}", row < lines.size() ? lines[row] : "");
+    say("\n");
+  }
+}
+
 /// The parameters, those that do most first.
 void print_sensitivity(const Findings& f, const MeasuredTrial& trial, std::size_t first) {
   const std::size_t last = first + trial.indices.size();
-  fmt::print("\n{}: change in per cent for 10 % more of a number | exact, per cent per per cent\n  {:<12}",
-             name_of(trial.manoeuvre), "");
-  for (const auto& i : trial.indices) fmt::print("{:>24}", i.name);
-  fmt::print("\n");
+  say("\n{}: change in per cent for one per cent more of a number\n", name_of(trial.manoeuvre));
+  print_headings(trial.indices);
   std::vector<std::size_t> order(f.parameters.size());
   for (std::size_t j = 0; j < order.size(); ++j) order[j] = j;
   std::ranges::stable_sort(order, std::greater{}, [&](std::size_t j) { return largest(f, j, first, last); });
   for (const std::size_t j : order) {
-    fmt::print("  {:<12}", f.parameters[j].name);
-    for (std::size_t k = first; k < last; ++k)
-      fmt::print("{:>24}",
-                 fmt::format("{} |{:>8.3f}", percent(f.sensitivity.ten_per_cent[k][j]), f.sensitivity.exact[k][j]));
-    fmt::print("\n");
+    say("  {:<12}", f.parameters[j].name);
+    for (std::size_t k = first; k < last; ++k) say("{:>11.3f}", f.sensitivity.exact[k][j]);
+    say("\n");
   }
 }
 
@@ -150,23 +168,24 @@ void print_indices(const Findings& f) {
   std::size_t trial = f.measured.trials.size();
   for (const auto& i : f.tuning.indices) {
     if (i.trial != trial)
-      fmt::print("\n{}\n  {:<28}{:>12}{:>10}{:>12}{:>12}\n", name_of(f.measured.trials[i.trial].manoeuvre), "",
-                 "measured", "sd", "before", "after");
+      say("\n{}\n  {:<28}{:>12}{:>10}{:>12}{:>12}\n", name_of(f.measured.trials[i.trial].manoeuvre), "", "measured",
+          "sd", "before", "after");
     trial = i.trial;
     const double si = i.measured.si;
-    fmt::print("  {:<28}{:>12.5g}{:>10.3g}{:>12.5g}{:>12.5g}\n", i.measured.name, i.measured.value / si,
-               i.measured.deviation / si, i.before / si, i.after / si);
+    say("  {:<28}{:>12.5g}{:>10.3g}{:>12.5g}{:>12.5g}\n", i.measured.name, i.measured.value / si,
+        i.measured.deviation / si, i.before / si, i.after / si);
   }
 }
 
 void print_numbers(const Tuning& t) {
-  fmt::print("\n  {:<12}{:>14}{:>14}{:>10}{:>12}{:>12}   told by the indices\n", "number", "before", "after",
-             "change %", "prior sd %", "sd now %");
+  say("\n  {:<14}{:>12}{:>12}{:>10}{:>11}{:>10}{:>8}\n", "number", "before", "after", "change %", "prior sd %",
+      "sd now %", "told %");
   for (const auto& n : t.parameters)
-    fmt::print("  {:<12}{:>14.6g}{:>14.6g}{:>10.1f}{:>12.3g}{:>12.3g}   {:.0f} %{}{}\n", n.number.name,
-               n.number.value / n.number.si, n.value / n.number.si, 100.0 * (n.value / n.number.value - 1.0),
-               100.0 * n.prior, 100.0 * n.deviation, 100.0 * n.told, n.determined() ? "" : ", undetermined",
-               n.at_bound ? ", at its bound" : "");
+    say("  {:<14}{:>12.5g}{:>12.5g}{:>10.1f}{:>11.3g}{:>10.3g}{:>8.0f}{}{}\n", n.number.name,
+        n.number.value / n.number.si, n.value / n.number.si, 100.0 * (n.value / n.number.value - 1.0), 100.0 * n.prior,
+        100.0 * n.deviation, 100.0 * n.told, n.determined() ? "" : "*", n.at_bound ? "|" : "");
+  say("  told: by the indices rather than the prior; * undetermined{}\n",
+      std::ranges::any_of(t.parameters, &TunedParameter::at_bound) ? "; | at its bound" : "");
 }
 
 /// The parameters with the largest weights.
@@ -182,17 +201,17 @@ std::string combination_text(const Findings& f, const IndexCombination& c) {
 
 void print_combinations(const Findings& f) {
   const auto& t = f.tuning;
-  fmt::print("\nthe indices determine {} of {} combinations of relative changes to better than a half:\n",
-             determined(t), t.combinations.size());
+  say("\nthe indices determine {} of {} combinations of relative changes to better than a half:\n", determined(t),
+      t.combinations.size());
   for (const auto& c : t.combinations) {
     if (!c.determined) break;
-    fmt::print("  to {:>5.1f} %  {}\n", 100.0 * c.standard_error, combination_text(f, c));
+    say("  to {:>5.1f} %  {}\n", 100.0 * c.standard_error, combination_text(f, c));
   }
 }
 
 void print_text(const Findings& f, const TuneArguments& a) {
   const auto& t = f.tuning;
-  fmt::print("{}: {} numbers, {} indices\n", t.ship.name, f.parameters.size(), t.indices.size());
+  say("{}: {} numbers, {} indices\n", t.ship.name, f.parameters.size(), t.indices.size());
   std::size_t first = 0;
   for (const auto& trial : f.measured.trials) {
     print_sensitivity(f, trial, first);
@@ -201,11 +220,10 @@ void print_text(const Findings& f, const TuneArguments& a) {
   print_indices(f);
   print_numbers(t);
   print_combinations(f);
-  fmt::print(
-      "\nsum of squared relative errors: turns {:.4f} before, {:.4f} after; zigzags {:.4f} before, {:.4f} after\n",
+  say("\nsum of squared relative errors: turns {:.4f} before, {:.4f} after; zigzags {:.4f} before, {:.4f} after\n",
       t.before.turns, t.after.turns, t.before.zigzags, t.after.zigzags);
-  fmt::print("{} after {} turning circles and {} zigzags; written to {}\n", in_words(t.status), t.simulations.turns,
-             t.simulations.zigzags, a.out.string());
+  say("{} after {} turning circles and {} zigzags; written to {}\n", in_words(t.status), t.simulations.turns,
+      t.simulations.zigzags, a.out.string());
 }
 
 // ---------------------------------------------------------------- work

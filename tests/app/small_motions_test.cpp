@@ -27,7 +27,7 @@ TEST_CASE("indices of a ship whose sides differ give both, and the mean of their
   const Scratch scratch;
   const auto text = run(scratch, "indices kvlcc2").out;
   for (const char* words :
-       {"a kink straight ahead", "turning to port", "turning to starboard", "positive where rudder to starboard"})
+       {"a kink straight ahead", "turning to port", "turning to starboard", "yaw rate by rudder to starboard"})
     CHECK_THAT(text, ContainsSubstring(words));
   CHECK_FALSE(document("indices " + test::ship_file("tanker97.toml")).contains("port"));
 }

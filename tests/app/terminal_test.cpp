@@ -29,5 +29,13 @@ TEST_CASE("words to a file stay on one line, and a word wider than the terminal 
   CHECK(folded("a-word-without-any-blank b", 10) == "a-word-without-any-blank\nb");
 }
 
+TEST_CASE("a line that is too wide goes on below its last column, or below its first word", "[app]") {
+  CHECK(fitted("  K   0.7   yaw rate by rudder to starboard, as owners have it   ", 40) ==
+        "  K   0.7   yaw rate by rudder to\n            starboard, as owners have it");
+  CHECK(fitted("  a sentence that is not a row", 20) == "  a sentence that is\n  not a row");
+  CHECK(fitted("short  ", 20) == "short");
+  CHECK(fitted("as long as it likes to be  ", 0) == "as long as it likes to be");
+}
+
 }  // namespace
 }  // namespace swayaw::app
