@@ -77,7 +77,7 @@ function drawGroup(group, pooledError, node) {
     x1: scale * (pooledError.value + 1.96 * pooledError.standard_error),
   }] : [];
   plot(node, [{
-    type: 'scatter', mode: 'markers', x: group.map((e) => scale * e.value), y: names,
+    type: 'scatter', mode: 'markers', x: group.map((e) => scale * e.value), y: names, customdata: names,
     error_x: { type: 'data', array: group.map((e) => 1.96 * scale * e.standard_error), thickness: 1.4, width: 3, color: '#5a6470' },
     marker: { size: 8, color: group.map((e) => (e.told ? '#e07b00' : '#0072b2')) },
     hovertemplate: `%{y}<br>%{x:.3~g} ${unit}<extra></extra>`,
@@ -91,7 +91,7 @@ function drawGroup(group, pooledError, node) {
 
 function groupBox(group, all) {
   const pooledError = (all || []).find((e) => e.channel === group[0].channel && e.error === group[0].error);
-  const box = plotBox('bars', titleOf(group[0]), (node) => drawGroup(group, pooledError, node));
+  const box = plotBox('bars', titleOf(group[0]), (node) => drawGroup(group, pooledError, node), 'runs');
   box.style.height = `${BESIDE_ROWS + ROW * group.length}px`;
   return el('div', {}, el('h3', {}, titleOf(group[0])), box,
     pooledError ? el('p', { class: 'note' }, `All runs: ${pooledError.words}`) : null);

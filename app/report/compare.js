@@ -170,7 +170,7 @@ function worstStretch(run) {
 function trackTraces(run, length) {
   const parts = partsOf(run).filter(({ data }) => has(data.x_m) && has(data.y_m));
   const paths = parts.map(({ source, data }) => line(run, source, data.y_m, data.x_m, {
-    text: run.series.time_s.map((time) => seconds(time)),
+    customdata: run.series.time_s, text: run.series.time_s.map((time) => seconds(time)),
     hovertemplate: 'north %{y:.4~g} m, east %{x:.4~g} m<br>at %{text} s',
   }));
   const hulls = parts.filter(({ source }) => source.id !== 'windows')
@@ -194,7 +194,7 @@ function drawPhase(run, length, node) {
     .map(({ source, data }) => ({ source, drift: driftOf(data), rate: yawRate(data) }))
     .filter(({ drift, rate }) => has(drift) && has(rate))
     .map(({ source, drift, rate }) => line(run, source, drift, rate, {
-      hovertemplate: 'drift %{x:.3~g} deg, yaw rate %{y:.3~g}',
+      customdata: run.series.time_s, hovertemplate: 'drift %{x:.3~g} deg, yaw rate %{y:.3~g}',
     }));
   plot(node, traces, {
     margin: MARGIN,
@@ -445,21 +445,21 @@ function titled(title, box) {
 function timeSeriesBox(run) {
   const panels = panelsOf(run);
   if (panels.length === 0) return null;
-  const box = plotBox('time', 'Time series', (node) => drawTimeSeries(run, panels, node));
+  const box = plotBox('time', 'Time series', (node) => drawTimeSeries(run, panels, node), run.id);
   box.style.height = `${panels.length * PANEL_HEIGHT + MARGIN.t + MARGIN.b}px`;
   return titled('Against time', box);
 }
 
 function trackBox(run, length) {
   if (!partsOf(run).some(({ data }) => has(data.x_m) && has(data.y_m))) return null;
-  return titled('Track', plotBox('track', 'Track', (node) => drawTrack(run, length, node)));
+  return titled('Track', plotBox('track', 'Track', (node) => drawTrack(run, length, node), run.id));
 }
 
 function phaseBox(run, length) {
   const { recorded } = run.series;
   if (!driftOf(recorded) || !has(recorded.r_rad_s)) return null;
   return titled('Drift angle and yaw rate',
-    plotBox('phase', 'Drift angle and yaw rate', (node) => drawPhase(run, length, node)));
+    plotBox('phase', 'Drift angle and yaw rate', (node) => drawPhase(run, length, node), run.id));
 }
 
 function absentNote(run) {

@@ -234,7 +234,7 @@ function runTitle(run) {
 function forceCell(run, report, scales) {
   const places = report.location.filter((place) => place.run === run.run);
   return el('div', {}, runTitle(run),
-    plotBox('forces', `Missing force in ${run.run}`, (node) => drawForces(run, report, scales, node)),
+    plotBox('forces', `Missing force in ${run.run}`, (node) => drawForces(run, report, scales, node), run.run),
     ...places.map((place) => el('p', { class: 'note' }, placeWords(place))));
 }
 
@@ -283,7 +283,7 @@ function drawPlane(run, { scaleOf, source, reach, top }, node) {
   const order = force.map((_, i) => i).sort((a, b) => Math.abs(force[a]) - Math.abs(force[b]));  // the largest on top
   plot(node, [{
     type: 'scatter', mode: 'markers', x: order.map((i) => drift[i] * DEGREES), y: order.map((i) => yaw[i]),
-    text: order.map((i) => `${digits(force[i] * scaleOf.scale)} ${scaleOf.unit}<br>at ${seconds(run.series.time_s[i])} s`),
+    customdata: order.map((i) => run.series.time_s[i]), text: order.map((i) => `${digits(force[i] * scaleOf.scale)} ${scaleOf.unit}<br>at ${seconds(run.series.time_s[i])} s`),
     marker: { size: 5.5, color: order.map((i) => force[i]), colorscale: SIGNED, cmin: -top, cmax: top, showscale: false },
     hovertemplate: 'drift %{x:.3~g} deg, r′ %{y:.3~g}<br>%{text}<extra></extra>',
   }], {
@@ -330,7 +330,7 @@ function planeSection(report) {
     const top = Math.max(large, 2 * (scaleOf.ordinary || 0)) || 1;
     return { scaleOf, reach, top, source: sources.find(({ id }) => id === shown.sourceId) };
   };
-  const boxes = runs.map((run) => plotBox('plane', `Drift angle and yaw rate in ${run.run}`, (node) => drawPlane(run, view(), node)));
+  const boxes = runs.map((run) => plotBox('plane', `Drift angle and yaw rate in ${run.run}`, (node) => drawPlane(run, view(), node), run.run));
   const paintBar = () => bar.replaceChildren(...colorBar(view().top, view().scaleOf));
   const redraw = () => {
     paintBar();
@@ -530,7 +530,7 @@ function hullTrace(run, source, part, length) {
 function drawTracks(run, length, node) {
   const parts = replaysOf(run).filter(({ data }) => has(data.x_m) && has(data.y_m));
   const paths = parts.map(({ source, data }) => curve(run, source, data.y_m, data.x_m, {
-    text: run.series.time_s.map(seconds), hovertemplate: 'north %{y:.4~g} m, east %{x:.4~g} m<br>at %{text} s',
+    customdata: run.series.time_s, text: run.series.time_s.map(seconds), hovertemplate: 'north %{y:.4~g} m, east %{x:.4~g} m<br>at %{text} s',
   }));
   const hulls = parts.filter(({ source }) => source.id === 'recorded').map(({ source, data }) => hullTrace(run, source, data, length));
   plot(node, [...paths, ...hulls.filter(Boolean)], {
@@ -565,9 +565,9 @@ function replayBlock(run, report) {
   if (panels.length === 0) return null;
   const section = el('div', { class: 'block replay' }, runTitle(run));
   const track = replaysOf(run).some(({ data }) => has(data.x_m) && has(data.y_m))
-    ? el('div', {}, plotBox('track', `Track of ${run.run}`, (node) => drawTracks(run, report.length_m, node))) : null;
+    ? el('div', {}, plotBox('track', `Track of ${run.run}`, (node) => drawTracks(run, report.length_m, node), run.run)) : null;
   section.append(replayKey(run, section), el('div', { class: track ? 'plots' : 'plots single' },
-    ...[el('div', {}, plotBox('replays', `Replays of ${run.run}`, (node) => drawReplays(run, panels, report, node))), track].filter(Boolean)));
+    ...[el('div', {}, plotBox('replays', `Replays of ${run.run}`, (node) => drawReplays(run, panels, report, node), run.run)), track].filter(Boolean)));
   return section;
 }
 

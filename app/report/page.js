@@ -109,8 +109,10 @@ function render(node) {
   draw(node);
 }
 
-function plotBox(className, label, draw) {
+// Plots of one cursor mark what is hovered in any of them.
+function plotBox(className, label, draw, cursor = null) {
   const node = el('div', { class: `plot ${className}`, role: 'img', 'aria-label': label });
+  if (cursor !== null) node.dataset.cursor = cursor;
   pending.set(node, draw);
   return node;
 }
@@ -136,6 +138,33 @@ function plot(node, traces, layout, options = {}) {
   };
   if (!window.Plotly) loadPlotly();
   Plotly.newPlot(node, traces, { ...shared, ...layout }, config);
+  if (node.dataset.cursor !== undefined) shareCursor(node);
+}
+
+// ---- one cursor for the plots of a run ---------------------------------------------------
+
+// What a point stands for, the time or the run: its custom data, else its abscissa.
+const markOf = ({ customdata, x }) => (customdata === undefined ? x : customdata);
+
+// The point of a curve that stands for it, or that is nearest in time; -1: none.
+function pointFor(mark, { customdata }) {
+  if (!isNumber(mark)) return customdata.indexOf(mark);
+  const distance = (i) => Math.abs(customdata[i] - mark);
+  return customdata.reduce((best, _, i) => (distance(i) < distance(best) ? i : best), 0);
+}
+
+function showMark(node, mark) {
+  const curveNumber = node.data.findIndex(({ customdata, visible }) => customdata && visible !== false);
+  if (curveNumber < 0) return Plotly.Fx.hover(node, { xval: mark }, 'xy', true);
+  const pointNumber = pointFor(mark, node.data[curveNumber]);
+  return pointNumber < 0 ? null : Plotly.Fx.hover(node, [{ curveNumber, pointNumber }], undefined, true);
+}
+
+function shareCursor(node) {
+  const others = () => [...document.querySelectorAll('.js-plotly-plot')]
+    .filter((other) => other !== node && other.dataset.cursor === node.dataset.cursor);
+  node.on('plotly_hover', ({ points: [point] }) => others().forEach((other) => showMark(other, markOf(point))));
+  node.on('plotly_unhover', () => others().forEach((other) => Plotly.Fx.unhover(other)));
 }
 
 function axis(title, more = {}) {

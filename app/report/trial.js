@@ -4,6 +4,7 @@ const RECORDED = '#2b2b2b';
 const CORRECTED = '#e07b00';
 const SIMULATED = '#0072b2';
 const RUDDER = '#8b949e';
+const PLACE = 'north %{y:.4~g} m, east %{x:.4~g} m<br>at %{customdata:.1f} s';
 
 const capital = (words) => words.charAt(0).toUpperCase() + words.slice(1);
 
@@ -70,15 +71,15 @@ function drawTime(run, node) {
 
 function drawTrack(run, node) {
   const { plots } = run;
-  const traces = [line('as recorded', RECORDED, plots.y_m, plots.x_m)];
-  if (plots.x_corrected_m) traces.push(line('drift taken off', CORRECTED, plots.y_corrected_m, plots.x_corrected_m));
+  const traces = [line('as recorded', RECORDED, plots.y_m, plots.x_m, { customdata: plots.time_s, hovertemplate: PLACE })];
+  if (plots.x_corrected_m) traces.push(line('drift taken off', CORRECTED, plots.y_corrected_m, plots.x_corrected_m, { customdata: plots.time_s, hovertemplate: PLACE }));
   if (plots.simulated) {
     const start = plots.time_s.findIndex((time) => isNumber(time) && time >= run.execute);
     const [north, east, heading] = [plots.x_m[start], plots.y_m[start], run.approach_heading_rad.value];
     const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
     const { x_m: ahead, y_m: starboard } = plots.simulated;
     traces.push(line('simulated', SIMULATED, ahead.map((x, i) => east + x * sin + starboard[i] * cos),
-      ahead.map((x, i) => north + x * cos - starboard[i] * sin), { line: { color: SIMULATED, width: 1.7, dash: '2px,3px' } }));
+      ahead.map((x, i) => north + x * cos - starboard[i] * sin), { customdata: plots.simulated.time_s, hovertemplate: PLACE, line: { color: SIMULATED, width: 1.7, dash: '2px,3px' } }));
   }
   plot(node, traces, {
     margin: MARGIN, showlegend: true, legend: { orientation: 'h', y: 1.09, x: 0 },
@@ -93,9 +94,9 @@ function drawSpiral(run, node) {
 }
 
 function plotsOf(run) {
-  const boxes = [plotBox('time', `Heading and rudder of ${run.run}`, (node) => drawTime(run, node))];
+  const boxes = [plotBox('time', `Heading and rudder of ${run.run}`, (node) => drawTime(run, node), run.run)];
   if (run.steps) boxes.push(plotBox('track', `Spiral of ${run.run}`, (node) => drawSpiral(run, node)));
-  else if (has(run.plots.x_m)) boxes.push(plotBox('track', `Track of ${run.run}`, (node) => drawTrack(run, node)));
+  else if (has(run.plots.x_m)) boxes.push(plotBox('track', `Track of ${run.run}`, (node) => drawTrack(run, node), run.run));
   return el('div', { class: boxes.length > 1 ? 'plots' : 'plots single' }, ...boxes);
 }
 

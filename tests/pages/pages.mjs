@@ -5,7 +5,7 @@
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { chromium, HEADLESS } from './browser.mjs';
+import { chromium, HEADLESS, tab, valueOf } from './browser.mjs';
 import { fetched } from './npm.mjs';
 import { pagesOf, threeRuns } from './three_runs.mjs';
 
@@ -144,6 +144,38 @@ function tryAll(page, html, helper) {
   for (const plot of seen ? seen.missing : []) check(false, `${page.name}: ${plot} is drawn for print`);
 }
 
+// What is hovered in one plot is marked in the others of the same run, and in no other. In a check it is a run, which need not have every
+// error of an instrument.
+async function lookAtCursor(page, file) {
+  const browser = await tab();
+  await browser.ask('Page.enable');
+  await browser.ask('Page.navigate', { url: `file://${file}` });
+  const at = await valueOf(browser, `new Promise((then) => {
+    const look = () => {
+      const [plot] = document.querySelectorAll('.plot[data-cursor]');
+      if (!plot) return setTimeout(look, 50);
+      dispatchEvent(new Event('beforeprint'));
+      dispatchEvent(new Event('afterprint'));
+      plot.scrollIntoView({ block: 'start' });
+      setTimeout(() => {
+        const { x, y, width, height } = plot.getBoundingClientRect(), curve = plot.querySelector('.point, .js-line').getBoundingClientRect();
+        then(plot.classList.contains('bars') ? { x: curve.x + curve.width / 2, y: curve.y + curve.height / 2 } : { x: x + width / 2, y: y + height / 6 });
+      }, 1000);
+    };
+    look();
+  })`);
+  for (const step of [0, 1]) await browser.ask('Input.dispatchMouseEvent', { type: 'mouseMoved', x: at.x + step, y: at.y });
+  const marks = await valueOf(browser, `new Promise((then) => setTimeout(() => then([...document.querySelectorAll('.plot[data-cursor]')].map((plot) => ({
+    cursor: plot.dataset.cursor, label: plot.getAttribute('aria-label'), marked: plot.querySelectorAll('.hoverlayer .hovertext, .hoverlayer .legend').length > 0 }))), 500))`);
+  browser.close();
+  const [first, ...others] = marks;
+  check(others.some(({ cursor, marked }) => marked && cursor === first.cursor), `${page.name}: hovering "${first.label}" marks other plots`);
+  for (const { cursor, label, marked } of others) {
+    const must = cursor === first.cursor;
+    if (cursor !== 'runs') check(marked === must, `${page.name}: hovering "${first.label}" marks ${must ? '' : 'nothing in '}"${label}" of ${cursor}`);
+  }
+}
+
 // The data of a page are what its script reads: keys of the whole and of each run.
 function lookAtData(page, html) {
   const [, text] = /<script id="data"[^>]*>(.*?)<\/script>/s.exec(html) || [];
@@ -171,6 +203,7 @@ for (const page of pagesOf(threeRuns(program, project, folder))) {
   execFileSync(program, [...page.words, '--report', file], { stdio: 'ignore' });
   check(statSync(file).size < MOST_BYTES, `${page.name}: three runs of a thousand samples take less than ${MOST_BYTES} bytes`);
   tryAll({ name: `${page.name} of three runs` }, readFileSync(file, 'utf8'), helper);
+  await lookAtCursor(page, file);
 }
 console.log(failures ? `${failures} failures` : `${PAGES.length} pages looked at`);
 process.exit(failures ? 1 : 0);
