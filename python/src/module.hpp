@@ -1,0 +1,15 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+/// The parts of the module, in the order in which they are added: each knows the classes of those before it.
+namespace swayaw::python {
+
+void add_core(pybind11::module_& m);
+void add_linear(pybind11::module_& m);
+void add_linear_motion(pybind11::module_& m);
+void add_ships(pybind11::module_& m);
+void add_manoeuvres(pybind11::module_& m);
+void add_motion(pybind11::module_& m);
+
+}  // namespace swayaw::python
