@@ -8,6 +8,7 @@
 
 #include "effect_words.hpp"
 #include "page_writing.hpp"
+#include "rose.hpp"
 #include "sentences.hpp"
 #include "swayaw/core/angle.hpp"
 #include "trial_table.hpp"
@@ -324,7 +325,8 @@ Page diagnosis_first_screen(const Ship& ship, const Diagnosis& d, const Diagnose
             .picture = picture_of_proof(ship, d),
             .table = table_of(ship, d),
             .assumed = assumed_of(d, a),
-            .sections = {{.title = "In one sentence", .words = {d.words}}}};
+            .sections = direction_sections(d, units)};
+  page.sections.push_back({.title = "In one sentence", .words = {d.words}});
   std::erase_if(page.answers, [](const PageAnswer& answer) { return answer.answer.empty(); });
   return page;
 }

@@ -55,17 +55,34 @@ void put_axis(Script to, char name, const Axis& axis) {
 }
 
 std::string drawn(const std::string& block, const Curve& curve) {
+  if (curve.stroke.filled)
+    return fmt::format("{} using 1:2 with filledcurves closed fillcolor rgb '{}' fillstyle solid 1 noborder title {}",
+                       block, curve.stroke.colour, literal(curve.name));
   return fmt::format("{} using 1:2 with lines linecolor rgb '{}' linewidth {} dashtype {} title {}", block,
                      curve.stroke.colour, number_of(curve.stroke.width), curve.stroke.dashed ? "(12,6)" : "solid",
                      literal(curve.name));
+}
+
+/// Axes, or none, and labels.
+void put_frame(Script to, const Panel& panel) {
+  if (panel.bare_to > 0.0)
+    fmt::format_to(to,
+                   "unset xlabel\nunset ylabel\nunset xtics\nunset ytics\nunset border\nunset grid\n"
+                   "set xrange [-{0}:{0}]\nset yrange [-{0}:{0}]\n",
+                   number_of(panel.bare_to));
+  for (std::size_t i = 0; i < panel.labels.size(); ++i)
+    fmt::format_to(to, "set label {} {} at {},{} center\n", i + 1, literal(panel.labels[i].text),
+                   number_of(panel.labels[i].x), number_of(panel.labels[i].y));
 }
 
 void put_panel(Script to, std::size_t index, const Panel& panel) {
   for (std::size_t k = 0; k < panel.curves.size(); ++k) put_points(to, block_name(index, k), panel.curves[k]);
   put_axis(to, 'x', panel.x);
   put_axis(to, 'y', panel.y);
-  fmt::format_to(to, "set autoscale {}\nset size {}\nplot ", panel.x.logarithmic ? "xfix" : "x",
+  fmt::format_to(to, "set autoscale {}\nset size {}\n", panel.x.logarithmic ? "xfix" : "x",
                  panel.same_scale ? "ratio -1" : "noratio");
+  put_frame(to, panel);
+  fmt::format_to(to, "plot ");
   for (std::size_t k = 0; k < panel.curves.size(); ++k)
     fmt::format_to(to, "{}{}", k > 0 ? ", " : "", drawn(block_name(index, k), panel.curves[k]));
   fmt::format_to(to, "\n");

@@ -16,6 +16,7 @@ struct Stroke {
   const char* colour = ink::heading;  ///< "#rrggbb"
   double width = 2.0;                 ///< [px]
   bool dashed = false;
+  bool filled = false;  ///< what the line encloses, without the line
 };
 
 /// Points joined by straight lines. One that is not finite interrupts them.
@@ -32,11 +33,19 @@ struct Axis {
   double tick = 0.0;  ///< distance of the marks; 0: what suits
 };
 
+/// A text whose middle is at a point.
+struct Label {
+  std::string text;
+  double x, y;
+};
+
 /// One pair of axes with its curves.
 struct Panel {
   Axis x, y;
   std::vector<Curve> curves;
   bool same_scale = false;  ///< a unit of x is as long as a unit of y
+  std::vector<Label> labels{};
+  double bare_to = 0.0;  ///< if more than 0: no axes are drawn; both go as far to either side
 };
 
 /// Panels one below the other.

@@ -204,6 +204,9 @@ for (const page of pagesOf(threeRuns(program, project, folder))) {
   check(statSync(file).size < MOST_BYTES, `${page.name}: three runs of a thousand samples take less than ${MOST_BYTES} bytes`);
   tryAll({ name: `${page.name} of three runs` }, readFileSync(file, 'utf8'), helper);
   await lookAtCursor(page, file);
+  // the wind came from 1 rad
+  if (page.name === 'diagnose')
+    check(/<img alt="A rose, north up. Wind from 057 ± \d+ deg \(ENE\); headings sailed: all/.test(readFileSync(file, 'utf8')), 'diagnose: a rose shows where the wind came from');
 }
 console.log(failures ? `${failures} failures` : `${PAGES.length} pages looked at`);
 process.exit(failures ? 1 : 0);
