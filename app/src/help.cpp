@@ -26,13 +26,13 @@ constexpr std::array examples{
     Example{"diagnose",
             "swayaw diagnose ship.toml zz10.csv turn35.csv --holdout zz20.csv \\\n    --report page.html --save-model "
             "new.toml"},
-    Example{"estimate", "swayaw estimate --length 230 --beam 32.2 --draught 10.8 --block 0.651 --out ship.toml"},
+    Example{"estimate", "swayaw estimate --length 230 --beam 32.2 --draught 10.8 --block 0.651 \\\n    --out ship.toml"},
     Example{"forces", "swayaw forces wpcc_pi --state u=0.96,v=0.05,r=-0.03,delta=0.1"},
     Example{"identify",
-            "swayaw identify zz10.csv zz20.csv --ship kvlcc2 --model mmg \\\n    --holdout zz15.csv --out new.toml"},
+            "swayaw identify zz10.csv zz20.csv --ship kvlcc2_l7 --model mmg \\\n    --holdout zz15.csv --out new.toml"},
     Example{"import", "swayaw import log.csv --out run.csv"},
     Example{"indices", "swayaw indices tanker97 --report page.html"},
-    Example{"invert", "swayaw invert ships/tanker97_nomoto.toml --parts ships/tanker97.toml --known Y_w"},
+    Example{"invert", "swayaw invert ships/tanker97_nomoto.toml --parts ships/tanker97.toml \\\n    --known Y_w"},
     Example{"linearize", "swayaw linearize kvlcc2 --rudder 10"},
     Example{"loop", "swayaw loop tanker97 --zigzag 10/10 --report page.html"},
     Example{"replay", "swayaw replay kvlcc2_l7 run.csv --out simulated.csv"},
@@ -40,7 +40,7 @@ constexpr std::array examples{
             "swayaw simulate kvlcc2 --zigzag 20/20\n  swayaw simulate kvlcc2 --turn 35 --first port --out turn.csv\n  "
             "swayaw simulate kvlcc2 --imo --report page.html"},
     Example{"trial", "swayaw trial zz10.csv turn35.csv --length 320 --report page.html"},
-    Example{"tune", "swayaw tune ship.toml --indices measured.toml --prior 0.3 --out tuned.toml"}};
+    Example{"tune", "swayaw tune nawigator_ym --indices examples/indices/nawigator.toml \\\n    --prior 1 --bound 1 --out tuned.toml"}};
 
 std::vector<std::string> options_of(const CLI::App& command) {
   std::vector<std::string> names;
