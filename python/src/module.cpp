@@ -64,4 +64,8 @@ PYBIND11_MODULE(_swayaw, m) {
   add_ships(m);
   add_manoeuvres(m);
   add_motion(m);
+  add_checks(m);
+  add_trials(m);
+  add_fits(m);
+  add_mismatch(m);
 }

@@ -67,7 +67,10 @@ void set(void* record, py::handle value) {
   using Of = MemberOf<Member>;
   auto& place = static_cast<typename Of::Class*>(record)->*Member;
   if constexpr (std::is_same_v<typename Of::Type, std::string_view>) place = kept(value.cast<std::string>());
-  else if constexpr (std::is_same_v<typename Of::Type, std::vector<double>>)
+  else if constexpr (std::is_same_v<typename Of::Type, std::vector<std::string_view>>) {
+    place.clear();
+    for (const auto& text : value.cast<std::vector<std::string>>()) place.push_back(kept(text));
+  } else if constexpr (std::is_same_v<typename Of::Type, std::vector<double>>)
     place = numbers_in(value.cast<Array>(), "a field");
   else place = value.cast<typename Of::Type>();
 }

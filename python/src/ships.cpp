@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "effect.hpp"
 #include "module.hpp"
 #include "record.hpp"
 #include "swayaw/core/detail/spelling.hpp"
@@ -164,11 +165,6 @@ Ship with_one_more(const Ship& ship, const Effect& effect) {
   return with_effect(ship, effect);
 }
 
-/// An effect is not a class of its own in C++ but any of thirty.
-struct AnyEffect {
-  Effect value;
-};
-
 void add_effects(py::module_& m) {
   py::class_<AnyEffect>(m, "Effect", "Physics that a model leaves out, as a value; docs/effects.md tells all kinds.")
       .def(py::init([](const std::string& id, const py::kwargs& numbers) {
@@ -253,13 +249,7 @@ She is a value: `with_values` and `with_effect` give another ship. Two ships are
           "parameters", [](const Ship& ship) { return by_name(parameters_of(ship)); },
           "All parameters of her model by name, as Parameter.")
       .def_property_readonly(
-          "effects",
-          [](const Ship& ship) {
-            std::vector<AnyEffect> effects;
-            for (const auto& effect : ship.effects) effects.push_back({effect});
-            return effects;
-          },
-          "What her model leaves out, as Effect.")
+          "effects", [](const Ship& ship) { return ship.effects; }, "What her model leaves out, as Effect.")
       .def("with_values", &with_named_values, py::arg("values"),
            "The ship with other values of parameters, by name, in the units of the ship file: "
            "ship.with_values({\"N_v\": -0.14}). Raises Refusal for a name she does not have, ValueError out of range.")

@@ -9,7 +9,7 @@ from ._swayaw import *  # noqa: F401,F403
 from ._swayaw import __version__
 from .files import load_ship, parse_csv, read_csv
 from .state_space import StateSpace
-from .tables import Channel, channels
+from .tables import Channel, channels, frame_of
 from . import figures, html, records, state_space, tables
 
 records.dress(_swayaw)
@@ -20,5 +20,5 @@ html.dress(_swayaw)
 
 __all__ = sorted(
     [name for name in vars(_swayaw) if not name.startswith("_")]
-    + ["Channel", "StateSpace", "channels", "figures", "load_ship", "parse_csv", "read_csv", "__version__"]
+    + ["Channel", "StateSpace", "channels", "figures", "frame_of", "load_ship", "parse_csv", "read_csv", "__version__"]
 )

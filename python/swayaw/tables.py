@@ -130,6 +130,12 @@ def from_dataframe(
     return run
 
 
+def frame_of(records):
+    """Values of one type, such as `diagnosis.candidates` or `zigzag.reversals`, as a pandas.DataFrame: a row for each, a
+    column for each field."""
+    return _pandas().DataFrame([record._asdict() for record in records])
+
+
 def criteria_table(self):
     """The criteria as a pandas.DataFrame: criterion, first to, value, limit, unit, passed."""
     rows = [(c.name, c.side, c.value, c.limit, c.unit, c.passed) for c in self.criteria]
