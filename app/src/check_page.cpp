@@ -301,7 +301,7 @@ std::optional<PagePicture> picture_of_worst(const std::vector<Finding>& findings
       if (same(e, worst->error) && e.standard_error > 0.0)
         curves.push_back(interval(e, one, static_cast<double>(i + 1), e.told ? ink::yaw : ink::drift));
   return picture_of(plot, fmt::format("{} in {}, with 95 % intervals.", title, counted(checks.size(), "run")),
-                    "95 % intervals; orange where the run alone tells the error.");
+                    "95 % intervals; orange where the run alone tells the error.", {si, 0.0});
 }
 
 std::vector<std::string> assumed_of(const std::vector<RunCheck>& checks) {

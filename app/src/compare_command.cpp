@@ -160,7 +160,7 @@ PagePicture picture_of_worst(const Ship& ship, const Comparison& c, const UserUn
       fmt::format("Recorded and simulated heading over time and track of {}. Simulated from start to end "
                   "the {} errs by {}.",
                   c.recorded.name, words_of(e.quantity), units_of(e.quantity, e.open_loop_rms, units)),
-      "Simulated from the recorded start to the end with the recorded rudder and shaft speed, never restarted.");
+      "Simulated from the recorded start to the end with the recorded rudder and shaft speed, never restarted.", units);
 }
 
 PageTable errors_table(const std::vector<Comparison>& comparisons, double window) {

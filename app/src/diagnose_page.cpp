@@ -262,7 +262,7 @@ double wind_of(const Ship& ship) {
   return around.windy ? around.wind.from : missing;
 }
 
-std::optional<PagePicture> picture_of_proof(const Ship& ship, const Diagnosis& d) {
+std::optional<PagePicture> picture_of_proof(const Ship& ship, const Diagnosis& d, const UserUnits& units) {
   const auto* p = picture_that_gains_most(d);
   if (!p || !p->given) return std::nullopt;
   const Stroke recorded{.colour = ink::heading, .width = 2.6},
@@ -288,7 +288,8 @@ std::optional<PagePicture> picture_of_proof(const Ship& ship, const Diagnosis& d
       fmt::format("{} over time and track of {}: recorded, simulated by the model as given, and {}.",
                   yaw ? "Yaw rate" : "Heading", p->run, name),
       "The run that gains most, simulated from the recorded start to the end with the recorded rudder and shaft "
-      "speed; the others are in the table and further down.");
+      "speed; the others are in the table and further down.",
+      units);
 }
 
 // ---------------------------------------------------------------- what was assumed
@@ -322,7 +323,7 @@ Page diagnosis_first_screen(const Ship& ship, const Diagnosis& d, const Diagnose
                         {"Whose fault is it?", whose_fault(d)},
                         {"How sure is it?", how_sure(d, d.holdout.size(), units)},
                         {"What should I sail next?", what_next(d)}},
-            .picture = picture_of_proof(ship, d),
+            .picture = picture_of_proof(ship, d, units),
             .table = table_of(ship, d),
             .assumed = assumed_of(d, a),
             .sections = direction_sections(d, units)};

@@ -26,7 +26,8 @@ constexpr std::array examples{
     Example{"diagnose",
             "swayaw diagnose ship.toml zz10.csv turn35.csv --holdout zz20.csv \\\n    --report page.html --save-model "
             "new.toml"},
-    Example{"estimate", "swayaw estimate --length 230 --beam 32.2 --draught 10.8 --block 0.651 \\\n    --out ship.toml"},
+    Example{"estimate",
+            "swayaw estimate --length 230 --beam 32.2 --draught 10.8 --block 0.651 \\\n    --out ship.toml"},
     Example{"forces", "swayaw forces wpcc_pi --state u=0.96,v=0.05,r=-0.03,delta=0.1"},
     Example{"identify",
             "swayaw identify zz10.csv zz20.csv --ship kvlcc2_l7 --model mmg \\\n    --holdout zz15.csv --out new.toml"},
@@ -40,7 +41,9 @@ constexpr std::array examples{
             "swayaw simulate kvlcc2 --zigzag 20/20\n  swayaw simulate kvlcc2 --turn 35 --first port --out turn.csv\n  "
             "swayaw simulate kvlcc2 --imo --report page.html"},
     Example{"trial", "swayaw trial zz10.csv turn35.csv --length 320 --report page.html"},
-    Example{"tune", "swayaw tune nawigator_ym --indices examples/indices/nawigator.toml \\\n    --prior 1 --bound 1 --out tuned.toml"}};
+    Example{"tune",
+            "swayaw tune nawigator_ym --indices examples/indices/nawigator.toml \\\n    --prior 1 --bound 1 --out "
+            "tuned.toml"}};
 
 std::vector<std::string> options_of(const CLI::App& command) {
   std::vector<std::string> names;

@@ -74,7 +74,8 @@ Curve simulated_heading(const LinearAnswer& a, const SwayYawCoefficients<double>
   return curve;
 }
 
-PagePicture picture_of_run(const LinearAnswer& a, const Recording& run, const LinearState<Estimate>& start) {
+PagePicture picture_of_run(const LinearAnswer& a, const Recording& run, const LinearState<Estimate>& start,
+                           const UserUnits& units) {
   const auto& m = a.fit.coefficients;
   const SwayYawCoefficients<double> found{m.a1.value, m.b1.value, m.c1.value, m.a2.value, m.b2.value, m.c2.value};
   Panel heading{.x = {.quantity = "Time", .unit = "s"},
@@ -87,7 +88,7 @@ PagePicture picture_of_run(const LinearAnswer& a, const Recording& run, const Li
       simulated_heading(a, found, run, start, "found", {.colour = ink::yaw, .width = 2.0, .dashed = true}));
   return picture_of({.title = run.name, .panels = {std::move(heading)}},
                     fmt::format("Heading of {} over time: recorded, and of the linear ship.", run.name),
-                    "Linear ship with the recorded rudder and speed from start to end, never restarted.");
+                    "Linear ship with the recorded rudder and speed from start to end, never restarted.", units);
 }
 
 /// The run in which the rudder is put over most.
@@ -177,7 +178,7 @@ Page linear_page(const LinearAnswer& a, const std::vector<Recording>& runs, cons
                    fmt::format("Sway and yaw together in {}, so that each measurement is predicted best from those "
                                "before it ({}).",
                                counted(runs.size(), "run"), in_words(a.fit.status))}};
-  page.picture = picture_of_run(a, runs[shown], a.fit.starts[shown]);
+  page.picture = picture_of_run(a, runs[shown], a.fit.starts[shown], units);
   page.table = table_of(a);
   page.assumed = assumed_of(a, arguments);
   page.footnotes = {made_by()};

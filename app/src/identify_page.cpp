@@ -222,7 +222,8 @@ PagePicture picture_of_worst(const Question& q, const Answer& answer, const Pred
       fmt::format("Heading of {} over time: recorded, with the ship before and with the ship found.", run.name),
       fmt::format("The {} that is predicted worst. Simulated from start to end with the recorded rudder and never "
                   "restarted, the heading was off {} before and is off {} now.",
-                  held_out ? "held-out run" : "run", off_by(replays.before, units), off_by(replays.found, units)));
+                  held_out ? "held-out run" : "run", off_by(replays.before, units), off_by(replays.found, units)),
+      units);
 }
 
 // ---------------------------------------------------------------- assumed

@@ -224,7 +224,7 @@ std::optional<PagePicture> picture_of_answer(const SteeringSides& s, const Scale
   const auto order = fmt::format("{:g} deg of rudder", degrees(step_angle));
   return picture_of({.title = "Yaw rate by " + order, .panels = {std::move(panel)}},
                     fmt::format("Yaw rate over time after {} have been put at once.", order),
-                    fmt::format("Linear answer to {} put at once and held.", order));
+                    fmt::format("Linear answer to {} put at once and held.", order), scale.units);
 }
 
 // ---------------------------------------------------------------- page

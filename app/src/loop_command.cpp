@@ -375,7 +375,7 @@ Page first_screen(const LinearShip& ship, const Finding& f, const LoopArguments&
   tell_drift(page, f.loop.beta_max, units);
   page.picture =
       picture_of(loop_plot(ship, f), "Yaw rate over drift angle in the zigzag, with the first-order line.",
-                 fmt::format("From straight ahead into the {}. Dashed: a ship of first order.", cycle_words(f)));
+                 fmt::format("From straight ahead into the {}. Dashed: a ship of first order.", cycle_words(f)), units);
   page.picture->numbers.reset();  // its curves go back and forth
   page.table = measures_table(ship, f, units);
   page.assumed = {fmt::format("The ship is as {} says, given by {}.", a.ship.string(), form_words(ship)),

@@ -119,6 +119,23 @@ double mark_distance(const std::vector<Curve>& tracks) {
   return ten * (ratio < 1.5 ? 1.0 : ratio < 3.5 ? 2.0 : ratio < 7.5 ? 5.0 : 10.0);
 }
 
+/// An axis in degrees, and what is drawn over it, in radians.
+void put_in_radians(Panel& panel, Axis Panel::*axis, std::vector<double> Curve::*values) {
+  auto& [quantity, unit, logarithmic, tick] = panel.*axis;
+  if (unit != "deg" && unit != "deg/s") return;
+  unit = unit == "deg" ? "rad" : "rad/s";
+  tick = 0.0;  // marks of degrees are none of radians
+  for (auto& curve : panel.curves)
+    for (double& value : curve.*values) value = radians(value);
+}
+
+void put_in_radians(Plot& plot) {
+  for (auto& panel : plot.panels) {
+    put_in_radians(panel, &Panel::x, &Curve::x);
+    put_in_radians(panel, &Panel::y, &Curve::y);
+  }
+}
+
 bool is_in_degrees(Channel channel) {
   const auto dimension = dimension_of(channel);
   return dimension == Dimension::angle || dimension == Dimension::bearing || dimension == Dimension::yaw_rate;
@@ -126,7 +143,8 @@ bool is_in_degrees(Channel channel) {
 
 }  // namespace
 
-PagePicture picture_of(Plot plot, std::string words, std::string caption, int height) {
+PagePicture picture_of(Plot plot, std::string words, std::string caption, const UserUnits& units, int height) {
+  if (units.si()) put_in_radians(plot);
   PagePicture picture{.words = std::move(words), .svg = {}, .caption = std::move(caption), .numbers = numbers_of(plot)};
   // so narrow that its words can be read on a phone
   plot.width = 560, plot.height_of_panel = height, plot.height_of_rest = 60;

@@ -8,6 +8,7 @@
 #include "plot.hpp"
 #include "swayaw/app/page.hpp"
 #include "swayaw/core/recording.hpp"
+#include "user_units.hpp"
 
 /// What all commands need to write a page.
 namespace swayaw::app {
@@ -15,9 +16,10 @@ namespace swayaw::app {
 /// A plot as a picture of a page, with the numbers that it draws; without the drawing where gnuplot is not installed,
 /// which is said on stderr once.
 ///
+/// @param plot    with angles and yaw rates in degrees; units of the page may make radians of them
 /// @param words   what is to be seen, for who cannot see it
 /// @param height  of each panel [px]
-PagePicture picture_of(Plot plot, std::string words, std::string caption, int height = 240);
+PagePicture picture_of(Plot plot, std::string words, std::string caption, const UserUnits& units, int height = 240);
 
 /// Tracks seen from above, north up; every track with the outline of the ship along it.
 ///

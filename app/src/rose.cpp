@@ -153,7 +153,7 @@ std::vector<PageSection> direction_sections(const Diagnosis& diagnosis, const Us
     constexpr int height = 300;
     auto picture = picture_of(plot_of("", *d, sailed),
                               fmt::format("A rose, north up. {}; headings sailed: {}.", told, words_of(sailed, units)),
-                              "North is up. The arrow goes with it; shaded: where it is with 95 %.", height);
+                              "North is up. The arrow goes with it; shaded: where it is with 95 %.", units, height);
     picture.numbers = numbers_of(title, e, *d, sailed, units);
     sections.push_back({.title = title, .words = {told + "."}, .pictures = {std::move(picture)}});
   }

@@ -61,7 +61,7 @@ std::string zigzag_name(const ZigzagOrder& order) {
 }
 
 std::optional<PagePicture> zigzag_picture(const Zigzag& z, const ZigzagOrder& order,
-                                          const std::vector<Criterion>& criteria) {
+                                          const std::vector<Criterion>& criteria, const UserUnits& units) {
   if (z.run.samples() == 0) return std::nullopt;
   auto panel = heading_panel(z.run);
   const auto allowed = allowed_headings(z, order, criteria);
@@ -70,7 +70,7 @@ std::optional<PagePicture> zigzag_picture(const Zigzag& z, const ZigzagOrder& or
   return picture_of(
       {.title = zigzag_name(order), .panels = {std::move(panel)}},
       fmt::format("Heading and rudder over time of the {}.", zigzag_name(order)),
-      std::string(allowed.x.empty() ? "" : "Dashed: the overshoot that MSC.137(76) allows. ") + signs_words);
+      std::string(allowed.x.empty() ? "" : "Dashed: the overshoot that MSC.137(76) allows. ") + signs_words, units);
 }
 
 /// "4.84 deg, 12.8 deg"
@@ -177,7 +177,7 @@ PagePicture picture_for(const Ship& ship, int angle, Side side, ManoeuvreOptions
   }
   const ZigzagOrder order{radians(angle), radians(angle), side};
   const auto z = zigzag(ship, order, options);
-  return zigzag_picture(z, order, criteria_of(z, order, s.L)).value();
+  return zigzag_picture(z, order, criteria_of(z, order, s.L), s.units).value();
 }
 
 /// The other manoeuvres, each to the side where she is nearer to the limit.
@@ -202,7 +202,7 @@ Page zigzag_page(const Zigzag& z, const ZigzagOrder& order, const Sailed& s) {
             .headline = zigzag_headline(z, criteria, s),
             .tone = z.reversals.empty() ? Tone::look : tone_of(criteria, s),
             .answers = answers_of(criteria, s),
-            .picture = zigzag_picture(z, order, criteria),
+            .picture = zigzag_picture(z, order, criteria, s.units),
             .table = table_of(criteria, other_measures(z, criteria, s.units), s)};
   if (const auto overshoots = overshoot_words(z, s.units); !overshoots.empty())
     page.answers.push_back({"How far does she overshoot?", overshoots});

@@ -148,7 +148,7 @@ PagePicture track_picture(const std::vector<DrawnTrack>& tracks, std::vector<Cur
   panel.x.tick = panel.y.tick = tick_of(panel.curves);
   constexpr int height = 380;  // px
   auto picture = picture_of({.title = "Track of midship", .panels = {std::move(panel)}}, std::move(words),
-                            std::move(caption), height);
+                            std::move(caption), s.units, height);
   if (tracks.size() > 1) picture.numbers.reset();  // they share no abscissa
   return picture;
 }

@@ -165,7 +165,7 @@ std::string left_words(const PullOut& p, const Sailed& s) {
   return fmt::format("{} after a turn to starboard and {} after one to port", from_starboard, from_port);
 }
 
-PagePicture pull_out_picture(const PullOut& p) {
+PagePicture pull_out_picture(const PullOut& p, const UserUnits& units) {
   const auto& [port, starboard] = p.sides;
   const double span = std::max(span_of(port), span_of(starboard));
   const Panel panel{.x = {.quantity = "Time from rudder amidships", .unit = "s"},
@@ -174,7 +174,7 @@ PagePicture pull_out_picture(const PullOut& p) {
                                yaw_rate_after(port, span, "from port", "#a8201a")}};
   return picture_of({.title = "Pull-out", .panels = {panel}},
                     "Yaw rate after the rudder was put amidships, from both sides.",
-                    "A course-stable ship comes to one yaw rate from both sides.");
+                    "A course-stable ship comes to one yaw rate from both sides.", units);
 }
 
 PageTable pull_out_table(const PullOut& p, const Sailed& s) {
@@ -250,7 +250,8 @@ std::optional<PagePicture> wind_picture(const Ship& ship, const WindRunOrder& or
   return picture_of({.title = "Wind of that speed from all sides", .panels = {std::move(panel)}},
                     "Helm and drift that keep the course, over the direction of the wind.",
                     fmt::format("Wind of {} from every side. {}No line: no helm keeps the course.",
-                                s.units.speed(around.wind.speed), near ? "Dashed: the largest rudder angle. " : ""));
+                                s.units.speed(around.wind.speed), near ? "Dashed: the largest rudder angle. " : ""),
+                    s.units);
 }
 
 std::string weather_words(const Ship& ship, const UserUnits& units) {
@@ -284,7 +285,7 @@ Page spiral_page(const Spiral& spiral, const SpiralOrder& order, const Sailed& s
   if (exact) curves.insert(curves.begin() + 1, steady_curve(spiral.curve, false));
   page.picture = picture_of({.title = "Spiral", .panels = {spiral_panel(std::move(curves))}},
                             "Yaw rate over rudder angle on the way out and back, and all steady turns.",
-                            "Rudder counts to port, yaw rate to starboard.");
+                            "Rudder counts to port, yaw rate to starboard.", s.units);
   page.table = ways_table(spiral, s);
   page.assumed = {"At each angle the ship turns until nothing changes but place and heading."};
   return completed(std::move(page), s);
@@ -307,8 +308,9 @@ Page reverse_spiral_page(const ReverseSpiral& spiral, const ReverseSpiralOrder& 
   const auto turns = turns_of(spiral);
   std::vector curves{steady_curve(turns, true)};
   if (!unstable.empty()) curves.push_back(steady_curve(turns, false));
-  page.picture = picture_of({.title = "Reverse spiral", .panels = {spiral_panel(std::move(curves))}},
-                            "Rudder angle that holds each yaw rate.", "Rudder counts to port, yaw rate to starboard.");
+  page.picture =
+      picture_of({.title = "Reverse spiral", .panels = {spiral_panel(std::move(curves))}},
+                 "Rudder angle that holds each yaw rate.", "Rudder counts to port, yaw rate to starboard.", s.units);
   page.table = held_table(spiral, s.units);
   page.assumed = {"The rudder is that of the exact steady turn; no helmsman is simulated."};
   return completed(std::move(page), s);
@@ -327,7 +329,7 @@ Page pull_out_page(const PullOut& p, const PullOutOrder& order, const Sailed& s)
       {"What is left of the turn?", "She " + left},
       {"How soon is it gone?", fmt::format("37 % of the change is left after {} from starboard, {} from port",
                                            time_of(starboard.fall_time, s.units), time_of(port.fall_time, s.units))}};
-  page.picture = pull_out_picture(p);
+  page.picture = pull_out_picture(p, s.units);
   page.table = pull_out_table(p, s);
   return completed(std::move(page), s);
 }

@@ -473,7 +473,8 @@ PagePicture picture_of_run(const JudgedRun& run, const TrialQuestion& q) {
                   : circle ? "Track"
                            : "Heading and rudder over time",
                   words_for(t)),
-      fmt::format("{}{}.{}", capital(words_for(t)), circle || t.spiral ? "" : ", heading off the approach", beside));
+      fmt::format("{}{}.{}", capital(words_for(t)), circle || t.spiral ? "" : ", heading off the approach", beside),
+      {q.si, 0.0});
 }
 
 // ---------------------------------------------------------------- assumed

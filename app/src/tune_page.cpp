@@ -276,7 +276,7 @@ Panel zigzag_of(const Ship& before, const MeasuredIndices& m, const MeasuredTria
 }
 
 PagePicture picture_of_trial(const Ship& before, const MeasuredIndices& m, const MeasuredTrial& trial,
-                             const Ship& after) {
+                             const Ship& after, const UserUnits& units) {
   const auto* turn = std::get_if<TurnOrder>(&trial.manoeuvre);
   const auto name = capital(name_of(trial.manoeuvre));
   auto panel = turn != nullptr ? circle_of(before, m, trial, *turn, after)
@@ -284,15 +284,17 @@ PagePicture picture_of_trial(const Ship& before, const MeasuredIndices& m, const
   return picture_of({.title = name, .panels = {std::move(panel)}},
                     fmt::format("{}: the ship before and after tuning, beside what was measured.", name),
                     turn != nullptr ? "Tracks before and after. Thin lines: advance and tactical diameter as measured."
-                                    : "Headings before and after. Thin lines: heading peaks as measured.");
+                                    : "Headings before and after. Thin lines: heading peaks as measured.",
+                    units);
 }
 
 /// One for each manoeuvre that both ships sail.
-std::vector<PagePicture> pictures_of(const Ship& before, const MeasuredIndices& m, const Ship& after) {
+std::vector<PagePicture> pictures_of(const Ship& before, const MeasuredIndices& m, const Ship& after,
+                                     const UserUnits& units) {
   std::vector<PagePicture> pictures;
   for (const auto& trial : m.trials) {
     try {
-      pictures.push_back(picture_of_trial(before, m, trial, after));
+      pictures.push_back(picture_of_trial(before, m, trial, after, units));
     } catch (const std::exception& without) {
       fmt::print(stderr, "swayaw: {}: no picture: {}\n", name_of(trial.manoeuvre), without.what());
     }
@@ -331,7 +333,7 @@ Page tune_page(const Ship& before, const MeasuredIndices& m, const Tuning& t, co
   page.answers = {{"Does she turn as measured now?", turns_words(t)},
                   {"What had to change, and is it believable?", believable_words(t)},
                   {"Which index does not fit?", misfit_words(m, t, index_units)}};
-  auto pictures = pictures_of(before, m, t.ship);
+  auto pictures = pictures_of(before, m, t.ship, units);
   if (!pictures.empty()) {
     page.picture = std::move(pictures.front());
     pictures.erase(pictures.begin());

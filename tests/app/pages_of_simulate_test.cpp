@@ -183,5 +183,14 @@ TEST_CASE("the page of a loop tells its shape and what T3w does to the overshoot
   CHECK(stands_for(number_before(between(page, "What does T3w do?", "</dd>"), " deg"), change));
 }
 
+TEST_CASE("pictures have the units of their page", "[app]") {
+  const auto command = "simulate " + ship_file("kvlcc2.toml") + " --spiral";
+  const auto numbers = [&](const char* units) {
+    return between(told(command, units).page, "The numbers of this picture", "</thead>");
+  };
+  CHECK_THAT(numbers("ship"), ContainsSubstring("port, deg<") && ContainsSubstring("deg/s<"));
+  CHECK_THAT(numbers("si"), ContainsSubstring("port, rad<") && ContainsSubstring("rad/s<"));
+}
+
 }  // namespace
 }  // namespace swayaw
