@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "effect_words.hpp"
 #include "page_writing.hpp"
@@ -22,11 +24,13 @@ constexpr double sector = 2.0 * pi / sectors;
 /// Whether a heading within each sector was sailed.
 using Headings = std::array<bool, sectors>;
 
-Headings headings_of(const Diagnosis& d) {
+/// @param runs  of these only; empty: of all
+Headings headings_of(const Diagnosis& d, std::span<const std::string> runs) {
   Headings sailed{};
   for (const auto* pictures : {&d.train_pictures, &d.holdout_pictures})
     for (const auto& p : *pictures) {
-      if (!p.recorded.has(Channel::psi)) continue;
+      const bool wanted = runs.empty() || std::ranges::count(runs, p.run) > 0;
+      if (!wanted || !p.recorded.has(Channel::psi)) continue;
       for (const double psi : p.recorded[Channel::psi])
         if (std::isfinite(psi))
           sailed[static_cast<std::size_t>(std::floor((wrapped(psi) + 2.0 * pi) / sector)) % sectors] = true;
@@ -58,13 +62,30 @@ struct Direction {
   bool from;
 };
 
-std::optional<Direction> direction_of(const FoundEffect& e) {
-  for (const auto& p : e.parameters) {
+std::optional<Direction> direction_of(std::span<const ParameterEstimate> parameters) {
+  for (const auto& p : parameters) {
     const bool from = p.key.ends_with("_from_rad"), to = p.key.ends_with("_to_rad");
     if ((from || to) && std::isfinite(p.value))
       return Direction{name_of_parameter(p.key, "rad"), p.value, p.standard_error, from};
   }
   return std::nullopt;
+}
+
+/// The runs in which an effect is the same, and its parameters there.
+struct Same {
+  std::string words;  ///< empty: all runs
+  std::span<const ParameterEstimate> parameters;
+  std::span<const std::string> runs;
+};
+
+/// All runs; or each group or run with surroundings of its own that have the effect's parameters.
+std::vector<Same> parts_of(const FoundEffect& e, const Diagnosis& d) {
+  if (e.scope == Scope::ship || e.parameters.empty()) return {{"", e.parameters, {}}};
+  std::vector<Same> parts;
+  for (const auto& there : d.surroundings)
+    if (std::ranges::count(there.parameters, e.parameters.front().key, &ParameterEstimate::key) > 0)
+      parts.push_back({", " + there.scope, there.parameters, there.runs});
+  return parts;
 }
 
 /// Half of the interval that holds the direction with 95 %; half a turn where nothing is told.
@@ -126,12 +147,12 @@ Plot plot_of(const std::string& title, const Direction& d, const Headings& saile
   return {.title = title, .panels = {std::move(panel)}};
 }
 
-PageTable numbers_of(const std::string& title, const FoundEffect& e, const Direction& d, const Headings& sailed,
-                     const UserUnits& units) {
+PageTable numbers_of(const std::string& title, const Effect& effect, const Same& part, const Direction& d,
+                     const Headings& sailed, const UserUnits& units) {
   PageTable table{.caption = title, .columns = {"", "Value"}, .rows = {}};
-  for (const auto& p : e.parameters)
+  for (const auto& p : part.parameters)
     if (std::isfinite(p.value))
-      table.rows.push_back({name_of_parameter(p.key, unit_of(e.effect, p.key)), in_users_units(e.effect, p, units)});
+      table.rows.push_back({name_of_parameter(p.key, unit_of(effect, p.key)), in_users_units(effect, p, units)});
   const double half = half_interval(d);
   table.rows.push_back(
       {d.name + ", 95 %",
@@ -140,23 +161,28 @@ PageTable numbers_of(const std::string& title, const FoundEffect& e, const Direc
   return table;
 }
 
+std::optional<PageSection> section_of(const FoundEffect& e, const Same& part, const Diagnosis& diagnosis,
+                                      const UserUnits& units) {
+  const auto d = direction_of(part.parameters);
+  if (!d) return std::nullopt;
+  const auto sailed = headings_of(diagnosis, part.runs);
+  const auto title = fmt::format("Direction of the {}{}", label_of(e), part.words);
+  const auto told = fmt::format("{} {}", capital(d->name), units.direction(d->value, d->standard_error));
+  constexpr int height = 300;  // px
+  auto picture = picture_of(plot_of("", *d, sailed),
+                            fmt::format("A rose, north up. {}; headings sailed: {}.", told, words_of(sailed, units)),
+                            "North is up. The arrow goes with it; shaded: where it is with 95 %.", units, height);
+  picture.numbers = numbers_of(title, e.effect, part, *d, sailed, units);
+  return PageSection{.title = title, .words = {told + "."}, .pictures = {std::move(picture)}};
+}
+
 }  // namespace
 
 std::vector<PageSection> direction_sections(const Diagnosis& diagnosis, const UserUnits& units) {
   std::vector<PageSection> sections;
-  const auto sailed = headings_of(diagnosis);
-  for (const auto& e : diagnosis.effects) {
-    const auto d = direction_of(e);
-    if (!d) continue;
-    const auto title = fmt::format("Direction of the {}", label_of(e));
-    const auto told = fmt::format("{} {}", capital(d->name), units.direction(d->value, d->standard_error));
-    constexpr int height = 300;
-    auto picture = picture_of(plot_of("", *d, sailed),
-                              fmt::format("A rose, north up. {}; headings sailed: {}.", told, words_of(sailed, units)),
-                              "North is up. The arrow goes with it; shaded: where it is with 95 %.", units, height);
-    picture.numbers = numbers_of(title, e, *d, sailed, units);
-    sections.push_back({.title = title, .words = {told + "."}, .pictures = {std::move(picture)}});
-  }
+  for (const auto& e : diagnosis.effects)
+    for (const auto& part : parts_of(e, diagnosis))
+      if (auto section = section_of(e, part, diagnosis, units)) sections.push_back(std::move(*section));
   return sections;
 }
 

@@ -8,8 +8,8 @@
 
 namespace swayaw::app {
 
-/// A section for each effect found that has a direction over the earth: a rose with the direction, where it is with 95
-/// %, and the headings that were sailed.
+/// A section for each effect found that has a direction over the earth: a rose with the direction, where it is with
+/// 95 %, and the headings that were sailed. Where it differs from run to run, one for each.
 std::vector<PageSection> direction_sections(const Diagnosis& diagnosis, const UserUnits& units);
 
 }  // namespace swayaw::app

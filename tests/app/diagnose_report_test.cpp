@@ -96,5 +96,27 @@ TEST_CASE("a report to a folder that does not exist is refused before the work b
              ContainsSubstring(file));
 }
 
+TEST_CASE("a wind that differs from day to day has a rose for each", "[app]") {
+  const Scratch scratch;
+  std::string runs;
+  for (const auto& [day, speed, from] : {std::tuple{"a", 4.0, 0.3}, std::tuple{"b", 5.0, 3.5}})
+    for (const Side side : {Side::starboard, Side::port}) {
+      const Ship ship = with_effect(test::kvlcc2_l7(), SteadyWind<double>{speed, from});
+      auto run = turning_circle(ship, {.rudder = radians(25), .side = side}, {.duration = 120.0, .step = 0.3}).run;
+      run.facts.remarks.push_back({"group", "\"" + std::string(day) + "\""});
+      const auto file = scratch / (std::string(day) + std::string(name_of(side)) + ".csv");
+      write_recording(run, file);
+      runs += " " + file.string();
+    }
+  const auto file = (scratch / "page.html").string();
+  const auto outcome = run(scratch, "diagnose " + ship_path + runs + " --report " + file);
+  INFO(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const auto page = read_text(file);
+  const auto has = [&](const char* words) { return page.find(words) != std::string::npos; };
+  CHECK(has("Direction of the steady wind, a</h2>\n<p>Wind from 017"));
+  CHECK(has("Direction of the steady wind, b</h2>\n<p>Wind from 201"));
+}
+
 }  // namespace
 }  // namespace swayaw
