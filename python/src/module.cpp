@@ -63,9 +63,12 @@ PYBIND11_MODULE(_swayaw, m) {
   add_linear_motion(m);
   add_ships(m);
   add_manoeuvres(m);
+  add_criteria(m);
   add_motion(m);
   add_checks(m);
   add_trials(m);
   add_fits(m);
-  add_mismatch(m);
+  add_trajectories(m);
+  add_comparison(m);
+  add_diagnosis(m);
 }

@@ -10,10 +10,13 @@ void add_linear(pybind11::module_& m);
 void add_linear_motion(pybind11::module_& m);
 void add_ships(pybind11::module_& m);
 void add_manoeuvres(pybind11::module_& m);
+void add_criteria(pybind11::module_& m);
 void add_motion(pybind11::module_& m);
 void add_checks(pybind11::module_& m);
 void add_trials(pybind11::module_& m);
 void add_fits(pybind11::module_& m);
-void add_mismatch(pybind11::module_& m);
+void add_trajectories(pybind11::module_& m);
+void add_comparison(pybind11::module_& m);
+void add_diagnosis(pybind11::module_& m);
 
 }  // namespace swayaw::python

@@ -31,6 +31,47 @@ void set_field(const Field& field, void* record, py::handle value) {
   }
 }
 
+/// Values of all fields, in their order.
+py::tuple values_of_fields(py::handle record) {
+  py::list values;
+  for (const auto& field : fields_of(py::type::handle_of(record))) values.append(field.get(record));
+  return py::tuple(values);
+}
+
+/// Sets all fields from such values.
+void set_fields(py::handle type, void* record, const py::tuple& values) {
+  const auto& fields = fields_of(type);
+  if (values.size() != fields.size())
+    throw std::domain_error("this was pickled by another version of swayaw, with other fields");
+  for (std::size_t i = 0; i < fields.size(); ++i) set_field(fields[i], record, values[i]);
+}
+
+/// Sets fields by position and name.
+/// @throws py::type_error  for one too many, unknown, twice or missing
+void set_fields(py::handle type, void* record, const py::args& args, const py::kwargs& kwargs) {
+  const auto& fields = fields_of(type);
+  const auto name = name_of_class(type).cast<std::string>();
+  if (args.size() > fields.size())
+    throw py::type_error(fmt::format("{} has {} fields, got {}", name, fields.size(), args.size()));
+  for (std::size_t i = 0; i < args.size(); ++i) set_field(fields[i], record, args[i]);
+  for (const auto& [key, value] : kwargs) {
+    const auto* field = named_field(fields, key.cast<std::string>());
+    if (field == nullptr || field < fields.data() + args.size())
+      throw py::type_error(fmt::format("{} {} {}", name, field == nullptr ? "has no field" : "was given twice",
+                                       key.cast<std::string>()));
+    set_field(*field, record, value);
+  }
+  for (std::size_t i = args.size(); i < fields.size(); ++i)
+    if (fields[i].required && !kwargs.contains(fields[i].name))
+      throw py::type_error(fmt::format("{} needs {}", name, fields[i].name));
+}
+
+/// A method of a class.
+template <class F, class... Extra>
+void add_method(py::handle type, const char* name, F&& f, const Extra&... extra) {
+  py::setattr(type, name, py::cpp_function(std::forward<F>(f), py::name(name), py::is_method(type), extra...));
+}
+
 }  // namespace
 
 std::string_view kept(std::string text) {
@@ -81,35 +122,24 @@ void add_field(py::handle type, Field field, const char* doc) {
   fields_of(type).push_back(std::move(field));
 }
 
-py::tuple values_of_fields(py::handle record) {
-  py::list values;
-  for (const auto& field : fields_of(py::type::handle_of(record))) values.append(field.get(record));
-  return py::tuple(values);
-}
-
-void set_fields(py::handle type, void* record, const py::tuple& values) {
-  const auto& fields = fields_of(type);
-  if (values.size() != fields.size())
-    throw std::domain_error("this was pickled by another version of swayaw, with other fields");
-  for (std::size_t i = 0; i < fields.size(); ++i) set_field(fields[i], record, values[i]);
-}
-
-void set_fields(py::handle type, void* record, const py::args& args, const py::kwargs& kwargs) {
-  const auto& fields = fields_of(type);
-  const auto name = name_of_class(type).cast<std::string>();
-  if (args.size() > fields.size())
-    throw py::type_error(fmt::format("{} has {} fields, got {}", name, fields.size(), args.size()));
-  for (std::size_t i = 0; i < args.size(); ++i) set_field(fields[i], record, args[i]);
-  for (const auto& [key, value] : kwargs) {
-    const auto* field = named_field(fields, key.cast<std::string>());
-    if (field == nullptr || field < fields.data() + args.size())
-      throw py::type_error(fmt::format("{} {} {}", name, field == nullptr ? "has no field" : "was given twice",
-                                       key.cast<std::string>()));
-    set_field(*field, record, value);
-  }
-  for (std::size_t i = args.size(); i < fields.size(); ++i)
-    if (fields[i].required && !kwargs.contains(fields[i].name))
-      throw py::type_error(fmt::format("{} needs {}", name, fields[i].name));
+void add_makers(py::handle type, void* (*blank)(), Made made) {
+  using Place = py::detail::value_and_holder;
+  add_method(type, "__getstate__", &values_of_fields);
+  add_method(
+      type, "__setstate__",
+      [type, blank](Place& place, const py::tuple& values) {
+        place.value_ptr() = blank();  // its holder, made after this, frees it
+        set_fields(type, place.value_ptr(), values);
+      },
+      py::detail::is_new_style_constructor());
+  if (made == Made::by_anyone)
+    add_method(
+        type, "__init__",
+        [type, blank](Place& place, const py::args& args, const py::kwargs& kwargs) {
+          place.value_ptr() = blank();
+          set_fields(type, place.value_ptr(), args, kwargs);
+        },
+        py::detail::is_new_style_constructor());
 }
 
 }  // namespace swayaw::python

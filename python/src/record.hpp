@@ -22,15 +22,13 @@ struct Field {
 /// Adds the property and notes the field in `_fields` and `__annotations__` of the class.
 void add_field(py::handle type, Field field, const char* doc);
 
-/// Values of all fields, in their order.
-py::tuple values_of_fields(py::handle record);
+enum class Made { by_library, by_anyone };
 
-/// Sets all fields from such values.
-void set_fields(py::handle type, void* record, const py::tuple& values);
-
-/// Sets fields by position and name, as a constructor does.
-/// @throws py::type_error  for one too many, unknown, twice or missing
-void set_fields(py::handle type, void* record, const py::args& args, const py::kwargs& kwargs);
+/// Pickling, and for records that anyone makes a constructor by position and name. The same code for all types: a
+/// template would take the compiler half a second for each.
+///
+/// @param blank  makes a record of default values
+void add_makers(py::handle type, void* (*blank)(), Made made);
 
 /// The annotation that pybind11 would write: % stands for a class that is registered.
 std::string annotation(const char* text, const std::type_info* const* types);
@@ -77,8 +75,6 @@ void set(void* record, py::handle value) {
 
 }  // namespace detail
 
-enum class Made { by_library, by_anyone };
-
 /// A value type as a class.
 template <class T>
 class Record {
@@ -86,18 +82,8 @@ class Record {
   Record(py::module_& m, const char* name, const char* doc, Made made = Made::by_library) : class_(m, name, doc) {
     class_.attr("_fields") = py::tuple();
     class_.attr("__annotations__") = py::dict();
-    if (made == Made::by_anyone)
-      class_.def(py::init([](const py::args& args, const py::kwargs& kwargs) {
-        T value{};
-        set_fields(py::type::of<T>(), &value, args, kwargs);
-        return value;
-      }));
-    class_.def(py::pickle([](py::handle record) { return values_of_fields(record); },
-                          [](const py::tuple& values) {
-                            T value{};
-                            set_fields(py::type::of<T>(), &value, values);
-                            return value;
-                          }));
+    add_makers(
+        class_, [] { return static_cast<void*>(new T{}); }, made);
   }
 
   /// A field that a constructor must be given.

@@ -165,9 +165,9 @@ Ship with_one_more(const Ship& ship, const Effect& effect) {
   return with_effect(ship, effect);
 }
 
-void add_effects(py::module_& m) {
-  py::class_<AnyEffect>(m, "Effect", "Physics that a model leaves out, as a value; docs/effects.md tells all kinds.")
-      .def(py::init([](const std::string& id, const py::kwargs& numbers) {
+/// @param type  the class, which ships know already
+void add_effects(py::module_& m, py::class_<AnyEffect>& type) {
+  type.def(py::init([](const std::string& id, const py::kwargs& numbers) {
              return AnyEffect{effect_from_keywords(id, numbers)};
            }),
            py::arg("id"),
@@ -352,8 +352,10 @@ void add_estimate(py::module_& m) {
 
 void add_ships(py::module_& m) {
   add_parameters(m);
-  add_effects(m);
+  py::class_<AnyEffect> effect(m, "Effect",
+                               "Physics that a model leaves out, as a value; docs/effects.md tells all kinds.");
   add_ship(m);
+  add_effects(m, effect);
   add_estimate(m);
 }
 

@@ -2,89 +2,14 @@
 #include "module.hpp"
 #include "progress.hpp"
 #include "record.hpp"
-#include "swayaw/mismatch/compare.hpp"
 #include "swayaw/mismatch/diagnose.hpp"
 
 namespace swayaw::python {
 
 template <>
 struct Words<DiagnosisVerdict> : NamedWords<DiagnosisVerdict, 3, name_of> {};
-template <>
-struct Words<Quantity> : NamedWords<Quantity, all_quantities.size(), name_of> {};
-template <>
-struct Words<Variable> : NamedWords<Variable, 3, name_of> {};
 
 namespace {
-
-// ---------------------------------------------------------------- compare
-
-void add_compare(py::module_& m) {
-  Record<WorstInterval>(m, "WorstInterval", "Part of a run that holds most of the error above the run's mean.")
-      .field<&WorstInterval::from>("begin", "[s]")
-      .field<&WorstInterval::to>("end", "[s]")
-      .field<&WorstInterval::share>("share", "Of all squared errors.")
-      .field<&WorstInterval::rms>("rms", "SI.");
-  Record<RegionError>(m, "RegionError", "Errors while one variable lay between two bounds.")
-      .field<&RegionError::variable>("variable", "drift, yaw rate or rudder.")
-      .field<&RegionError::from>("low", "[rad], yaw rate rL/U; None for an open bound.")
-      .field<&RegionError::to>("high", "Likewise.")
-      .field<&RegionError::samples>("samples", "In it.")
-      .field<&RegionError::rms>("rms", "SI.")
-      .field<&RegionError::bias>("bias", "Mean, simulated minus recorded.")
-      .field<&RegionError::share>("share", "Of all squared errors.")
-      .of()
-      .def_property_readonly("words", &words_for, "\"rudder 15 to 25 deg to port\"");
-  Record<QuantityError>(m, "QuantityError", "Simulated minus recorded, in the SI unit of the quantity.")
-      .field<&QuantityError::quantity>("quantity", "heading, yaw_rate, speed, drift or position.")
-      .field<&QuantityError::variation>("variation", "Root-mean-square variation of the recorded quantity.")
-      .field<&QuantityError::noise>("noise", "Scatter of the samples about local parabolas.")
-      .field<&QuantityError::window_rms>("window_rms", "Restarted every window.")
-      .field<&QuantityError::bias>("bias", "Mean error, restarted every window.")
-      .field<&QuantityError::open_loop_rms>("open_loop_rms", "Never restarted.")
-      .field<&QuantityError::worst>("worst", "Where most of it is.")
-      .field<&QuantityError::regions>("regions", "By drift, yaw rate and rudder.")
-      .field<&QuantityError::region>("region", "The worst of them.")
-      .of()
-      .def_property_readonly("beyond_noise", &QuantityError::beyond_noise, "sqrt(max(0, window_rms² - noise²)).")
-      .def_property_readonly("normalised", &QuantityError::normalised, "window_rms over variation.")
-      .def_property_readonly("open_loop_normalised", &QuantityError::open_loop_normalised);
-  Record<Conditions>(m, "Conditions", "Motion and rudder of every sample.")
-      .field<&Conditions::drift>("drift", "beta [rad].")
-      .field<&Conditions::yaw_rate>("yaw_rate", "rL/U.")
-      .field<&Conditions::rudder>("rudder", "Positive to port [rad].");
-  Record<Comparison>(m, "Comparison", "One run beside its simulations, which share its times.")
-      .field<&Comparison::recorded>("recorded", "The run.")
-      .field<&Comparison::open_loop>("open_loop", "Simulated from its start to its end.")
-      .field<&Comparison::restarted>("restarted", "Simulated window after window.")
-      .field<&Comparison::window_starts>("window_starts", "First sample of each window.")
-      .field<&Comparison::conditions>("conditions", "Motion and rudder.")
-      .field<&Comparison::errors>("errors", "Of every quantity that the run tells.")
-      .of()
-      .def("__getitem__", [](py::handle self, const Quantity quantity) -> py::object {
-        for (auto& e : self.cast<Comparison&>().errors)
-          if (e.quantity == quantity) return py::cast(&e, py::return_value_policy::reference_internal, self);
-        throw py::key_error(fmt::format("the run does not tell {}", name_of(quantity)));
-      });
-  m.def(
-      "compare",
-      [](const Ship& ship, const Recording& run, double window_lengths) {
-        return compare(ship, run, {.window_lengths = window_lengths, .replay = {}});
-      },
-      py::arg("ship"), py::arg("run"), py::kw_only(), py::arg("window_lengths") = CompareOptions{}.window_lengths,
-      Unlocked(),
-      "Where a simulation and a recording differ: the recorded rudder and shaft speed drive the ship from the recorded "
-      "state, anew every two ship lengths of way, and once more from the start of the run to its end. Raises Refusal "
-      "if "
-      "the run does not tell rudder or speed.");
-  m.def(
-      "compare_verdict", [](const std::vector<Comparison>& comparisons) { return verdict(comparisons); },
-      py::arg("comparisons"), "One sentence: in which quantity, run, interval and region the ship is farthest off.");
-  m.def(
-      "pooled_errors", [](const std::vector<Comparison>& comparisons) { return pooled(comparisons); },
-      py::arg("comparisons"), "Errors of each quantity in all runs together.");
-}
-
-// ---------------------------------------------------------------- diagnosis
 
 void add_findings(py::module_& m) {
   Record<ParameterEstimate>(m, "ParameterEstimate", "A parameter of an effect with its standard error.")
@@ -202,7 +127,7 @@ void add_pictures(py::module_& m) {
       .field<&RunPicture::after>("after", "Replay with the effects.");
 }
 
-void add_diagnosis(py::module_& m) {
+void add_result(py::module_& m) {
   Record<Diagnosis>(m, "Diagnosis", "What a model left out, and the proof.")
       .field<&Diagnosis::verdict>("verdict", "missing_physics, nothing_missing or unexplained.")
       .field<&Diagnosis::words>("words", "One sentence.")
@@ -231,6 +156,15 @@ void add_diagnosis(py::module_& m) {
       .field<&Diagnosis::train_pictures>("train_pictures", "If asked for.")
       .field<&Diagnosis::holdout_pictures>("holdout_pictures", "If asked for.")
       .field<&Diagnosis::troubles>("troubles", "Steps that failed, in words.");
+}
+
+}  // namespace
+
+void add_diagnosis(py::module_& m) {
+  add_findings(m);
+  add_budget(m);
+  add_pictures(m);
+  add_result(m);
   m.def(
       "diagnose",
       [](const Ship& ship, const std::vector<Recording>& runs, const std::vector<Recording>& reference,
@@ -249,16 +183,6 @@ void add_diagnosis(py::module_& m) {
       "is "
       "told in words what is going on; False ends the work with what is known. Ctrl-C raises KeyboardInterrupt. Other "
       "threads go on meanwhile. Raises Refusal if there is no run, or one tells neither rudder nor speed.");
-}
-
-}  // namespace
-
-void add_mismatch(py::module_& m) {
-  add_compare(m);
-  add_findings(m);
-  add_budget(m);
-  add_pictures(m);
-  add_diagnosis(m);
 }
 
 }  // namespace swayaw::python
