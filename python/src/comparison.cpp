@@ -1,6 +1,7 @@
 #include "module.hpp"
 #include "record.hpp"
 #include "swayaw/mismatch/compare.hpp"
+#include "swayaw/mismatch/run_picture.hpp"
 
 namespace swayaw::python {
 
@@ -60,10 +61,28 @@ void add_errors(py::module_& m) {
       });
 }
 
+void add_pictures(py::module_& m) {
+  Record<MissingForce>(m, "MissingForce", "What drives a ship beyond her model at a time, given the whole run.")
+      .field<&MissingForce::motion>("motion", "Through the water, as estimated along with it.")
+      .field<&MissingForce::acceleration>("acceleration", "[m/s², m/s², rad/s²]")
+      .field<&MissingForce::acceleration_deviation>("acceleration_deviation", "Standard deviation.")
+      .field<&MissingForce::force>("force", "That accelerates ship and entrained water so [N, N, N m].")
+      .field<&MissingForce::force_deviation>("force_deviation", "Standard deviation.");
+  Record<RunPicture>(m, "RunPicture", "A run as people look at it: at most 500 points.")
+      .field<&RunPicture::run>("run", "Its name.")
+      .field<&RunPicture::recorded>("recorded", "The run.")
+      .field<&RunPicture::missing_before>("missing_before", "Force that the refitted ship lacks.")
+      .field<&RunPicture::missing_after>("missing_after", "Force that the ship with the effects lacks.")
+      .field<&RunPicture::given>("given", "Replay by the ship as given.")
+      .field<&RunPicture::refitted>("refitted", "Replay by the refitted ship.")
+      .field<&RunPicture::after>("after", "Replay with the effects.");
+}
+
 }  // namespace
 
 void add_comparison(py::module_& m) {
   add_errors(m);
+  add_pictures(m);
   m.def(
       "compare",
       [](const Ship& ship, const Recording& run, double window_lengths) {

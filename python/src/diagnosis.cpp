@@ -110,23 +110,6 @@ void add_budget(py::module_& m) {
       .field<&LinearView::model>("model", "");
 }
 
-void add_pictures(py::module_& m) {
-  Record<MissingForce>(m, "MissingForce", "What drives a ship beyond her model at a time, given the whole run.")
-      .field<&MissingForce::motion>("motion", "Through the water, as estimated along with it.")
-      .field<&MissingForce::acceleration>("acceleration", "[m/s², m/s², rad/s²]")
-      .field<&MissingForce::acceleration_deviation>("acceleration_deviation", "Standard deviation.")
-      .field<&MissingForce::force>("force", "That accelerates ship and entrained water so [N, N, N m].")
-      .field<&MissingForce::force_deviation>("force_deviation", "Standard deviation.");
-  Record<RunPicture>(m, "RunPicture", "A run as people look at it: at most 500 points.")
-      .field<&RunPicture::run>("run", "Its name.")
-      .field<&RunPicture::recorded>("recorded", "The run.")
-      .field<&RunPicture::missing_before>("missing_before", "Force that the refitted ship lacks.")
-      .field<&RunPicture::missing_after>("missing_after", "Force that the ship with the effects lacks.")
-      .field<&RunPicture::given>("given", "Replay by the ship as given.")
-      .field<&RunPicture::refitted>("refitted", "Replay by the refitted ship.")
-      .field<&RunPicture::after>("after", "Replay with the effects.");
-}
-
 void add_result(py::module_& m) {
   Record<Diagnosis>(m, "Diagnosis", "What a model left out, and the proof.")
       .field<&Diagnosis::verdict>("verdict", "missing_physics, nothing_missing or unexplained.")
@@ -163,7 +146,6 @@ void add_result(py::module_& m) {
 void add_diagnosis(py::module_& m) {
   add_findings(m);
   add_budget(m);
-  add_pictures(m);
   add_result(m);
   m.def(
       "diagnose",
