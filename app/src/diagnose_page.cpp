@@ -19,20 +19,37 @@ namespace {
 
 // ---------------------------------------------------------------- words
 
-/// "steady wind: wind speed 5.1 ± 0.4 kn, wind from 105 ± 6 deg (ESE)"
-std::string effect_words(const FoundEffect& e, const UserUnits& units) {
+/// "wind speed 5.1 ± 0.4 kn, wind from 105 ± 6 deg (ESE)"
+std::string parameter_words(const Effect& effect, const std::vector<ParameterEstimate>& parameters,
+                            const UserUnits& units) {
   constexpr std::size_t most = 3;
-  std::vector<std::string> parameters;
-  for (std::size_t i = 0; i < std::min(most, e.parameters.size()); ++i) {
-    const auto& p = e.parameters[i];
-    parameters.push_back(name_of_parameter(p.key, unit_of(e.effect, p.key)) + " " + in_users_units(e.effect, p, units));
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < std::min(most, parameters.size()); ++i) {
+    const auto& p = parameters[i];
+    if (!std::isnan(p.value))
+      words.push_back(name_of_parameter(p.key, unit_of(effect, p.key)) + " " + in_users_units(effect, p, units));
   }
-  return fmt::format("{}: {}", capital(label_of(e)), fmt::join(parameters, ", "));
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// "Steady wind: wind speed 5.1 ± 0.4 kn, wind from 105 ± 6 deg (ESE)"; of one that differs, in each group or run.
+std::string effect_words(const FoundEffect& e, const Diagnosis& d, const UserUnits& units) {
+  if (e.scope == Scope::ship)
+    return fmt::format("{}: {}", capital(label_of(e)), parameter_words(e.effect, e.parameters, units));
+  constexpr std::size_t most = 3;
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < std::min(most, d.surroundings.size()); ++i) {
+    const auto& there = d.surroundings[i];
+    words.push_back(fmt::format("{}, {}", there.scope, parameter_words(e.effect, there.parameters, units)));
+  }
+  if (d.surroundings.size() > most) words.push_back(fmt::format("and {} more below", d.surroundings.size() - most));
+  return fmt::format("{} that differs from {} to {}: {}", capital(label_of(e)), name_of(e.scope), name_of(e.scope),
+                     fmt::join(words, "; "));
 }
 
 std::string listed_effects(const Diagnosis& d, const UserUnits& units) {
   std::vector<std::string> words;
-  for (const auto& e : d.effects) words.push_back(effect_words(e, units));
+  for (const auto& e : d.effects) words.push_back(effect_words(e, d, units));
   return fmt::format("{}", fmt::join(words, "; "));
 }
 
@@ -124,7 +141,7 @@ std::string what_next(const Diagnosis& d) {
   if (d.next) {
     std::vector<std::string_view> apart;
     for (const auto& id : d.next->separates) apart.push_back(label_of(id));
-    return fmt::format("{}: it separates {}.", d.next->advice, fmt::join(apart, ", "));
+    return fmt::format("{} ({}).", capital(d.next->advice), fmt::join(apart, ", "));
   }
   if (!d.effects.empty()) return "Nothing to find it: these runs tell it from all else that was tried.";
   return d.moved || !d.shifts.empty() ? "Nothing more to find this; put the numbers of the file right (--save-model)."
@@ -256,9 +273,13 @@ const RunPicture* picture_that_gains_most(const Diagnosis& d) {
   return &pictures[most];
 }
 
-/// Wind that was found or is in the ship file, for the arrow of the track.
-double wind_of(const Ship& ship) {
-  const auto around = surroundings_at(ship, 0.0);
+/// Wind in a run, that was found there or is in the ship file, for the arrow of the track.
+double wind_of(const Diagnosis& d, const std::string& run) {
+  for (const auto& there : d.surroundings)
+    if (std::ranges::count(there.runs, run) > 0)
+      for (const auto& p : there.parameters)
+        if (p.key == "wind_from_rad" && !std::isnan(p.value)) return p.value;
+  const auto around = surroundings_at(d.improved, 0.0);
   return around.windy ? around.wind.from : missing;
 }
 
@@ -281,7 +302,7 @@ std::optional<PagePicture> picture_of_proof(const Ship& ship, const Diagnosis& d
     std::vector tracks{track_of(p->recorded, "recorded", recorded), track_of(*p->given, "as given", given)};
     if (after) tracks.push_back(track_of(*after, name, found));
     for (auto& hull : hulls_along(p->recorded, length(ship), ink::heading)) tracks.push_back(std::move(hull));
-    plot.panels.push_back(track_panel(std::move(tracks), wind_of(d.improved)));
+    plot.panels.push_back(track_panel(std::move(tracks), wind_of(d, p->run)));
   }
   return picture_of(
       std::move(plot),

@@ -145,7 +145,8 @@ def found(files):
             print(f"| {label} | {verdict} | – | – | – | – |")
         for i, e in enumerate(d["effects"]):
             first = f"| {label} | {verdict} " if i == 0 else "| | "
-            print(f"{first}| `{e['effect']}` | {e['probability']:.2f} | {effect_words(e, 4)} | {', '.join(e['indistinguishable_from']) or '–'} |")
+            sizes = f"differs from {e['scope']} to {e['scope']}" if "scope" in e else effect_words(e, 4)
+            print(f"{first}| `{e['effect']}` | {e['probability']:.2f} | {sizes} | {', '.join(e['indistinguishable_from']) or '–'} |")
 
 
 def pooled_wind(runs):
@@ -157,21 +158,21 @@ def pooled_wind(runs):
 
 
 def surroundings(files):
-    print("| runs | measured | found | speed error | direction error |\n| --- | --- | --- | ---: | ---: |")
-    for path in files:
+    print("| given | wind of | measured | found | speed error | direction error |\n| --- | --- | --- | --- | ---: | ---: |")
+    for pair in files:
+        given, path = pair.split("=", 1)
         d = load(path)
-        entries = [{"scope": "mean of the runs", "runs": [r["run"] for r in d["fit"]["train"]], **e["parameters"]} for e in d["effects"] if e["effect"] == "steady_wind"]
-        for part in entries + d["surroundings"]:
+        for part in d["surroundings"]:
             speed, direction = pooled_wind(part["runs"])
             measured = f"{speed:.2f} m/s from {math.degrees(direction):.0f}°"
             label = part["scope"].replace("_", " ").removesuffix(".csv")
             V, a = part.get("wind_speed_m_s"), part.get("wind_from_rad")
             if not V or a["value"] is None:
-                print(f"| {label} | {measured} | cannot tell: {part.get('cannot_tell', '')} | – | – |")
+                print(f"| {given} | {label} | {measured} | cannot tell: {part.get('cannot_tell', '')} | – | – |")
                 continue
             off = math.degrees((a["value"] - direction + math.pi) % (2 * math.pi) - math.pi)
             found = f"{V['value']:.2f} ± {V['standard_error']:.2f} m/s from {math.degrees(a['value']):.0f} ± {math.degrees(a['standard_error']):.0f}°"
-            print(f"| {label} | {measured} | {found} | {100 * (V['value'] / speed - 1):+.0f} % | {off:+.0f}° |")
+            print(f"| {given} | {label} | {measured} | {found} | {100 * (V['value'] / speed - 1):+.0f} % | {off:+.0f}° |")
 
 
 def instruments(files):

@@ -11,20 +11,24 @@ mkdir "$work/tables"
 cd "$work"
 helper() { python3 "$here/diagnosis.py" "$@"; }
 
-# run, begin and end [s]: propeller turning ahead and u above 0.08 m/s throughout
+# run, begin and end [s]: propeller turning ahead and u above 0.08 m/s throughout; the day of a run is its group
 while read -r run begin end; do
-  helper prepare "$recordings/$run.csv" "$run.csv" --from "$begin" --to "$end" --drop wind_speed_m_s,wind_from_rad
+  day=$(grep -o '[0-9]*-[A-Z][a-z]*-[0-9]*' <<< "$run")
+  helper prepare "$recordings/$run.csv" "$run.csv" --from "$begin" --to "$end" --drop wind_speed_m_s,wind_from_rad --key "group = \"$day\""
   helper wind "$recordings/$run.csv" --from "$begin" --to "$end" > "$run.wind.json"
 done < "$here/esso_osaka_runs.txt"
 
-"$program" diagnose "$ship" turn_*.csv --report turns.html --json > turns.json
+"$program" diagnose "$ship" turn_*.csv zigzag_*.csv --report both.html --json > both.json
+"$program" diagnose "$ship" turn_*.csv --json > turns.json
 "$program" diagnose "$ship" zigzag_*.csv --json > zigzags.json
-# every other turn is held out
-"$program" diagnose "$ship" turn_14-Sep-2020_1{3_39,4_16,5_47}_*.csv turn_cut_*.csv --holdout turn_14-Sep-2020_1{3_51,4_50,5_58}_*.csv --json > held_out.json
-helper surroundings turns.json zigzags.json > tables/winds.md
-helper budget "turns=turns.json" "zigzags=zigzags.json" > tables/budget.md
-helper found "seven turns of 14 September=turns.json" "seven zigzags of 31 July=zigzags.json" "four of the turns=held_out.json" > tables/found.md
-helper candidates turns.json 8 > tables/candidates.md
+# every other run of each day is held out
+runs=(turn_*.csv zigzag_*.csv) used=() held=()
+for i in "${!runs[@]}"; do if ((i % 2)); then held+=("${runs[i]}"); else used+=("${runs[i]}"); fi; done
+"$program" diagnose "$ship" "${used[@]}" --holdout "${held[@]}" --json > held_out.json
+helper surroundings "both days=both.json" "turns=turns.json" "zigzags=zigzags.json" "every other run of both=held_out.json" > tables/winds.md
+helper budget "both days=both.json" "turns=turns.json" "zigzags=zigzags.json" > tables/budget.md
+helper found "both days=both.json" "seven turns of 14 September=turns.json" "seven zigzags of 31 July=zigzags.json" "every other run of both days=held_out.json" > tables/found.md
+helper candidates both.json 8 > tables/candidates.md
 helper errors held_out.json > tables/errors.md
-helper picture turns.html "$here/esso_osaka.svg"
+helper picture both.html "$here/esso_osaka.svg"
 "$here/../papers/put_tables.sh" "$here/esso_osaka_diagnosis.md" "$work/tables"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/detail/matrices.hpp"
@@ -151,34 +152,139 @@ std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& s) {
 
 namespace {
 
-/// Coordinate at which an effect gains that much log evidence, ½ D c² = gain.
-double coordinate_shown(double D, double gain) { return std::sqrt(2.0 * gain / std::max(D, 1e-12)); }
+/// Deviations by which a size must exceed the least that is named, for it to be named in nine of ten recordings like
+/// these.
+constexpr double in_nine_of_ten = 1.28;
+
+/// Prior deviations beyond which no effect is: runs that would show only such a size do not tell it.
+constexpr double larger_than_any = 4.0;
+
+/// A direction in the coordinates of an effect, and the parameter that tells how far it goes there.
+struct Growth {
+  Eigen::VectorXd direction;
+  std::size_t parameter;
+};
+
+Point coordinates_at(const EffectForm& form, const Growth& growth, double c) {
+  Point point = c * growth.direction;
+  for (std::size_t i = 0; i < form.coordinates.size(); ++i)
+    point[static_cast<Eigen::Index>(i)] += form.coordinates[i].centre;
+  return point;
+}
+
+/// The first place that is too large to be a trace or ordinary.
+double least_that_counts(const Trial& trial, const EffectForm& form, const Growth& growth) {
+  const auto counts = [&](double c) {
+    const Point point = coordinates_at(form, growth, c);
+    return is_finding(trial.ship, form, {point.data(), form.coordinates.size()}) &&
+           !is_as_ordinary(trial, form, point, 0);
+  };
+  constexpr double close_enough = 0.01;
+  double low = 0.0, high = larger_than_any;
+  if (!counts(high)) return HUGE_VAL;
+  while (high - low > close_enough * high) (counts(0.5 * (low + high)) ? high : low) = 0.5 * (low + high);
+  return high;
+}
+
+/// Coordinate c at which an effect is found in nine of ten recordings. With information d and prior deviation p its
+/// estimate is normal about c with variance 1/d and gains
+///
+///     ½ d² p²/(1 + d p²) ĉ² − ½ ln(1 + d p²)
+///
+/// in log evidence; this must be what detection needs, and ĉ large enough to count.
+double found_in_nine_of_ten(double d, double p, double detection, double counts) {
+  const double k = d * p * p;
+  const double gains = std::sqrt((2.0 * detection + std::log1p(k)) * (1.0 + k) / (k * d));
+  return std::max(gains, counts) + in_nine_of_ten / std::sqrt(d);
+}
+
+/// The largest process noise that the runs allow: they are half as likely as with what was found.
+Noise largest_noise(const Trial& trial, const MapFit& fit) {
+  const auto problem = problem_of(trial, Hypothesis{});
+  const auto scaled = [&](double scale) {
+    auto noise = fit.noise;
+    noise.scale = scale;
+    return noise;
+  };
+  const double least = log_likelihood(problem, fit.point, fit.noise) - std::numbers::ln2;
+  const auto is_allowed = [&](double scale) { return log_likelihood(problem, fit.point, scaled(scale)) >= least; };
+  constexpr double finer_than_any = 1e-3, ratio = 1.25;
+  double scale = std::max(fit.noise.scale, finer_than_any);
+  while (scale < ordinary_scale && is_allowed(ratio * scale)) scale *= ratio;
+  return scaled(scale);
+}
+
+bool has_direction(std::span<const Parameter> parameters) {
+  return std::ranges::any_of(parameters, &Parameter::direction);
+}
+
+/// Whether it has one size that grows from nothing, unlike a depth, an angle of stall or a lag.
+bool grows(const EffectForm& form, std::span<const Parameter> parameters) {
+  if (has_direction(parameters)) return !begins_and_ends(make_effect(form.id));
+  return form.with_terms ||
+         (form.coordinates.size() == 1 && std::isfinite(std::ranges::find_if(parameters, &Parameter::decides)->null));
+}
+
+/// How an effect grows: what blows or flows from where it shows least, terms of a group one by one.
+std::vector<Growth> growths_of(const EffectForm& form, std::span<const Parameter> parameters,
+                               const Eigen::MatrixXd& D) {
+  const auto number =
+      static_cast<std::size_t>(std::ranges::find_if(parameters, &Parameter::decides) - parameters.begin());
+  std::vector<Growth> growths;
+  const auto along = [&](Eigen::Index axis, std::size_t parameter) {
+    growths.push_back({Eigen::VectorXd::Unit(D.rows(), axis), parameter});
+  };
+  if (has_direction(parameters)) {
+    const auto axes = core::detail::principal_axes(D.topLeftCorner<2, 2>());
+    Eigen::Index least;
+    axes.size.minCoeff(&least);
+    growths.push_back({Eigen::VectorXd::Zero(D.rows()), number});
+    growths.back().direction.head<2>() = axes.axis.col(least);
+  } else if (form.with_terms) {
+    for (std::size_t i = 0; i < form.coordinates.size(); ++i) along(static_cast<Eigen::Index>(i), i);
+  } else {
+    along(0, number);
+  }
+  return growths;
+}
+
+/// @return nothing where it is larger than any, or than it can be
+std::optional<DetectableSize> size_along(const Trial& trial, const EffectForm& form, const Growth& growth,
+                                         const Eigen::MatrixXd& D, double detection) {
+  Eigen::Index axis;
+  growth.direction.cwiseAbs().maxCoeff(&axis);
+  const double d = growth.direction.dot(D * growth.direction);
+  const double c = found_in_nine_of_ten(d, form.coordinates[static_cast<std::size_t>(axis)].deviation, detection,
+                                        least_that_counts(trial, form, growth));
+  if (!(c <= larger_than_any)) return std::nullopt;
+  const Point point = coordinates_at(form, growth, c);
+  const auto p = parameters_of(trial.ship, form.at({point.data(), form.coordinates.size()})).at(growth.parameter);
+  if (p.value < p.range.low || p.value > p.range.high) return std::nullopt;
+  return DetectableSize{form.id, std::string(p.key), std::abs(p.value - p.null)};
+}
 
 }  // namespace
 
 std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s, std::span<const EffectForm> forms,
                                              double detection) {
+  auto null = s.null;
+  null.noise = largest_noise(trial, s.null);
+  const auto baseline = linearized(trial, {}, null);
+  // terms of a group stand in the place of her own coefficients, which may be further off than was said
+  const auto less_sure = with_inflated_prior(trial, inflation_step);
+  const auto less_sure_baseline = linearized(less_sure, {}, null);
   std::vector<DetectableSize> sizes;
-  const auto add = [&](const EffectForm& form, const Parameter& n, double D) {
-    sizes.push_back({form.id, std::string(n.key), coordinate_shown(D, detection) * n.deviation});
-  };
   for (const auto& form : forms) {
     if (std::ranges::count(sizes, form.id, &DetectableSize::effect))
       continue;  // the delay of the first channel stands for all
     const auto parameters = parameters_of(trial.ship, make_effect(form.id));
-    const auto number = std::ranges::find_if(parameters, &Parameter::decides);
-    const bool by_parts =
-        std::ranges::any_of(parameters, &Parameter::direction) && !begins_and_ends(make_effect(form.id));
-    const bool in_deviations = form.with_terms || (form.coordinates.size() == 1 && std::isfinite(number->null));
-    if (!by_parts && !in_deviations) continue;  // a depth, an angle of stall or a lag: no size that grows from 0
+    if (!grows(form, parameters)) continue;
     try {
-      const auto D = information(trial, s.baseline, form);
-      if (by_parts) add(form, *number, core::detail::principal_axes(D.topLeftCorner<2, 2>()).size.minCoeff());
-      else
-        for (std::size_t i = 0; i < form.coordinates.size(); ++i)
-          add(form, form.with_terms ? parameters[i] : *number,
-              D(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i)));
-    } catch (const std::exception&) {}
+      const auto D =
+          form.with_terms ? information(less_sure, less_sure_baseline, form) : information(trial, baseline, form);
+      for (const auto& growth : growths_of(form, parameters, D))
+        if (auto size = size_along(trial, form, growth, D, detection)) sizes.push_back(*std::move(size));
+    } catch (const std::exception&) {}  // she cannot sail with it
   }
   return sizes;
 }

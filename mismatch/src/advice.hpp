@@ -15,8 +15,9 @@ namespace swayaw::inline mismatch::detail {
 /// @return nothing where nothing was found, or no manoeuvre can be simulated
 std::optional<Advice> next_manoeuvre(const Trial& trial, const Search& search);
 
-/// For each effect of one size, the size at which these runs would have shown it with the log evidence that detection
-/// needs.
+/// For each effect of one size, the size at which nine of ten recordings like these would have had it named: its
+/// estimate gains the log evidence that detection needs and is larger than the floor of practice. Of wind, stream and
+/// waves from where they show least.
 std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& search,
                                              std::span<const EffectForm> forms, double detection);
 

@@ -43,9 +43,8 @@ constexpr double least_kept = 1.0 / 3.0;
 
 constexpr std::size_t most_traces = 2;  ///< that are accepted: each takes its share of what is told apart
 
-/// Factor on the prior deviations of the baseline's coefficients where the runs speak against them, and the most that
-/// it may come to: 3 and 9 times.
-constexpr double inflation_step = 3.0, most_inflation = 10.0;
+/// The most that inflation may come to: 3 and 9 times.
+constexpr double most_inflation = 10.0;
 
 /// Share of an effect's gain that inflated priors must predict at the present noise: noise renewed made at most 25
 /// times as much of it.

@@ -31,6 +31,9 @@ struct FittedCandidate {
       widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
 };
 
+/// Factor on the prior deviations of the baseline's coefficients where the runs speak against them.
+inline constexpr double inflation_step = 3.0;
+
 /// An effect that was accepted.
 struct Accepted : FittedCandidate {
   double probability;                   ///< against the others that were tried with it, and against nothing

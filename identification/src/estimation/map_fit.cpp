@@ -170,12 +170,16 @@ PredictedGain predicted_gain(const EstimationProblem& problem, const LinearizedF
 
 Eigen::MatrixXd further_slopes(const EstimationProblem& problem, const LinearizedFit& before,
                                std::span<const double> from, double step) {
+  const auto at = [&](std::span<const double> further) {
+    return residuals(problem, joined(before.point, further), *before.passes);
+  };
+  // not those of the fit: a further unknown may stand in the place of one that the fit has moved
+  const Eigen::VectorXd here = at(from);
   Eigen::MatrixXd J(problem.rows(), std::ssize(from));
   for (std::size_t i = 0; i < from.size(); ++i) {
     std::vector<double> moved(from.begin(), from.end());
     moved[i] += step;
-    J.col(static_cast<Eigen::Index>(i)) =
-        (residuals(problem, joined(before.point, moved), *before.passes) - before.residuals) / step;
+    J.col(static_cast<Eigen::Index>(i)) = (at(moved) - here) / step;
   }
   return J;
 }
