@@ -37,12 +37,11 @@ std::string effect_words(const FoundEffect& e, const Diagnosis& d, const UserUni
   if (e.scope == Scope::ship)
     return fmt::format("{}: {}", capital(label_of(e)), parameter_words(e.effect, e.parameters, units));
   constexpr std::size_t most = 3;
+  const auto places = places_of(e, d);
   std::vector<std::string> words;
-  for (std::size_t i = 0; i < std::min(most, d.surroundings.size()); ++i) {
-    const auto& there = d.surroundings[i];
-    words.push_back(fmt::format("{}, {}", there.scope, parameter_words(e.effect, there.parameters, units)));
-  }
-  if (d.surroundings.size() > most) words.push_back(fmt::format("and {} more below", d.surroundings.size() - most));
+  for (std::size_t i = 0; i < std::min(most, places.size()); ++i)
+    words.push_back(fmt::format("{}, {}", places[i].scope, parameter_words(e.effect, places[i].parameters, units)));
+  if (places.size() > most) words.push_back(fmt::format("and {} more below", places.size() - most));
   return fmt::format("{} that differs from {} to {}: {}", capital(label_of(e)), name_of(e.scope), name_of(e.scope),
                      fmt::join(words, "; "));
 }

@@ -30,6 +30,15 @@ std::string in_users_units(const Effect& effect, const ParameterEstimate& p, con
                    : units.in_unit(unit_of(effect, p.key), p.value, p.standard_error);
 }
 
+std::vector<SurroundingsEstimate> places_of(const FoundEffect& effect, const Diagnosis& diagnosis) {
+  std::vector<SurroundingsEstimate> places;
+  if (effect.scope == Scope::ship || effect.parameters.empty()) return places;
+  for (const auto& there : diagnosis.surroundings)
+    if (std::ranges::count(there.parameters, effect.parameters.front().key, &ParameterEstimate::key) > 0)
+      places.push_back(there);
+  return places;
+}
+
 std::string in_words(std::string name) {
   std::ranges::replace(name, '_', ' ');
   return name;

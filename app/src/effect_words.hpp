@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "swayaw/mismatch/diagnose.hpp"
 #include "user_units.hpp"
@@ -21,6 +22,9 @@ std::string name_of_parameter(std::string key, const std::string& unit);
 
 /// "5.1 ± 0.4 kn", "105 ± 6 deg (ESE)"
 std::string in_users_units(const Effect& effect, const ParameterEstimate& parameter, const UserUnits& units);
+
+/// Groups or runs with surroundings of their own that have this effect's parameters, where it differs between them.
+std::vector<SurroundingsEstimate> places_of(const FoundEffect& effect, const Diagnosis& diagnosis);
 
 /// "added mass" of "added_mass".
 std::string in_words(std::string name);

@@ -71,21 +71,11 @@ std::optional<Direction> direction_of(std::span<const ParameterEstimate> paramet
   return std::nullopt;
 }
 
-/// The runs in which an effect is the same, and its parameters there.
-struct Same {
-  std::string words;  ///< empty: all runs
-  std::span<const ParameterEstimate> parameters;
-  std::span<const std::string> runs;
-};
-
-/// All runs; or each group or run with surroundings of its own that have the effect's parameters.
-std::vector<Same> parts_of(const FoundEffect& e, const Diagnosis& d) {
-  if (e.scope == Scope::ship || e.parameters.empty()) return {{"", e.parameters, {}}};
-  std::vector<Same> parts;
-  for (const auto& there : d.surroundings)
-    if (std::ranges::count(there.parameters, e.parameters.front().key, &ParameterEstimate::key) > 0)
-      parts.push_back({", " + there.scope, there.parameters, there.runs});
-  return parts;
+/// Each group or run where the effect differs; else all runs, without a name.
+std::vector<SurroundingsEstimate> parts_of(const FoundEffect& e, const Diagnosis& d) {
+  auto places = places_of(e, d);
+  if (e.scope == Scope::ship) places.push_back({.scope = "", .runs = {}, .parameters = e.parameters});
+  return places;
 }
 
 /// Half of the interval that holds the direction with 95 %; half a turn where nothing is told.
@@ -147,8 +137,8 @@ Plot plot_of(const std::string& title, const Direction& d, const Headings& saile
   return {.title = title, .panels = {std::move(panel)}};
 }
 
-PageTable numbers_of(const std::string& title, const Effect& effect, const Same& part, const Direction& d,
-                     const Headings& sailed, const UserUnits& units) {
+PageTable numbers_of(const std::string& title, const Effect& effect, const SurroundingsEstimate& part,
+                     const Direction& d, const Headings& sailed, const UserUnits& units) {
   PageTable table{.caption = title, .columns = {"", "Value"}, .rows = {}};
   for (const auto& p : part.parameters)
     if (std::isfinite(p.value))
@@ -161,12 +151,12 @@ PageTable numbers_of(const std::string& title, const Effect& effect, const Same&
   return table;
 }
 
-std::optional<PageSection> section_of(const FoundEffect& e, const Same& part, const Diagnosis& diagnosis,
-                                      const UserUnits& units) {
+std::optional<PageSection> section_of(const FoundEffect& e, const SurroundingsEstimate& part,
+                                      const Diagnosis& diagnosis, const UserUnits& units) {
   const auto d = direction_of(part.parameters);
   if (!d) return std::nullopt;
   const auto sailed = headings_of(diagnosis, part.runs);
-  const auto title = fmt::format("Direction of the {}{}", label_of(e), part.words);
+  const auto title = fmt::format("Direction of the {}{}{}", label_of(e), part.scope.empty() ? "" : ", ", part.scope);
   const auto told = fmt::format("{} {}", capital(d->name), units.direction(d->value, d->standard_error));
   constexpr int height = 300;  // px
   auto picture = picture_of(plot_of("", *d, sailed),

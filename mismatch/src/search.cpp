@@ -857,7 +857,6 @@ struct Progress {
 bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& options, Progress& progress) {
   const auto before = s.hypothesis();
   const auto linear = linearized(s.trial, before, s.now);
-  if (s.accepted.empty()) s.baseline = linear;
   auto promising = screened_beside_form(s, before, linear);
   if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale)
     std::erase_if(promising, [](const Screened& c) { return c.predicted_gain.gain < 0.0; });

@@ -49,7 +49,6 @@ struct Search {
   double prior_inflation =
       1.0;  ///< factor on what the coefficients of the baseline are known to, where the runs speak against it
   double named_scale = 0.0;              ///< of the process noise beside all effects that have names
-  LinearizedFit baseline{};              ///< alone
   Located located{};                     ///< where the baseline alone lacks force
   std::vector<EffectForm> forms{};       ///< that were tried
   std::vector<Accepted> accepted{};      ///< in the order of acceptance, traces with them
