@@ -92,6 +92,9 @@ inline py::array owned(std::vector<double>&& values) {
 /// The numbers of a one-dimensional array. @throws std::domain_error  that names it, for others
 std::vector<double> numbers_in(const Array& array, std::string_view name);
 
+/// The rows of a two-dimensional array. @throws std::domain_error  that names it, for others
+std::vector<std::vector<double>> rows_in(const Array& array, std::string_view name);
+
 /// Rows of equal length as a matrix.
 template <std::size_t Rows, std::size_t Columns>
 py::array_t<double> matrix(const std::array<std::array<double, Columns>, Rows>& rows) {

@@ -69,6 +69,7 @@ PYBIND11_MODULE(_swayaw, m) {
   add_trials(m);
   add_fits(m);
   add_trajectories(m);
+  add_tuning(m);
   add_comparison(m);
   add_diagnosis(m);
 }

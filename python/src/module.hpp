@@ -16,6 +16,7 @@ void add_checks(pybind11::module_& m);
 void add_trials(pybind11::module_& m);
 void add_fits(pybind11::module_& m);
 void add_trajectories(pybind11::module_& m);
+void add_tuning(pybind11::module_& m);
 void add_comparison(pybind11::module_& m);
 void add_diagnosis(pybind11::module_& m);
 

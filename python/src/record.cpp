@@ -87,6 +87,16 @@ std::vector<double> numbers_in(const Array& array, std::string_view name) {
   return numbers;
 }
 
+std::vector<std::vector<double>> rows_in(const Array& array, std::string_view name) {
+  if (array.ndim() != 2)
+    throw std::domain_error(fmt::format("{} must have two dimensions, got {}", name, array.ndim()));
+  const auto values = array.unchecked<2>();
+  std::vector<std::vector<double>> rows(static_cast<std::size_t>(values.shape(0)));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (py::ssize_t k = 0; k < values.shape(1); ++k) rows[i].push_back(values(static_cast<py::ssize_t>(i), k));
+  return rows;
+}
+
 py::array_t<double> matrix(const std::vector<std::vector<double>>& rows) {
   const std::size_t columns = rows.empty() ? 0 : rows.front().size();
   py::array_t<double> result({rows.size(), columns});

@@ -33,14 +33,63 @@ void add_makers(py::handle type, void* (*blank)(), Made made);
 /// The annotation that pybind11 would write: % stands for a class that is registered.
 std::string annotation(const char* text, const std::type_info* const* types);
 
+/// How a field is told to Python: as pybind11 does it, or else for some types.
 template <class T>
-std::string type_name() {
-  if constexpr (std::is_same_v<T, std::vector<double>>) return "numpy.ndarray";
-  else {
+struct Form {
+  static std::string type() {
     static constexpr auto name = py::detail::make_caster<T>::name;
     return annotation(name.text, decltype(name)::types().data());
   }
-}
+  static py::object get(T& value, py::handle record) {
+    return py::cast(value, py::return_value_policy::reference_internal, record);
+  }
+  static void set(T& place, py::handle value) { place = value.cast<T>(); }
+};
+
+/// Numbers as an array on them.
+template <>
+struct Form<std::vector<double>> {
+  static std::string type() { return "numpy.ndarray"; }
+  static py::object get(std::vector<double>& value, py::handle record) { return view(value, record); }
+  static void set(std::vector<double>& place, py::handle value) { place = numbers_in(value.cast<Array>(), "a field"); }
+};
+
+/// Rows of equal length as a matrix.
+template <>
+struct Form<std::vector<std::vector<double>>> {
+  static std::string type() { return "numpy.ndarray"; }
+  static py::object get(std::vector<std::vector<double>>& value, py::handle) { return matrix(value); }
+  static void set(std::vector<std::vector<double>>& place, py::handle value) {
+    place = rows_in(value.cast<Array>(), "a field");
+  }
+};
+
+template <std::size_t Rows, std::size_t Columns>
+struct Form<std::array<std::array<double, Columns>, Rows>> {
+  static std::string type() { return "numpy.ndarray"; }
+  static py::object get(std::array<std::array<double, Columns>, Rows>& value, py::handle) { return matrix(value); }
+  static void set(std::array<std::array<double, Columns>, Rows>& place, py::handle value) {
+    place = value.cast<std::array<std::array<double, Columns>, Rows>>();
+  }
+};
+
+/// Texts that the library holds as views.
+template <>
+struct Form<std::string_view> {
+  static std::string type() { return "str"; }
+  static py::object get(std::string_view& value, py::handle) { return py::cast(value); }
+  static void set(std::string_view& place, py::handle value) { place = kept(value.cast<std::string>()); }
+};
+
+template <>
+struct Form<std::vector<std::string_view>> {
+  static std::string type() { return "List[str]"; }
+  static py::object get(std::vector<std::string_view>& value, py::handle) { return py::cast(value); }
+  static void set(std::vector<std::string_view>& place, py::handle value) {
+    place.clear();
+    for (const auto& text : value.cast<std::vector<std::string>>()) place.push_back(kept(text));
+  }
+};
 
 namespace detail {
 
@@ -55,22 +104,13 @@ struct MemberOf<Member> {
 template <auto Member>
 py::object get(py::handle record) {
   using Of = MemberOf<Member>;
-  auto& value = record.cast<typename Of::Class&>().*Member;
-  if constexpr (std::is_same_v<typename Of::Type, std::vector<double>>) return view(value, record);
-  else return py::cast(value, py::return_value_policy::reference_internal, record);
+  return Form<typename Of::Type>::get(record.cast<typename Of::Class&>().*Member, record);
 }
 
 template <auto Member>
 void set(void* record, py::handle value) {
   using Of = MemberOf<Member>;
-  auto& place = static_cast<typename Of::Class*>(record)->*Member;
-  if constexpr (std::is_same_v<typename Of::Type, std::string_view>) place = kept(value.cast<std::string>());
-  else if constexpr (std::is_same_v<typename Of::Type, std::vector<std::string_view>>) {
-    place.clear();
-    for (const auto& text : value.cast<std::vector<std::string>>()) place.push_back(kept(text));
-  } else if constexpr (std::is_same_v<typename Of::Type, std::vector<double>>)
-    place = numbers_in(value.cast<Array>(), "a field");
-  else place = value.cast<typename Of::Type>();
+  Form<typename Of::Type>::set(static_cast<typename Of::Class*>(record)->*Member, value);
 }
 
 }  // namespace detail
@@ -98,13 +138,24 @@ class Record {
     return add<Member>(name, doc, false);
   }
 
+  /// A field that is no member: by a function that tells it, `py::object (*)(T&)`, and one that takes it back, `void
+  /// (*)(T&, py::handle)`. Fields are set in their order.
+  template <auto Get, auto Set>
+  Record& told(const char* name, const char* type, const char* doc) {
+    add_field(class_,
+              {name, type, [](py::handle record) -> py::object { return Get(record.cast<T&>()); },
+               [](void* record, py::handle value) { Set(*static_cast<T*>(record), value); }, true},
+              doc);
+    return *this;
+  }
+
   py::class_<T>& of() { return class_; }
 
  private:
   template <auto Member>
   Record& add(const char* name, const char* doc, bool required) {
     add_field(class_,
-              {name, type_name<typename detail::MemberOf<Member>::Type>(), detail::get<Member>, detail::set<Member>,
+              {name, Form<typename detail::MemberOf<Member>::Type>::type(), detail::get<Member>, detail::set<Member>,
                required},
               doc);
     return *this;

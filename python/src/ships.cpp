@@ -58,6 +58,48 @@ Ship with_named_values(const Ship& ship, const std::map<std::string, double>& na
   return with_values(ship, parameters, si_values(parameters, given));
 }
 
+/// All of a parameter, for pickling.
+using ParameterState =
+    std::tuple<std::string, std::string, std::string, std::string, std::size_t, double,
+               std::tuple<double, double, bool, bool>, double, Role, Scope, std::array<double, 4>, bool, bool>;
+
+ParameterState state_of(const Parameter& p) {
+  return {p.name,
+          std::string(p.table),
+          std::string(p.key),
+          std::string(p.unit),
+          p.index,
+          p.value,
+          {p.range.low, p.range.high, p.range.above_low, p.range.not_zero},
+          p.si,
+          p.role,
+          p.scope,
+          {p.null, p.deviation, p.floor, p.law},
+          p.decides,
+          p.direction};
+}
+
+Parameter parameter_from(const ParameterState& state) {
+  const auto& [name, table, key, unit, index, value, range, si, role, scope, prior, decides, direction] = state;
+  const auto& [low, high, above_low, not_zero] = range;
+  return {.name = name,
+          .table = kept(table),
+          .key = kept(key),
+          .unit = kept(unit),
+          .index = index,
+          .value = value,
+          .range = {.low = low, .high = high, .above_low = above_low, .not_zero = not_zero},
+          .si = si,
+          .role = role,
+          .scope = scope,
+          .null = prior[0],
+          .deviation = prior[1],
+          .floor = prior[2],
+          .law = prior[3],
+          .decides = decides,
+          .direction = direction};
+}
+
 void add_parameters(py::module_& m) {
   py::class_<Parameter>(m, "Parameter",
                         "A number of a ship or of an effect: value, unit, range, and what is known of it.")
@@ -83,6 +125,7 @@ void add_parameters(py::module_& m) {
       .def_property_readonly(
           "scope", [](const Parameter& p) { return p.scope; }, "Whose it is: \"ship\", \"group\" of runs or \"run\".")
       .def("__float__", [](const Parameter& p) { return in_unit(p, p.value); })
+      .def(py::pickle(&state_of, &parameter_from))
       .def("__repr__", [](const Parameter& p) {
         const auto [low, high] = range_of(p);
         return fmt::format("Parameter({}={}, unit={}, range=({}, {}))", p.name, in_unit(p, p.value), p.unit, low, high);

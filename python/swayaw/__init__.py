@@ -7,7 +7,7 @@ positive to port. SI and radians throughout; another unit shows in the name. doc
 from . import _swayaw
 from ._swayaw import *  # noqa: F401,F403
 from ._swayaw import __version__
-from .files import load_ship, parse_csv, read_csv
+from .files import load_ship, measured_indices, parse_csv, read_csv
 from .state_space import StateSpace
 from .tables import Channel, channels, frame_of
 from . import figures, html, records, state_space, tables
@@ -20,5 +20,6 @@ html.dress(_swayaw)
 
 __all__ = sorted(
     [name for name in vars(_swayaw) if not name.startswith("_")]
-    + ["Channel", "StateSpace", "channels", "figures", "frame_of", "load_ship", "parse_csv", "read_csv", "__version__"]
+    + ["Channel", "StateSpace", "channels", "figures", "frame_of", "load_ship", "measured_indices", "parse_csv"]
+    + ["read_csv", "__version__"]
 )

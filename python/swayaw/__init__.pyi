@@ -814,6 +814,23 @@ class ImportedColumn:
     def why(self) -> str:
         """By name, unit, values: plain words."""
 
+class IndexCombination:
+    """A combination of relative changes of the numbers that the indices see as one."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> IndexCombination: ...
+    @property
+    def determined(self) -> bool:
+        """To better than a half, so that its sign is known."""
+    @property
+    def singular_value(self) -> float:
+        """Of the Jacobian over the tolerances."""
+    @property
+    def standard_error(self) -> float:
+        """Relative, from the indices alone."""
+    @property
+    def weights(self) -> numpy.ndarray:
+        """Of the numbers; their squares add up to 1."""
+
 class IndexEstimates:
     """Fitted steering indices, dimensionless."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -830,6 +847,23 @@ class IndexEstimates:
     def T3b(self) -> Estimate: ...
     @property
     def T3w(self) -> Estimate: ...
+
+class IndexSensitivity:
+    """What numbers of a ship do to her indices: a row for each index, a column for each number; NaN where an index does not exist."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> IndexSensitivity: ...
+    @property
+    def exact(self) -> numpy.ndarray:
+        """d ln index / d ln number."""
+    @property
+    def indices(self) -> numpy.ndarray:
+        """Of the ship, SI, in the order of the file."""
+    @property
+    def simulations(self) -> SimulationCount:
+        """That it took."""
+    @property
+    def ten_per_cent(self) -> numpy.ndarray:
+        """Relative change for 10 % more of the number."""
 
 class InstabilityLoop:
     """Hysteresis of an unstable ship."""
@@ -1323,6 +1357,57 @@ class ManoeuvrePiece:
     @property
     def why(self) -> str:
         """How it was recognised, one line."""
+
+class MeasuredIndex:
+    """One measured number of a manoeuvre, SI."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> MeasuredIndex: ...
+    @property
+    def deviation(self) -> float:
+        """Standard deviation."""
+    @property
+    def name(self) -> str:
+        """As in the file: "advance_L", "overshoot_deg 2" for the second peak."""
+    @property
+    def place(self) -> int:
+        """Among the indices of such a manoeuvre."""
+    @property
+    def si(self) -> float:
+        """SI value of one unit of the file."""
+    @property
+    def value(self) -> float:
+        """Of a turn to port that of its mirror image."""
+
+class MeasuredIndices:
+    """Indices of manoeuvres that were measured, and how they were sailed."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> MeasuredIndices: ...
+    @property
+    def rev(self) -> Optional[float]:
+        """Shaft speed [1/s]; None for that of self-propulsion."""
+    @property
+    def speed(self) -> Optional[float]:
+        """Of the approach [m/s]; None for the service speed."""
+    @property
+    def thrust(self) -> Optional[float]:
+        """Of all propellers, in place of a shaft speed [N]."""
+    @property
+    def trials(self) -> List[MeasuredTrial]:
+        """Turns first."""
+
+class MeasuredTrial:
+    """A manoeuvre and its measured indices."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> MeasuredTrial: ...
+    @property
+    def indices(self) -> List[MeasuredIndex]:
+        """In the order of the file."""
+    @property
+    def manoeuvre(self) -> Union[TurnOrder, ZigzagOrder]:
+        """That was sailed."""
+    @property
+    def name(self) -> str:
+        """\"turn 35 to starboard\""""
 
 class MismatchPlace:
     """Where force is missing in a run."""
@@ -2018,6 +2103,16 @@ class ShipState:
     def y(self) -> float:
         """Midship, earth-fixed, eastward [m]."""
 
+class SimulationCount:
+    """Manoeuvres that were sailed."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> SimulationCount: ...
+    @property
+    def turns(self) -> int:
+        """Turning circles."""
+    @property
+    def zigzags(self) -> int: ...
+
 class Simulator:
     """A ship in real time with all her effects: what a ship-handling simulator steps.
     
@@ -2698,6 +2793,113 @@ class TrialReversal:
     def side(self) -> str:
         """To which the heading is off."""
 
+class TunedIndex:
+    """An index before and after, SI; NaN where it does not exist."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> TunedIndex: ...
+    @property
+    def after(self) -> float:
+        """Of the tuned ship."""
+    @property
+    def before(self) -> float:
+        """Of the ship as given."""
+    @property
+    def measured(self) -> MeasuredIndex:
+        """What was measured."""
+    @property
+    def trial(self) -> int:
+        """Place among the measured trials."""
+
+class TunedParameter:
+    """A number that was tuned."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> TunedParameter: ...
+    @property
+    def after(self) -> float:
+        """In the unit of the file."""
+    @property
+    def at_bound(self) -> bool:
+        """Held by most_change or the range of the ship file."""
+    @property
+    def before(self) -> float:
+        """In the unit of the file."""
+    @property
+    def determined(self) -> bool:
+        """The indices tell it: `told` is 0.5 at least."""
+    @property
+    def deviation(self) -> float:
+        """And after."""
+    @property
+    def name(self) -> str:
+        """Key of the ship file."""
+    @property
+    def number(self) -> Parameter:
+        """As it was."""
+    @property
+    def prior(self) -> float:
+        """Relative standard deviation before; infinity for none."""
+    @property
+    def told(self) -> float:
+        """Share, in squares, that lies in determined combinations."""
+    @property
+    def value(self) -> float:
+        """As it is, SI."""
+
+class Tuning:
+    """A ship whose manoeuvres have the indices that were measured."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> Tuning: ...
+    def _repr_html_(self) -> str: ...
+    @property
+    def after(self) -> TuningError:
+        """Error of the tuned ship."""
+    @property
+    def before(self) -> TuningError:
+        """Error of the ship as given."""
+    @property
+    def combinations(self) -> List[IndexCombination]:
+        """That the indices determine, of the ship as she was."""
+    @property
+    def decay(self) -> numpy.ndarray:
+        """Of each turn after tuning, per ship length; NaN where none was asked for."""
+    @property
+    def indices(self) -> List[TunedIndex]:
+        """Before and after."""
+    @property
+    def parameters(self) -> List[TunedParameter]:
+        """Before and after."""
+    @property
+    def ship(self) -> Ship:
+        """With the numbers found."""
+    @property
+    def simulations(self) -> SimulationCount:
+        """That it took."""
+    @property
+    def status(self) -> str:
+        """converged, simulation_limit or interrupted."""
+
+class TuningError:
+    """Σ (1 − I/I_measured)². Source: [Kulbiej2021] section 4.1"""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> TuningError: ...
+    @property
+    def turns(self) -> float:
+        """Of turning circles."""
+    @property
+    def zigzags(self) -> float: ...
+
+class TurnOrder:
+    """A turn with the rudder held."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> TurnOrder: ...
+    def __init__(self, rudder: float = ..., side: str = ...) -> None: ...
+    @property
+    def rudder(self) -> float:
+        """[rad], positive."""
+    @property
+    def side(self) -> str:
+        """Turned to."""
+
 class TurnTrial:
     """A recorded turning circle."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -2897,6 +3099,21 @@ class Zigzag:
     def run(self) -> Recording:
         """The time series."""
 
+class ZigzagOrder:
+    """A zigzag."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> ZigzagOrder: ...
+    def __init__(self, rudder: float = ..., heading: float = ..., first: str = ...) -> None: ...
+    @property
+    def first(self) -> str:
+        """Side turned to first."""
+    @property
+    def heading(self) -> float:
+        """At which the rudder is reversed [rad], positive."""
+    @property
+    def rudder(self) -> float:
+        """[rad], positive."""
+
 class ZigzagTrial:
     """A recorded zigzag."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -2990,6 +3207,11 @@ def condition_number(coefficients: SwayYawCoefficients) -> float:
 def crossover(transfer: SwayYawTransfer, k: float) -> Optional[Crossover]:
     """Crossover of the loop of a helmsman who orders delta = k (psi - wanted); None when the gain is nowhere 1."""
 
+def determined_combinations(sensitivity: List[List[float]], tolerance: List[float]) -> List[IndexCombination]:
+    """Combinations of numbers from the best to the worst determined by indices.
+    
+    sensitivity: d ln index / d ln number, a row for each index. tolerance: relative standard deviation of each index."""
+
 def diagnose(ship: Ship, runs: List[Recording], *, reference: List[Recording] = ..., holdout: List[Recording] = ..., progress: Any = ..., most_effects: int = ..., pictures: bool = ...) -> Diagnosis:
     """What a model left out: where it differs from recordings, which effect explains that, and whether runs that were not used gain by it (docs/diagnose.md).
     
@@ -3065,6 +3287,11 @@ def import_table(files: List[Union[str, 'PathLike[str]']], columns: Union[str, '
 def in_model(ship: Ship, model: str) -> Ship:
     """The ship in another model, "mmg", "pi" or "pu", with the same hull, propeller and steering gear."""
 
+def index_sensitivity(ship: Ship, measured: MeasuredIndices, parameters: List[str] = ...) -> IndexSensitivity:
+    """What numbers of a ship do to the indices that were measured.
+    
+    measured: the manoeuvres and indices. parameters: columns of the result, those of `tuned_parameters`. Raises Refusal as `tune` does."""
+
 def instability_loop(curve: List[SteadyTurn]) -> Optional[InstabilityLoop]:
     """Hysteresis of a curve of steady turns; None where there is one turn at every rudder angle."""
 
@@ -3095,6 +3322,17 @@ def loop_sensitivity(indices: SteeringIndices, rudder: float, heading: float, ra
 def manoeuvres_in(run: Recording) -> List[ManoeuvrePiece]:
     """What is sailed in a long recording, in order of time, found by rudder and heading."""
 
+def measured_indices(length: float, *, turns: Sequence[Mapping[str, Any]] = ..., zigzags: Sequence[Mapping[str, Any]] = ..., speed: Optional[float] = ..., rev: Optional[float] = ..., thrust: Optional[float] = ..., tolerance: Optional[float] = ...) -> MeasuredIndices:
+    """Measured indices from dictionaries with the keys of an index file (docs/formats.md):
+    
+    measured_indices(56.85, speed=5.91, turns=[{"rudder_deg": 35, "advance_L": 2.2, "final_diameter_L": 1.2}],
+                     zigzags=[{"rudder_deg": 10, "heading_deg": 20, "overshoot_deg": [15, 19]}])
+    
+    length: of the ship [m], for lengths in it. turns, zigzags: one dictionary for each manoeuvre; {"value": 2.2, "sd":
+    0.1} tells a deviation. speed: of the approach [m/s]. rev: shaft speed [1/s], or thrust: of all propellers [N].
+    tolerance: relative standard deviation of what has none, 0.05 unless given. Raises FileError "measured
+    indices:LINE:COLUMN: what is wrong" with the line of the text that they make."""
+
 def measured_samples(run: Recording, channel: str) -> List[int]:
     """Places of the samples of a channel that were really measured."""
 
@@ -3103,6 +3341,11 @@ def nomoto_zigzag(run: Recording) -> NomotoZigzag:
 
 def parse_csv(text: str, name: Union[str, 'PathLike[str]'] = ..., rudder_positive: Optional[str] = ...) -> Recording:
     """The same from text; `name` stands for the file in messages."""
+
+def parse_indices(text: str, length: float, name: Union[str, 'PathLike[str]'] = ...) -> MeasuredIndices:
+    """Measured indices from the text of such a file.
+    
+    length: of the ship [m]. name: stands for the file in messages. Raises FileError "NAME:LINE:COLUMN: what is wrong"."""
 
 def parse_linear_ship(text: str, name: Union[str, 'PathLike[str]'] = ...) -> LinearShip:
     """A linear ship from the text of a ship file; `name` stands for the file in messages."""
@@ -3146,6 +3389,11 @@ def read_csv(file: Union[str, 'PathLike[str]'], rudder_positive: Optional[str] =
     
     rudder_positive: "port" or "starboard", the side to which the rudder column is positive, whatever the file says.
     Raises FileError "FILE:LINE:COLUMN: what is wrong"."""
+
+def read_indices(file: Union[str, 'PathLike[str]'], length: float) -> MeasuredIndices:
+    """Measured indices of turning circles and zigzags from a file (docs/formats.md).
+    
+    length: of the ship [m], for lengths that the file gives in it. Raises FileError "FILE:LINE:COLUMN: what is wrong"."""
 
 def read_linear_ship(file: Union[str, 'PathLike[str]']) -> LinearShip:
     """A linear ship from a ship file."""
@@ -3247,6 +3495,24 @@ def trial(run: Recording, ship: Optional[Ship] = ..., *, length: Optional[float]
 
 def trial_summary(trials: List[TrialResult]) -> ImoSummary:
     """One verdict of several trials by MSC.137(76)."""
+
+def tune(ship: Ship, measured: MeasuredIndices, parameters: List[str] = ..., *, prior: Optional[float] = ..., most_change: Optional[float] = ..., most_turns: int = ..., least_decay: float = ..., progress: Any = ...) -> Tuning:
+    """Coefficients of a ship from measured indices of her manoeuvres: weighted least squares with a prior and exact
+    derivatives (docs/index_tuning.md). Source: [Kulbiej2021] section 4
+    
+    measured: of `read_indices`. parameters: that may change, by name; unless given those of the hull that are not 0, but
+    for its resistance. prior: relative standard deviation of each number; that of the ship's confidence unless given.
+    most_change: largest relative change. most_turns: turning circles to be sailed at most. least_decay: what a steady turn
+    must keep, decay of a disturbance per ship length. progress: a function of the manoeuvres sailed (SimulationCount) and
+    the error of the best ship so far (TuningError); False ends the tuning with her, Ctrl-C raises KeyboardInterrupt.
+    
+    Raises Refusal for a ship in wind, one that does not reach a measured index to begin with or lacks a parameter, or where
+    a number to change is 0; ValueError if an option is not positive or a rudder angle beyond the ship's largest."""
+
+def tuned_parameters(ship: Ship, parameters: List[str] = ...) -> List[Parameter]:
+    """The numbers that `tune` changes, as Parameter.
+    
+    parameters: by name; unless given those of the hull that are not 0, but for its resistance. Raises Refusal for one that she does not have."""
 
 def turning_circle(ship: Ship, rudder: float, side: str = ..., *, speed: Optional[float] = ..., rev: Optional[float] = ..., thrust: Optional[float] = ..., duration: Optional[float] = ..., step: Optional[float] = ..., tolerance: float = ..., sampled: bool = ...) -> TurningCircle:
     """Turning circle with the rudder [rad] held over to a side. Ends after 540 deg, or where the ship no longer moves ahead, unless a duration is given.

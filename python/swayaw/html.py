@@ -181,6 +181,21 @@ def _force_fit(self) -> str:
     return table(self.ship.name, ("coefficient", "fitted", ""), rows) + f"<p>{html.escape(self.stability.words)}</p>"
 
 
+def _tuning(self) -> str:
+    numbers = [
+        (p.name, number(p.before), number(p.after), _percent(p.prior), _percent(p.deviation), _percent(p.told))
+        for p in self.parameters
+    ]
+    head = ("number", "before", "after", "deviation before", "after", "told by the indices")
+    indices = [
+        (i.measured.name, *(number(x / i.measured.si) for x in (i.measured.value, i.measured.deviation, i.before, i.after)))
+        for i in self.indices
+    ]
+    return table(f"{self.ship.name}: {self.status}", head, numbers) + table(
+        "Indices", ("index", "measured", "deviation", "before", "after"), indices
+    )
+
+
 def dress(module) -> None:
     module.Zigzag._repr_html_ = _zigzag
     module.TurningCircle._repr_html_ = _turning_circle
@@ -193,3 +208,4 @@ def dress(module) -> None:
     module.Diagnosis._repr_html_ = _diagnosis
     module.TrajectoryFit._repr_html_ = _trajectory_fit
     module.ForceFit._repr_html_ = _force_fit
+    module.Tuning._repr_html_ = _tuning

@@ -81,7 +81,7 @@ def _recording_in_words(self) -> str:
     return f"<Recording of {len(self)} samples>"
 
 
-def _same_recording(self, other) -> bool:
+def _same_state(self, other) -> bool:
     if type(self) is not type(other):
         return NotImplemented
     return same(self.__getstate__(), other.__getstate__())
@@ -97,6 +97,7 @@ def dress(module) -> None:
         c.__repr__, c.__eq__, c._asdict, c._replace = _repr, _eq, _asdict, _replace
         c.__hash__ = None
     module.Recording.__repr__ = _recording_repr
-    module.Recording.__eq__, module.Recording.__hash__ = _same_recording, None
+    module.Recording.__eq__, module.Recording.__hash__ = _same_state, None
+    module.Parameter.__eq__, module.Parameter.__hash__ = _same_state, None
     module.Recording.samples_in_words = _recording_in_words
     module.Ship.__repr__ = module.LinearShip.__repr__ = _ship_repr
