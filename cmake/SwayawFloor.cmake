@@ -49,6 +49,16 @@ function(swayaw_add_kernels floor name)
   set_property(SOURCE ${kernels} APPEND PROPERTY COMPILE_OPTIONS -O3)
 endfunction()
 
+# Files of a target that the compiler reads as one, unless SWAYAW_UNITY is off: small files that spend their time on the same
+# headers and templates. A file that is named nowhere is compiled alone; so are those that have options of their own. A
+# group holds what is changed together, and stays below 25 s and 700 MB (cmake/compile_cost.py); in its files a name of an
+# unnamed namespace means one thing.
+#   swayaw_compile_together(swayaw judging src/trial_command.cpp src/trial_page.cpp …)
+function(swayaw_compile_together target group)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SWAYAW_UNITY} UNITY_BUILD_MODE GROUP)
+  set_property(SOURCE ${ARGN} PROPERTY UNITY_GROUP ${group})
+endfunction()
+
 # Warnings and, on request, sanitizers or link-time code generation for a target of this project.
 function(swayaw_set_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion

@@ -13,6 +13,7 @@ Then `cmake/compile_cost.py --table build/dev/compile_cost.csv` prints a Markdow
 import argparse
 import csv
 import os
+import re
 import resource
 import subprocess
 import sys
@@ -37,12 +38,13 @@ def read(path):
 
 
 def short(built):
-    """app/CMakeFiles/swayaw.dir/src/main.cpp.o is app/src/main.cpp"""
+    """app/CMakeFiles/swayaw.dir/src/main.cpp.o is app/src/main.cpp; Unity/unity_judging_cxx.cxx.o the group judging of app"""
     parts = built.split("/")
     if "CMakeFiles" in parts:
         place = parts.index("CMakeFiles")
         parts = parts[:place] + parts[place + 2 :]
-    return "/".join(parts).removesuffix(".o")
+    group = re.fullmatch(r"unity_(\w+)_cxx\.cxx\.o", parts[-1])
+    return f"{'/'.join(parts[:-2])}, {group[1]}" if group else "/".join(parts).removesuffix(".o")
 
 
 def print_table(costs, rows):

@@ -8,6 +8,7 @@
 #include "json.hpp"
 #include "measured_surroundings.hpp"
 #include "page_writing.hpp"
+#include "sentences.hpp"
 #include "swayaw/app/report.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
@@ -127,14 +128,8 @@ std::string units_of(Quantity quantity, double value, const UserUnits& units) {
   return {};
 }
 
-std::string words_of(Quantity quantity) {
-  std::string words(name_of(quantity));
-  std::ranges::replace(words, '_', ' ');
-  return words;
-}
-
 /// Yaw-rate error over its variation of a run, or of the first quantity that it tells.
-double size_of(const Comparison& c) {
+double leading_error(const Comparison& c) {
   const auto yaw = std::ranges::find(c.errors, Quantity::yaw_rate, &QuantityError::quantity);
   return (yaw == c.errors.end() ? c.errors.front() : *yaw).normalised();
 }
@@ -159,7 +154,7 @@ PagePicture picture_of_worst(const Ship& ship, const Comparison& c, const UserUn
       plot,
       fmt::format("Recorded and simulated heading over time and track of {}. Simulated from start to end "
                   "the {} errs by {}.",
-                  c.recorded.name, words_of(e.quantity), units_of(e.quantity, e.open_loop_rms, units)),
+                  c.recorded.name, in_words(name_of(e.quantity)), units_of(e.quantity, e.open_loop_rms, units)),
       "Simulated from the recorded start to the end with the recorded rudder and shaft speed, never restarted.", units);
 }
 
@@ -168,7 +163,7 @@ PageTable errors_table(const std::vector<Comparison>& comparisons, double window
                   .columns = {"Run"},
                   .rows = {}};
   const auto all = pooled(comparisons);
-  for (const auto& e : all) table.columns.push_back(words_of(e.quantity));
+  for (const auto& e : all) table.columns.push_back(in_words(name_of(e.quantity)));
   const auto add = [&](const std::string& name, const std::vector<QuantityError>& errors) {
     std::vector<PageCell> row{name};
     for (const auto& wanted : all) {
@@ -186,7 +181,7 @@ PageTable errors_table(const std::vector<Comparison>& comparisons, double window
 std::string sizes_words(const std::vector<QuantityError>& errors, const UserUnits& units) {
   std::vector<std::string> words;
   for (const auto& e : errors)
-    words.push_back(fmt::format("{} {}", words_of(e.quantity), units_of(e.quantity, e.window_rms, units)));
+    words.push_back(fmt::format("{} {}", in_words(name_of(e.quantity)), units_of(e.quantity, e.window_rms, units)));
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
@@ -195,7 +190,7 @@ std::string place_words(const Comparison& c, const UserUnits& units) {
   const auto worst = std::ranges::max_element(c.errors, {}, [](const QuantityError& e) {
     return e.quantity == Quantity::position || !(e.variation > 0.0) ? -1.0 : e.beyond_noise() / e.variation;
   });
-  auto words = fmt::format("{} in {}", words_of(worst->quantity), c.recorded.name);
+  auto words = fmt::format("{} in {}", in_words(name_of(worst->quantity)), c.recorded.name);
   if (worst->worst)
     words += fmt::format(", {:.0f} % of its error from {:.4g} to {:.4g} s", 100.0 * worst->worst->share,
                          worst->worst->from, worst->worst->to);
@@ -223,7 +218,7 @@ std::vector<std::string> assumed_of(const CompareArguments& a, const std::vector
 
 Page first_screen(const Ship& ship, const CompareArguments& a, const std::vector<Comparison>& comparisons) {
   const UserUnits units(a.report.si, length(ship));
-  const auto& worst = *std::ranges::max_element(comparisons, {}, size_of);
+  const auto& worst = *std::ranges::max_element(comparisons, {}, leading_error);
   return {.kicker = "Simulation beside recordings",
           .title = ship.name,
           .headline = verdict(comparisons),

@@ -9,6 +9,7 @@
 #include "measured_surroundings.hpp"
 #include "progress.hpp"
 #include "run_selection.hpp"
+#include "sentences.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/nonlinear/writable_ship.hpp"
 #include "terminal.hpp"
@@ -187,7 +188,7 @@ void print_runs(std::string_view title, const std::vector<RunErrors>& runs) {
   for (const auto& run : runs)
     for (std::size_t i = 0; i < run.before.size() && i < run.refitted.size() && i < run.after.size(); ++i)
       say("  {:<30}{:<12}{:>8.1f} %{:>8.1f} %{:>12.1f} %\n", i == 0 ? run.run : "",
-          in_words(std::string(name_of(run.before[i].quantity))), 100.0 * run.before[i].normalised(),
+          in_words(name_of(run.before[i].quantity)), 100.0 * run.before[i].normalised(),
           100.0 * run.refitted[i].normalised(), 100.0 * run.after[i].normalised());
 }
 
@@ -197,7 +198,7 @@ void print_budget(const std::vector<ForceBudget>& budget) {
   say("\nforce that the model as given lacks, by what it follows, % of its mean square\n  {:<20}", "");
   for (const auto& b : budget) say("{:>18}", in_words(b.quantity));
   for (std::size_t i = 0; i < follows_count; ++i) {
-    say("\n  {:<20}", in_words(std::string(name_of(static_cast<Follows>(i)))));
+    say("\n  {:<20}", in_words(name_of(static_cast<Follows>(i))));
     for (const auto& b : budget)
       say("{:>11.0f} ± {:<4.0f}", std::round(100.0 * b.share[i]) + 0.0, 100.0 * b.standard_error[i]);
   }

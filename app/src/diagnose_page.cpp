@@ -206,7 +206,7 @@ bool is_main_number(std::string_view name) {
 /// In the unit of the row: lengths in metres.
 std::string limit_of(const TrialResult& trial, std::string_view row, double L) {
   for (const auto& c : trial.imo) {
-    const auto name = in_words(std::string(c.name));
+    const auto name = in_words(c.name);
     const bool same = (row.starts_with("overshoot 1") && name.starts_with("first overshoot")) ||
                       (row.starts_with("overshoot 2") && name.starts_with("second overshoot")) || name == row;
     if (same) return c.unit == "L" ? with_error(c.limit * L) + " m" : fmt::format("{} {}", with_error(c.limit), c.unit);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sentences.hpp"
+
 namespace swayaw::app {
 
 std::string_view label_of(std::string_view id) { return text_of(make_effect(id)).label; }
@@ -21,7 +23,7 @@ std::string name_of_parameter(std::string key, const std::string& unit) {
       key.resize(key.size() - ending.size());
       break;
     }
-  return in_words(std::move(key));
+  return in_words(key);
 }
 
 std::string in_users_units(const Effect& effect, const ParameterEstimate& p, const UserUnits& units) {
@@ -37,11 +39,6 @@ std::vector<SurroundingsEstimate> places_of(const FoundEffect& effect, const Dia
     if (std::ranges::count(there.parameters, effect.parameters.front().key, &ParameterEstimate::key) > 0)
       places.push_back(there);
   return places;
-}
-
-std::string in_words(std::string name) {
-  std::ranges::replace(name, '_', ' ');
-  return name;
 }
 
 }  // namespace swayaw::app

@@ -26,7 +26,4 @@ std::string in_users_units(const Effect& effect, const ParameterEstimate& parame
 /// Groups or runs with surroundings of their own that have this effect's parameters, where it differs between them.
 std::vector<SurroundingsEstimate> places_of(const FoundEffect& effect, const Diagnosis& diagnosis);
 
-/// "added mass" of "added_mass".
-std::string in_words(std::string name);
-
 }  // namespace swayaw::app

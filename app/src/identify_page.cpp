@@ -116,12 +116,6 @@ PageTable coefficients_of(const Answer& answer) {
   return table;
 }
 
-std::string words_of(Quantity quantity) {
-  std::string words(name_of(quantity));
-  std::ranges::replace(words, '_', ' ');
-  return words;
-}
-
 std::string share_in(const std::optional<std::vector<ErrorShare>>& shares, Quantity quantity) {
   if (!shares) return "lost";
   const auto found = std::ranges::find(*shares, quantity, &ErrorShare::quantity);
@@ -131,7 +125,7 @@ std::string share_in(const std::optional<std::vector<ErrorShare>>& shares, Quant
 PageTable errors_table(const std::vector<Prediction>& predictions, std::string caption) {
   PageTable table{.caption = std::move(caption), .columns = {"Run"}, .rows = {}};
   constexpr std::array quantities{Quantity::heading, Quantity::yaw_rate, Quantity::speed, Quantity::drift};
-  for (const auto q : quantities) table.columns.push_back(capital(words_of(q)));
+  for (const auto q : quantities) table.columns.push_back(capital(in_words(name_of(q))));
   for (const auto& p : predictions) {
     std::vector<PageCell> row{p.run};
     for (const auto q : quantities)

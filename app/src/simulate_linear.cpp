@@ -142,14 +142,14 @@ void simulate_zigzag(const LinearShip& ship, const SimulateArguments& a) {
 // ---------------------------------------------------------------- steady turn
 
 /// beta = Kb delta, omega' = Kw delta.
-struct SteadyTurn {
+struct LinearTurn {
   double drift;     ///< [rad]
   double yaw_rate;  ///< [rad/s]
   double diameter;  ///< 2U/|r| [m]
 };
 
 /// @throws Refusal  if the ship does not settle
-SteadyTurn steady_turn(const LinearShip& ship, double delta, double speed) {
+LinearTurn linear_turn(const LinearShip& ship, double delta, double speed) {
   const auto h = transfer_functions(ship);
   if (!(h.e0 > 0.0 && h.e1 > 0.0))
     throw Refusal(fmt::format("the ship is {}; she settles in no steady turn", stability_words(h)));
@@ -157,7 +157,7 @@ SteadyTurn steady_turn(const LinearShip& ship, double delta, double speed) {
   return {h.nb0 / h.e0 * delta, omega * speed / L, 2.0 * L / std::abs(omega)};
 }
 
-Json turn_json(const SteadyTurn& t, const SimulateArguments& a, double speed) {
+Json turn_json(const LinearTurn& t, const SimulateArguments& a, double speed) {
   return {{"schema", "swayaw.turn/1"},
           {"manoeuvre", fmt::format("turn {:.6g}", *a.turn)},
           {"first", a.first},
@@ -176,7 +176,7 @@ Json turn_json(const SteadyTurn& t, const SimulateArguments& a, double speed) {
           {"criteria", Json::array()}};
 }
 
-Page turn_page(const SteadyTurn& t, const SimulateArguments& a, const Sailed& s) {
+Page turn_page(const LinearTurn& t, const SimulateArguments& a, const Sailed& s) {
   const auto diameter = s.units.length(t.diameter), rate = s.units.yaw_rate(t.yaw_rate);
   Page page{.kicker = fmt::format("Steady turn with {} of rudder to {}", s.units.ordered(radians(*a.turn)), a.first),
             .title = {},
@@ -195,7 +195,7 @@ void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
                               a.out.empty() ? "track for --svg" : "time series for --out"));
   const double angle = radians(*a.turn), speed = speed_of(ship, a.speed);
   require_rudder(angle, ship.steering_gear);
-  const auto turn = steady_turn(ship, rudder_sign(side_named(a.first)) * angle, speed);
+  const auto turn = linear_turn(ship, rudder_sign(side_named(a.first)) * angle, speed);
   warn_of_drift(ship, turn.drift);
   if (a.report.wanted()) write_page(a.report.file, html(turn_page(turn, a, sailed(ship, speed, a))));
   if (a.json) {

@@ -32,9 +32,7 @@ std::string words_for(const TrialResult& t) {
 std::string words_for(const JudgedCriterion& c) {
   if (c.name.starts_with("first_overshoot")) return "first overshoot";
   if (c.name.starts_with("second_overshoot")) return "second overshoot";
-  std::string words(c.name);
-  std::ranges::replace(words, '_', ' ');
-  return words;
+  return in_words(c.name);
 }
 
 /// "first overshoot, starboard" of a row "overshoot 1, starboard".

@@ -5,11 +5,11 @@
 #include <sstream>
 
 #include "commands.hpp"
-#include "effect_words.hpp"
 #include "input.hpp"
 #include "json.hpp"
 #include "page_writing.hpp"
 #include "progress.hpp"
+#include "sentences.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/index_tuning.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"

@@ -37,11 +37,10 @@ struct IndexWords {
   std::string name, unit;
 };
 
-std::string name_of_key(std::string key) {
+std::string name_of_key(const std::string& key) {
   if (key == "final_u") return "final speed ahead";
   if (key == "final_v") return "final sway";
-  std::ranges::replace(key, '_', ' ');
-  return key;
+  return in_words(key);
 }
 
 IndexWords words_for(const MeasuredIndex& index) {
