@@ -22,8 +22,10 @@ function(swayaw_add_floor name)
   target_link_libraries(${target} PUBLIC ${FLOOR_DEPENDS} PRIVATE ${FLOOR_USES})
   swayaw_set_warnings(${target})
   if(SWAYAW_INSTALL)
-    install(TARGETS ${target} EXPORT swayaw)
-    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    install(TARGETS ${target} EXPORT swayaw
+      LIBRARY COMPONENT library NAMELINK_COMPONENT development
+      ARCHIVE COMPONENT development)
+    install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
   endif()
 endfunction()
 
