@@ -27,7 +27,7 @@ std::string written(const Recording& run, const Scratch& scratch, const std::str
   return (scratch / name).string();
 }
 
-const std::string ship = test::ship_file("kvlcc2_l7.toml");
+const std::string kvlcc2_l7 = test::ship_file("kvlcc2_l7.toml");
 
 }  // namespace
 
@@ -54,14 +54,14 @@ TEST_CASE("a reversed rudder is refused with its remedy before any number is sho
   for (double& delta : reversed.fill(Channel::delta)) delta = -delta;
   const auto file = written(reversed, scratch, "reversed.csv");
   for (const std::string& command :
-       {"compare " + ship + " " + file, "diagnose " + ship + " " + file,
-        "identify " + file + " --ship " + ship + " --model mmg --out " + (scratch / "new.toml").string()}) {
+       {"compare " + kvlcc2_l7 + " " + file, "diagnose " + kvlcc2_l7 + " " + file,
+        "identify " + file + " --ship " + kvlcc2_l7 + " --model mmg --out " + (scratch / "new.toml").string()}) {
     INFO(command);
     CHECK(refusal(command).find("--rudder-positive") != std::string::npos);
   }
   CHECK(!std::filesystem::exists(scratch / "new.toml"));
-  CHECK(run(scratch, "compare " + ship + " " + file + " --rudder-positive starboard").code == 0);
-  CHECK(run(scratch, "compare " + ship + " " + file + " --no-check").code == 0);
+  CHECK(run(scratch, "compare " + kvlcc2_l7 + " " + file + " --rudder-positive starboard").code == 0);
+  CHECK(run(scratch, "compare " + kvlcc2_l7 + " " + file + " --no-check").code == 0);
 }
 
 TEST_CASE("units that are not those of the column are refused with their names", "[app][refusal]") {
@@ -69,10 +69,12 @@ TEST_CASE("units that are not those of the column are refused with their names",
   auto in_knots = zigzag_run();
   for (const Channel c : {Channel::u, Channel::v})
     for (double& value : in_knots.fill(c)) value *= 3600.0 / 1852.0;
-  CHECK(refusal("compare " + ship + " " + written(in_knots, scratch, "knots.csv")).find("in kn") != std::string::npos);
+  CHECK(refusal("compare " + kvlcc2_l7 + " " + written(in_knots, scratch, "knots.csv")).find("in kn") !=
+        std::string::npos);
   auto to_port = zigzag_run();
   for (double& y : to_port.fill(Channel::y)) y = -y;
-  CHECK(refusal("compare " + ship + " " + written(to_port, scratch, "port.csv")).find("to port") != std::string::npos);
+  CHECK(refusal("compare " + kvlcc2_l7 + " " + written(to_port, scratch, "port.csv")).find("to port") !=
+        std::string::npos);
 }
 
 TEST_CASE("the page of a check is written, and --out asks for one recording", "[app]") {

@@ -16,7 +16,7 @@ namespace {
 using test::run;
 using test::Scratch;
 
-const std::string log =
+const std::string table_of_log =
     "Messfahrt;;;\r\nUhrzeit;Kurs [°];Ruderlage [°], StB +;Fahrt ü. Grund [kn]\r\n"
     "10:00:00;359,5;0,0;12,1\r\n10:00:01;0,5;-10,0;12,0\r\n10:00:02;2,5;-10,5;11,9\r\n";
 
@@ -26,7 +26,7 @@ struct Desk {
   std::string raw = (folder / "log.csv").string(), out = (folder / "run.csv").string(),
               map = (folder / "map.toml").string();
 
-  explicit Desk(const std::string& text = log) { write_text(raw, text); }
+  explicit Desk(const std::string& text = table_of_log) { write_text(raw, text); }
 };
 
 TEST_CASE("import writes a recording and says what it took for what", "[app][import]") {
@@ -66,7 +66,7 @@ TEST_CASE("a bad log is refused in one line and nothing is written", "[app][impo
 TEST_CASE("import overwrites none of what it reads", "[app][import][refusal]") {
   const Desk desk;
   CHECK_THAT(test::refusal("import " + desk.raw + " --out " + desk.raw), ContainsSubstring("would be overwritten"));
-  CHECK(read_text(desk.raw) == log);
+  CHECK(read_text(desk.raw) == table_of_log);
   write_text(desk.map, "missing = [-999]\n");
   CHECK_THAT(test::refusal("import " + desk.raw + " --out " + desk.map + " --columns " + desk.map),
              ContainsSubstring("would be overwritten"));

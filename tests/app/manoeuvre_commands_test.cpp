@@ -17,10 +17,10 @@ using test::lines;
 using test::run;
 using test::Scratch;
 
-const std::string ship = "simulate " + (test::ships / "kvlcc2.toml").string();
+const std::string simulate_kvlcc2 = "simulate " + (test::ships / "kvlcc2.toml").string();
 
 json document(const Scratch& scratch, const std::string& manoeuvre) {
-  const auto outcome = run(scratch, ship + " " + manoeuvre + " --json");
+  const auto outcome = run(scratch, simulate_kvlcc2 + " " + manoeuvre + " --json");
   REQUIRE(outcome.code == 0);
   CHECK(outcome.err.empty());
   return test::json_of(outcome.out);
@@ -95,7 +95,7 @@ TEST_CASE("the IMO criteria are printed with value, limit and verdict for both s
     CHECK(c.at("pass").get<bool>() == (c.at("value").get<double>() <= c.at("limit").get<double>()));
   }
   CHECK(imo.at("not_simulated")[0] == "stopping");
-  const auto text = run(scratch, ship + " --imo");
+  const auto text = run(scratch, simulate_kvlcc2 + " --imo");
   CHECK_THAT(text.out, ContainsSubstring("stopping is not simulated"));
   const auto model = run(scratch, "simulate " + (test::ships / "kvlcc2_l7.toml").string() + " --imo");
   CHECK_THAT(model.out, ContainsSubstring("ships of 100 m and more"));
@@ -138,7 +138,7 @@ TEST_CASE("a straight run tells the drift and the helm that keep a course in the
   CHECK(std::abs(starboard.at("course_rad").get<double>()) < 1e-9);
   CHECK(std::abs(starboard.at("helm_rad").get<double>()) > 1e-3);
   CHECK(std::signbit(starboard.at("helm_rad").get<double>()) != std::signbit(port.at("helm_rad").get<double>()));
-  const auto calm = test::json_of(run(scratch, ship + " --straight 30 --json").out);
+  const auto calm = test::json_of(run(scratch, simulate_kvlcc2 + " --straight 30 --json").out);
   CHECK(std::abs(calm.at("helm_rad").get<double>()) < 1e-9);
   CHECK(calm.at("heading_rad").get<double>() == Approx(radians(30)));
 }
@@ -158,7 +158,7 @@ TEST_CASE("options that do not go together are wrong usage, told in one line", "
   };
   for (const auto& [arguments, hint] : cases) {
     INFO(arguments);
-    const auto outcome = run(scratch, ship + " " + arguments);
+    const auto outcome = run(scratch, simulate_kvlcc2 + " " + arguments);
     CHECK(outcome.code == 2);
     CHECK(outcome.out.empty());
     CHECK(lines(outcome.err) == 1);
@@ -168,9 +168,9 @@ TEST_CASE("options that do not go together are wrong usage, told in one line", "
 
 TEST_CASE("orders that a ship cannot follow end with code 1", "[app][refusal]") {
   const Scratch scratch;
-  CHECK_THAT(run(scratch, ship + " --pullout 36").err, ContainsSubstring("beyond the ship's largest"));
-  CHECK(run(scratch, ship + " --spiral --rudder 36").code == 1);
-  CHECK(run(scratch, ship + " --spiral --rudder-step 30").code == 1);
+  CHECK_THAT(run(scratch, simulate_kvlcc2 + " --pullout 36").err, ContainsSubstring("beyond the ship's largest"));
+  CHECK(run(scratch, simulate_kvlcc2 + " --spiral --rudder 36").code == 1);
+  CHECK(run(scratch, simulate_kvlcc2 + " --spiral --rudder-step 30").code == 1);
   const auto linear = run(scratch, "simulate " + (test::ships / "tanker97.toml").string() + " --spiral");
   CHECK(linear.code == 1);
   CHECK(lines(linear.err) == 1);

@@ -16,7 +16,7 @@ namespace {
 using test::run;
 using test::Scratch;
 
-const std::string ship = test::ship_file("kvlcc2_l7.toml");
+const std::string kvlcc2_l7 = test::ship_file("kvlcc2_l7.toml");
 
 struct Written {
   nlohmann::json json;
@@ -94,7 +94,7 @@ TEST_CASE("the page of identify tells what its JSON tells", "[app][second-route]
   const Scratch scratch;
   const auto page = written(
       scratch, "identify " + recording(scratch, "zigzag") + " --holdout " + recording(scratch, "turn") + " --ship " +
-                   ship + " --model mmg --find Y_v,Y_r,N_v,N_r --out " + (scratch / "new.toml").string());
+                   kvlcc2_l7 + " --model mmg --find Y_v,Y_r,N_v,N_r --out " + (scratch / "new.toml").string());
   const auto words = page.first_screen();
   CHECK(page.rows_of("Coefficients") == page.json["coefficients"].size());
   for (const auto& c : page.json["coefficients"]) CHECK_THAT(words, ContainsSubstring(c["name"].get<std::string>()));
@@ -109,7 +109,7 @@ TEST_CASE("the page of identify is written, and bad, where held-out runs are pre
   const Scratch scratch;
   const auto page = scratch / "page.html";
   const auto outcome = run(scratch, "identify " + recording(scratch, "zigzag") + " --holdout " +
-                                        recording(scratch, "turn") + " --ship " + ship + " --model mmg --out " +
+                                        recording(scratch, "turn") + " --ship " + kvlcc2_l7 + " --model mmg --out " +
                                         (scratch / "new.toml").string() + " --report " + page.string());
   CHECK(outcome.code == 1);
   const Written shown{{}, read_text(page)};
@@ -119,7 +119,7 @@ TEST_CASE("the page of identify is written, and bad, where held-out runs are pre
 
 TEST_CASE("the page of identify says that no run was held out", "[app]") {
   const Scratch scratch;
-  const auto page = written(scratch, "identify " + recording(scratch, "zigzag") + " --ship " + ship +
+  const auto page = written(scratch, "identify " + recording(scratch, "zigzag") + " --ship " + kvlcc2_l7 +
                                          " --model mmg --find Y_v,N_v --out " + (scratch / "new.toml").string());
   CHECK_THAT(page.first_screen(), ContainsSubstring("No run was held out"));
   CHECK(page.rows_of("Coefficients") == 2);
@@ -128,7 +128,7 @@ TEST_CASE("the page of identify says that no run was held out", "[app]") {
 
 TEST_CASE("a linear identification has a page, too", "[app]") {
   const Scratch scratch;
-  const auto page = written(scratch, "identify " + recording(scratch, "zigzag") + " --ship " + ship +
+  const auto page = written(scratch, "identify " + recording(scratch, "zigzag") + " --ship " + kvlcc2_l7 +
                                          " --model linear --out " + (scratch / "new.toml").string());
   CHECK(page.rows_of("Dimensionless coefficients") == page.json["coefficients"].size());
   const auto& a1 = page.json["coefficients"][0];
@@ -163,7 +163,7 @@ TEST_CASE("the page of tune counts indices that agree and changes as its JSON ha
 TEST_CASE("the page of trial has the overshoots in its headline and a verdict for each criterion",
           "[app][second-route]") {
   const Scratch scratch;
-  const auto page = written(scratch, "trial " + recording(scratch, "zigzag") + " --ship " + ship);
+  const auto page = written(scratch, "trial " + recording(scratch, "zigzag") + " --ship " + kvlcc2_l7);
   const auto words = page.first_screen();
   const auto& overshoots = page.json["runs"][0]["overshoot_deg"];
   CHECK_THAT(words, ContainsSubstring("first overshoot " + fixed(overshoots[0]["value"].get<double>(), 2) +

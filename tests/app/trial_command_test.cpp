@@ -13,7 +13,7 @@ using test::refusal;
 using test::run;
 using test::Scratch;
 
-const std::string ship = test::ship_file("kvlcc2_l7.toml");
+const std::string kvlcc2_l7 = test::ship_file("kvlcc2_l7.toml");
 const std::string zigzag = (test::example_recordings / "weak_rudder_zz10_10.csv").string();
 const std::string turn = (test::example_recordings / "weak_rudder_turn35.csv").string();
 
@@ -22,8 +22,8 @@ double value(const nlohmann::json& told) { return told["value"].get<double>(); }
 TEST_CASE("trial tells a simulated zigzag the numbers that simulate told", "[app][round-trip]") {
   const Scratch scratch;
   const auto file = (scratch / "zz.csv").string();
-  const auto said = document("simulate " + ship + " --zigzag 10/10 --out " + file);
-  const auto json = document("trial " + file + " --ship " + ship);
+  const auto said = document("simulate " + kvlcc2_l7 + " --zigzag 10/10 --out " + file);
+  const auto json = document("trial " + file + " --ship " + kvlcc2_l7);
   CHECK(json["schema"] == "swayaw.trial/1");
   const auto& told = json["runs"][0];
   CHECK(told["manoeuvre"] == "zigzag 10/10");
@@ -44,7 +44,7 @@ TEST_CASE("trial tells a simulated zigzag the numbers that simulate told", "[app
 TEST_CASE("trial tells a simulated turn the numbers that simulate told", "[app][round-trip]") {
   const Scratch scratch;
   const auto file = (scratch / "turn.csv").string();
-  const auto said = document("simulate " + ship + " --turn 35 --duration 260 --first port --out " + file);
+  const auto said = document("simulate " + kvlcc2_l7 + " --turn 35 --duration 260 --first port --out " + file);
   const auto json = document("trial " + file + " --length 7");
   const auto& told = json["runs"][0];
   CHECK(told["first"] == "port");
@@ -71,7 +71,8 @@ TEST_CASE("a file with the wrong sign of the rudder is told so, with the line to
 TEST_CASE("several runs give a table each, one verdict and one page", "[app]") {
   const Scratch scratch;
   const auto page = scratch / "page.html";
-  const auto outcome = run(scratch, "trial " + zigzag + " " + turn + " --ship " + ship + " --report " + page.string());
+  const auto outcome =
+      run(scratch, "trial " + zigzag + " " + turn + " --ship " + kvlcc2_l7 + " --report " + page.string());
   CHECK(outcome.code == 0);
   CHECK_THAT(outcome.out, ContainsSubstring("overshoot 1, starboard"));
   CHECK_THAT(outcome.out, ContainsSubstring("tactical diameter"));

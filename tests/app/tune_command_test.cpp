@@ -12,11 +12,11 @@ using test::refusal;
 using test::run;
 using test::Scratch;
 
-const std::string ship = test::ship_file("nawigator_ym.toml");
+const std::string nawigator = test::ship_file("nawigator_ym.toml");
 const std::string turns = (test::example_recordings.parent_path() / "indices" / "nawigator_turns.toml").string();
 
 std::string tune_words(const Scratch& scratch, const std::string& more = "") {
-  return "tune " + ship + " --indices " + turns + " --out " + (scratch / "new.toml").string() + more;
+  return "tune " + nawigator + " --indices " + turns + " --out " + (scratch / "new.toml").string() + more;
 }
 
 TEST_CASE("tune tells errors, numbers, indices, combinations and sensitivities as JSON", "[app]") {
@@ -70,12 +70,13 @@ TEST_CASE("tune refuses bad indices with their place, and writes nothing", "[app
   const Scratch scratch;
   const auto file = (scratch / "bad.toml").string(), out = (scratch / "new.toml").string();
   write_text(scratch / "bad.toml", "[[turn]]\nrudder_deg = 35\nadvance_L = \"three\"\n");
-  CHECK_THAT(refusal("tune " + ship + " --indices " + file + " --out " + out),
+  CHECK_THAT(refusal("tune " + nawigator + " --indices " + file + " --out " + out),
              ContainsSubstring(file + ":3:13: advance_L must be a number"));
   write_text(scratch / "bad.toml", "[[turn]]\nrudder_deg = 50\nadvance_L = 3\n");
-  CHECK_THAT(refusal("tune " + ship + " --indices " + file + " --out " + out),
+  CHECK_THAT(refusal("tune " + nawigator + " --indices " + file + " --out " + out),
              ContainsSubstring("beyond the ship's largest"));
-  CHECK_THAT(refusal("tune " + ship + " --indices " + turns + " --numbers N_q --out " + out), ContainsSubstring("N_q"));
+  CHECK_THAT(refusal("tune " + nawigator + " --indices " + turns + " --numbers N_q --out " + out),
+             ContainsSubstring("N_q"));
   CHECK_THAT(refusal("tune " + test::ship_file("nawigator_n7.toml") + " --indices " + turns + " --out " + out),
              ContainsSubstring("no steady turn was found"));
   CHECK_THAT(refusal("tune " + test::ship_file("tanker97.toml") + " --indices " + turns + " --out " + out),

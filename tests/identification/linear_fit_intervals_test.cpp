@@ -9,10 +9,7 @@
 namespace swayaw {
 namespace {
 
-template <class T>
-std::array<T, 6> listed(const SwayYawCoefficients<T>& m) {
-  return {m.a1, m.b1, m.c1, m.a2, m.b2, m.c2};
-}
+using test::listed;
 
 template <class T>
 std::array<T, 6> listed(const SteeringIndices<T>& i) {

@@ -14,15 +14,11 @@
 namespace swayaw {
 namespace {
 
+using test::listed;
 using test::RandomLinearShips;
 using test::recorded;
 using test::ship_length;
 using test::unstable_ship;
-
-template <class T>
-std::array<T, 6> listed(const SwayYawCoefficients<T>& m) {
-  return {m.a1, m.b1, m.c1, m.a2, m.b2, m.c2};
-}
 
 void require_same(const SwayYawCoefficients<Estimate>& found, const SwayYawCoefficients<double>& truth,
                   double tolerance) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -13,6 +14,12 @@
 namespace swayaw::test {
 
 inline constexpr double ship_length = 100.0, ship_speed = 7.0;
+inline constexpr double ship_time = ship_length / ship_speed;
+
+template <class T>
+std::array<T, 6> listed(const SwayYawCoefficients<T>& m) {
+  return {m.a1, m.b1, m.c1, m.a2, m.b2, m.c2};
+}
 
 struct RecordedZigzag {
   double rudder = radians(10.0);

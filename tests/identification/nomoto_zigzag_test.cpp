@@ -13,15 +13,15 @@ namespace {
 
 using test::recorded;
 
-constexpr double time_unit = test::ship_length / test::ship_speed;
+using test::ship_time;
 
 TEST_CASE("Nomoto's analysis returns K, T and rudder offset of a first-order ship", "[identification][round-trip]") {
   test::RandomLinearShips random(71);
   for (int k = 0; k < 50; ++k) {
     const double K = random.uniform(-3.0, -0.8), T = random.uniform(0.5, 4.0);
     const auto n = nomoto_zigzag_analysis(recorded(first_order_ship(K, T), {.lengths = 60.0, .rudder_offset = 0.01}));
-    REQUIRE_THAT(n.K * time_unit, WithinRel(K, 1e-6));
-    REQUIRE_THAT(n.T / time_unit, WithinRel(T, 1e-6));
+    REQUIRE_THAT(n.K * ship_time, WithinRel(K, 1e-6));
+    REQUIRE_THAT(n.T / ship_time, WithinRel(T, 1e-6));
     REQUIRE_THAT(n.delta_r, WithinAbs(0.01, 1e-8));
   }
 }
@@ -36,11 +36,11 @@ TEST_CASE("Nomoto's analysis of a second-order ship finds K and T too small, K/T
     const auto ship = coefficients_from(SteeringIndices<double>{T1 * T2, T1 + T2, 0.15, T3, 0.7 * K, K});
     const auto n = nomoto_zigzag_analysis(recorded(ship, {.lengths = 60.0}));
     const double T = T1 + T2 - T3;
-    INFO("T1 " << T1 << " T2 " << T2 << " T3 " << T3 << " K " << K << ": K " << n.K * time_unit << ", T "
-               << n.T / time_unit);
-    CHECK(std::abs(n.K * time_unit) < std::abs(K));
-    CHECK(n.T / time_unit < T);
-    CHECK(std::abs(n.K / n.T) * time_unit * time_unit > std::abs(K / T));
+    INFO("T1 " << T1 << " T2 " << T2 << " T3 " << T3 << " K " << K << ": K " << n.K * ship_time << ", T "
+               << n.T / ship_time);
+    CHECK(std::abs(n.K * ship_time) < std::abs(K));
+    CHECK(n.T / ship_time < T);
+    CHECK(std::abs(n.K / n.T) * ship_time * ship_time > std::abs(K / T));
   }
 }
 

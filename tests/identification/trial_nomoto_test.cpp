@@ -16,7 +16,7 @@
 namespace swayaw {
 namespace {
 
-constexpr double time_unit = test::ship_length / test::ship_speed;
+using test::ship_time;
 
 /// T dr/dt + r = K (delta + offset), rudder positive to starboard.
 struct ByHand {
@@ -182,7 +182,7 @@ TEST_CASE("of a first-order ship the hand's K, T and offset are those of the tri
     const auto hand = worked_by_hand(run, true);
     INFO("K' " << K << " T' " << T);
     REQUIRE(trial.steering.least_squares);
-    CHECK_THAT(hand.K * time_unit, WithinRel(-K, 1e-6));
+    CHECK_THAT(hand.K * ship_time, WithinRel(-K, 1e-6));
     CHECK_THAT(trial.steering.least_squares->K.value, WithinRel(hand.K, 1e-6));
     CHECK_THAT(trial.steering.least_squares->T.value, WithinRel(hand.T, 1e-6));
     CHECK_THAT(trial.steering.least_squares->offset.value, WithinAbs(hand.offset, 1e-7));

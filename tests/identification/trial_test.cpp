@@ -18,7 +18,7 @@
 namespace swayaw {
 namespace {
 
-constexpr double time_unit = test::ship_length / test::ship_speed;
+using test::ship_time;
 
 Ship tanker() { return read_ship(test::ships / "kvlcc2_l7.toml"); }
 
@@ -41,8 +41,8 @@ TEST_CASE("K and T of a first-order ship come back, positive, from her zigzag", 
     REQUIRE(trial.steering.worked);
     const auto& fit = *trial.steering.least_squares;
     INFO("K' " << K << " T' " << T);
-    CHECK_THAT(fit.K.value * time_unit, WithinRel(-K, 1e-6));
-    CHECK_THAT(fit.T.value / time_unit, WithinRel(T, 1e-6));
+    CHECK_THAT(fit.K.value * ship_time, WithinRel(-K, 1e-6));
+    CHECK_THAT(fit.T.value / ship_time, WithinRel(T, 1e-6));
     CHECK_THAT(fit.offset.value, WithinAbs(-0.01, 1e-7));
     CHECK_THAT(trial.steering.worked->K.value, WithinRel(fit.K.value, 1e-5));
     CHECK_THAT(trial.steering.worked->T.value, WithinRel(fit.T.value, 1e-5));
@@ -63,8 +63,8 @@ TEST_CASE("K and T of noisy headings lie within their standard errors", "[identi
                     {.L = test::ship_length});
     REQUIRE(trial.steering.least_squares);
     const auto& fit = *trial.steering.least_squares;
-    inside_K += std::abs(fit.K.value * time_unit + K) <= 2.0 * fit.K.standard_error * time_unit;
-    inside_T += std::abs(fit.T.value / time_unit - T) <= 2.0 * fit.T.standard_error / time_unit;
+    inside_K += std::abs(fit.K.value * ship_time + K) <= 2.0 * fit.K.standard_error * ship_time;
+    inside_T += std::abs(fit.T.value / ship_time - T) <= 2.0 * fit.T.standard_error / ship_time;
   }
   CHECK(inside_K >= 88);
   CHECK(inside_T >= 88);
@@ -76,8 +76,8 @@ TEST_CASE("an exact linear second-order zigzag tells T3, or says that it cannot"
       judge_trial(test::recorded(ship, {.lengths = 40.0, .noise = 2e-4, .drift = false}), {.L = test::ship_length});
   REQUIRE(trial.steering.second);
   const auto& second = *trial.steering.second;
-  CHECK(std::abs(second.T3.value / time_unit - 0.9) < 4.0 * second.T3.standard_error / time_unit);
-  CHECK(std::abs(second.K.value * time_unit - 2.5) < 4.0 * second.K.standard_error * time_unit);
+  CHECK(std::abs(second.T3.value / ship_time - 0.9) < 4.0 * second.T3.standard_error / ship_time);
+  CHECK(std::abs(second.K.value * ship_time - 2.5) < 4.0 * second.K.standard_error * ship_time);
   CHECK(second.T3_told == (std::abs(second.T3.value) > 2.0 * second.T3.standard_error));
 }
 

@@ -16,6 +16,7 @@ namespace swayaw {
 namespace {
 
 using nlohmann::json;
+using test::coefficients_of;
 using test::printed_indices;
 using test::RandomLinearShips;
 using test::reference;
@@ -23,10 +24,6 @@ using Coefficients = SwayYawCoefficients<double>;
 using Indices = SteeringIndices<double>;
 
 constexpr double eps = 2.3e-16;
-
-Coefficients coefficients_of(const json& j) {
-  return {j.at("a1"), j.at("b1"), j.at("c1"), j.at("a2"), j.at("b2"), j.at("c2")};
-}
 
 std::array<double, 6> list(const Coefficients& m) { return {m.a1, m.b1, m.c1, m.a2, m.b2, m.c2}; }
 std::array<double, 6> list(const Indices& i) { return {i.T1T2, i.T1_plus_T2, i.T3b, i.T3w, i.Kb, i.Kw}; }

@@ -9,7 +9,7 @@
 namespace swayaw {
 namespace {
 
-constexpr PrimeScale scale{.L = 100.0, .U = 8.0};
+constexpr PrimeScale prime_scale{.L = 100.0, .U = 8.0};
 
 LinearZigzagOrder order(double longest = 1000.0) {
   return {.rudder = radians(10), .heading = radians(10), .rate = 0.5, .longest = longest};
@@ -18,7 +18,7 @@ LinearZigzagOrder order(double longest = 1000.0) {
 TEST_CASE("a zigzag as a recording has its overshoots, its speed and its rudder", "[linear]") {
   const auto ship = test::RandomLinearShips::tanker();
   const auto zigzag = linear_zigzag(ship, order());
-  const auto run = recording_of(ship, zigzag.legs, scale, 0.1);
+  const auto run = recording_of(ship, zigzag.legs, prime_scale, 0.1);
   double largest = 0.0;
   for (std::size_t i = 0; i < run.samples(); ++i) {
     CHECK_THAT(std::hypot(run[Channel::u][i], run[Channel::v][i]), WithinRel(8.0, 1e-12));
@@ -33,7 +33,7 @@ TEST_CASE("a zigzag as a recording has its overshoots, its speed and its rudder"
 
 TEST_CASE("heading and track of a recording are integrals of its yaw rate and velocity", "[linear][second-route]") {
   const auto ship = test::RandomLinearShips::tanker();
-  const auto run = recording_of(ship, linear_zigzag(ship, order()).legs, scale, 0.05);
+  const auto run = recording_of(ship, linear_zigzag(ship, order()).legs, prime_scale, 0.05);
   double psi = 0.0, x = 0.0, y = 0.0;
   const auto north = [&](std::size_t i) {
     return run[Channel::u][i] * std::cos(run[Channel::psi][i]) - run[Channel::v][i] * std::sin(run[Channel::psi][i]);
@@ -55,7 +55,7 @@ TEST_CASE("the recording of a ship that runs away ends in finite numbers", "[lin
   const SwayYawCoefficients<double> wild{2.0, 50.0, -0.17, 40.0, -2.0, -1.4};
   const auto zigzag = linear_zigzag(wild, order(1e5));
   CHECK(zigzag.reversals.size() < 2);
-  const auto run = recording_of(wild, zigzag.legs, scale, 0.05);
+  const auto run = recording_of(wild, zigzag.legs, prime_scale, 0.05);
   for (std::size_t i = 0; i < run.samples(); ++i) {
     CHECK(std::isfinite(run[Channel::psi][i]));
     CHECK(std::isfinite(run[Channel::x][i]));
@@ -64,9 +64,9 @@ TEST_CASE("the recording of a ship that runs away ends in finite numbers", "[lin
 }
 
 TEST_CASE("a motion that cannot be sampled is refused", "[linear][refusal]") {
-  CHECK_THROWS_AS(recording_of(test::RandomLinearShips::tanker(), {}, scale, 0.1), std::domain_error);
+  CHECK_THROWS_AS(recording_of(test::RandomLinearShips::tanker(), {}, prime_scale, 0.1), std::domain_error);
   CHECK_THROWS_AS(recording_of(test::RandomLinearShips::tanker(),
-                               linear_zigzag(test::RandomLinearShips::tanker(), order()).legs, scale, 0.0),
+                               linear_zigzag(test::RandomLinearShips::tanker(), order()).legs, prime_scale, 0.0),
                   std::domain_error);
 }
 

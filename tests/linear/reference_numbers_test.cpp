@@ -23,6 +23,7 @@ namespace swayaw {
 namespace {
 
 using nlohmann::json;
+using test::coefficients_of;
 using test::parts_of;
 using test::printed_indices;
 using test::reference;
@@ -31,9 +32,6 @@ using Indices = SteeringIndices<double>;
 
 // ---------------------------------------------------------------- ships
 
-Coefficients coefficients_of(const json& j) {
-  return {j.at("a1"), j.at("b1"), j.at("c1"), j.at("a2"), j.at("b2"), j.at("c2")};
-}
 Coefficients printed_coefficients() { return {-0.622, 0.405, -0.171, 3.552, -2.827, -1.539}; }
 
 json as_json(const Coefficients& m) {

@@ -24,6 +24,10 @@ inline SteeringIndices<double> printed_indices(double T3b = 0.154, double T3w = 
   return {.T1T2 = 10.491 * 0.298, .T1_plus_T2 = 10.491 + 0.298, .T3b = T3b, .T3w = T3w, .Kb = -3.464, .Kw = -4.896};
 }
 
+inline SwayYawCoefficients<double> coefficients_of(const nlohmann::json& j) {
+  return {j.at("a1"), j.at("b1"), j.at("c1"), j.at("a2"), j.at("b2"), j.at("c2")};
+}
+
 inline LinearParts<double> parts_of(const nlohmann::json& t) {
   return {.hull = {t.at("LB"), t.at("cB"), t.at("k11"), t.at("k22"), t.at("rz"), t.at("r66"), t.at("Yb"), t.at("Yw"),
                    t.at("Nb"), t.at("Nw")},

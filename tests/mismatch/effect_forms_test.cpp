@@ -27,12 +27,12 @@ std::vector<Ship> ships() {
   return all;
 }
 
-const std::vector<Channel> channels{Channel::x, Channel::y, Channel::psi, Channel::r};
+const std::vector<Channel> recorded_channels{Channel::x, Channel::y, Channel::psi, Channel::r};
 
 TEST_CASE("every effect that can act has coordinates and a start", "[mismatch][limit]") {
   for (const auto& ship : ships()) {
     std::set<std::string> ids;
-    for (const auto& form : effect_forms(ship, channels, 300.0)) {
+    for (const auto& form : effect_forms(ship, recorded_channels, 300.0)) {
       INFO(ship.name << " " << form.id);
       ids.insert(form.id);
       CHECK_FALSE(form.coordinates.empty());
@@ -49,7 +49,7 @@ TEST_CASE("wherever a search goes, the parameters of an effect are in their rang
   std::mt19937_64 engine(3);
   std::normal_distribution<double> normal;
   for (const auto& ship : ships())
-    for (const auto& form : effect_forms(ship, channels, 300.0))
+    for (const auto& form : effect_forms(ship, recorded_channels, 300.0))
       for (int i = 0; i < 50; ++i) {
         std::vector<double> c;
         for (const auto& k : form.coordinates)
@@ -69,7 +69,7 @@ TEST_CASE("wherever a search goes, the parameters of an effect are in their rang
 TEST_CASE("wherever a search goes, the coefficients of the ship are in their ranges", "[mismatch][regression]") {
   for (auto ship : ships()) {
     ship.confidence.coefficients = 0.3;
-    const auto trial = trial_of(ship, {}, channels);
+    const auto trial = trial_of(ship, {}, recorded_channels);
     for (const double far : {-20.0, -3.0, 3.0, 20.0}) {
       const auto there = ship_at(
           trial, {}, problem_of(trial, Hypothesis{}).within_bounds(Point::Constant(trial.baseline_size(), far)));
@@ -90,7 +90,7 @@ TEST_CASE("wherever a search goes, the coefficients of the ship are in their ran
 TEST_CASE("an effect of one number is not searched beyond what a ship can have, and there it is at its end",
           "[mismatch][limit]") {
   const auto ship = read_ship(test::ships / "kvlcc2_l7.toml");
-  const auto forms = effect_forms(ship, channels, 300.0);
+  const auto forms = effect_forms(ship, recorded_channels, 300.0);
   const auto form = [&](std::string_view id) -> const EffectForm& {
     return *std::ranges::find(forms, id, &EffectForm::id);
   };

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "found_effects.hpp"
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/mismatch/diagnose.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
@@ -37,10 +38,7 @@ std::optional<Diagnosis> diagnosis_of(const char* name, bool without_effect = fa
   return diagnose(ship, runs_in(folder / "train"), runs_in(folder / "reference"), runs_in(folder / "holdout"));
 }
 
-const FoundEffect* found(const Diagnosis& d, std::string_view id) {
-  const auto effect = std::ranges::find(d.effects, id, [](const FoundEffect& e) { return id_of(e.effect); });
-  return effect == d.effects.end() ? nullptr : &*effect;
-}
+using test::found;
 
 double value_of(const FoundEffect& effect, std::string_view key) {
   return std::ranges::find(effect.parameters, key, &ParameterEstimate::key)->value;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "found_effects.hpp"
 #include "random_ships.hpp"
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/mismatch/diagnose.hpp"
@@ -35,10 +36,7 @@ std::vector<Recording> runs_of(const std::filesystem::path& folder, std::initial
   return runs;
 }
 
-const FoundEffect* found(const Diagnosis& d, std::string_view id) {
-  const auto effect = std::ranges::find(d.effects, id, [](const FoundEffect& e) { return id_of(e.effect); });
-  return effect == d.effects.end() ? nullptr : &*effect;
-}
+using test::found;
 
 /// Among the instruments, or as an effect where those are taken for exact.
 std::optional<ParameterEstimate> gyro_zero(const Diagnosis& d) {

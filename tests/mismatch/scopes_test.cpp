@@ -4,6 +4,7 @@
 #include <random>
 
 #include "budget.hpp"
+#include "found_effects.hpp"
 #include "random_ships.hpp"
 #include "search.hpp"
 #include "swayaw/core/angle.hpp"
@@ -17,11 +18,7 @@ using namespace mismatch::detail;
 
 namespace {
 
-Ship test_ship() {
-  Ship ship = test::kvlcc2_l7();
-  ship.confidence.coefficients = 0.02;
-  return ship;
-}
+using test::well_known_ship;
 
 Recording turn(const Ship& ship, Side side, std::string_view name, std::string_view group, std::mt19937_64& engine) {
   const ManoeuvreOptions sampled{.duration = 120.0, .step = 0.3};
@@ -66,7 +63,7 @@ TEST_CASE("a part of the runs has what all have in common and what is its own, a
           "[mismatch][property]") {
   std::mt19937_64 engine(5);
   std::normal_distribution<double> normal;
-  const Ship ship = test_ship();
+  const Ship ship = well_known_ship();
   const auto runs = turns_in(ship, {{{1.0, 0.0}, {1.0, 1.0}, {1.0, 2.0}, {1.0, 3.0}}}, engine);
   const auto channels = recorded_channels(runs, motion_channels());
   const auto trial = trial_of(ship, runs, channels);
@@ -99,7 +96,7 @@ TEST_CASE("a part of the runs has what all have in common and what is its own, a
 
 TEST_CASE("a wind that differs from run to run is found in each of them", "[mismatch][second-route]") {
   std::mt19937_64 engine(11);
-  const Ship ship = test_ship();
+  const Ship ship = well_known_ship();
   const std::array<WindOfRun, 4> winds{{{4.0, 0.3}, {3.0, 2.0}, {5.0, -1.5}, {3.5, 1.0}}};
   const auto runs = turns_in(ship, winds, engine);
   const auto channels = recorded_channels(runs, motion_channels());
@@ -144,7 +141,7 @@ TEST_CASE("every effect follows one thing", "[mismatch][property]") {
 TEST_CASE("the shares of the missing force add up to one, and most of it falls to what was left out",
           "[mismatch][second-route]") {
   std::mt19937_64 engine(3);
-  const Ship ship = test_ship();
+  const Ship ship = well_known_ship();
   struct Hidden {
     Effect effect;
     std::size_t axis;

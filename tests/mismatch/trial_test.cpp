@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "files.hpp"
+#include "found_effects.hpp"
 #include "random_ships.hpp"
 #include "search.hpp"
 #include "swayaw/core/angle.hpp"
@@ -23,11 +24,7 @@ using namespace mismatch::detail;
 namespace {
 
 /// With parameters that are known to 2 %.
-Ship test_ship() {
-  Ship ship = test::kvlcc2_l7();
-  ship.confidence.coefficients = 0.02;
-  return ship;
-}
+using test::well_known_ship;
 
 /// Two zigzags and a turn with the white noise of a tank's instruments.
 std::vector<Recording> runs_of(const Ship& ship, unsigned seed) {
@@ -60,7 +57,7 @@ struct Fitted {
 }  // namespace
 
 TEST_CASE("each term of another form is moved by one coordinate, and by no other", "[mismatch][limit]") {
-  const auto ship = test_ship();
+  const auto ship = well_known_ship();
   const auto runs = runs_of(ship, 5);
   const auto channels = recorded_channels(runs, motion_channels());
   const auto trial = as_on_board(trial_of(ship, runs, channels), runs, channels);
@@ -81,7 +78,7 @@ TEST_CASE("each term of another form is moved by one coordinate, and by no other
 // A baseline that took in a hidden effect as far as its prior let it is relieved by the effect itself: a predicted gain
 // that forgets this sees nothing.
 TEST_CASE("a screening promises what the converged fit gains", "[mismatch][second-route]") {
-  const Ship ship = test_ship();
+  const Ship ship = well_known_ship();
   for (const Effect& hidden :
        {Effect(RudderEffectiveness<double>{.factor = 0.7}), Effect(AddedResistance<double>{.relative_increase = 0.5}),
         Effect(RudderOffset<double>{.offset = radians(2)})}) {
@@ -98,7 +95,7 @@ TEST_CASE("a screening promises what the converged fit gains", "[mismatch][secon
 }
 
 TEST_CASE("a fit that has converged stays where it is", "[mismatch][limit]") {
-  const Ship ship = test_ship();
+  const Ship ship = well_known_ship();
   for (const Effect& hidden :
        {Effect(RudderEffectiveness<double>{.factor = 0.7}), Effect(CrossFlowDrag<double>{.C_D = 0.5})}) {
     CAPTURE(id_of(hidden));
@@ -110,7 +107,7 @@ TEST_CASE("a fit that has converged stays where it is", "[mismatch][limit]") {
 }
 
 TEST_CASE("an imperfection whose axes and memory are apart is never the less likely", "[mismatch][limit]") {
-  const Ship ship = test_ship();
+  const Ship ship = well_known_ship();
   const Fitted f(ship,
                  runs_of(with_effect(ship, AddedResistance<double>{.relative_increase = 1.0}), 7));  // surge alone
   const auto given = ship_at(f.trial, {}, f.trial.mean);
@@ -125,7 +122,7 @@ TEST_CASE("an imperfection whose axes and memory are apart is never the less lik
 }
 
 TEST_CASE("a rudder that has a gap of her own keeps it in the baseline", "[mismatch][limit]") {
-  const Ship own = read_ship(test::ships / "wpcc_pi.toml"), none = test_ship();
+  const Ship own = read_ship(test::ships / "wpcc_pi.toml"), none = well_known_ship();
   CHECK(ordinary_lift_loss(none));
   CHECK_FALSE(ordinary_lift_loss(own));
   const auto runs =
@@ -140,7 +137,7 @@ TEST_CASE("a rudder that has a gap of her own keeps it in the baseline", "[misma
 }
 
 TEST_CASE("what another prior brings is what a fit beside it brings", "[mismatch][second-route]") {
-  const Ship ship = test_ship();
+  const Ship ship = well_known_ship();
   const Fitted f(ship, runs_of(with_effect(ship, AddedResistance<double>{.relative_increase = 0.2}), 9));
   Eigen::VectorXd factors = Eigen::VectorXd::Ones(f.trial.baseline_size());
   factors.head(4).setConstant(0.7), factors.tail(3).setConstant(1.4);
@@ -154,7 +151,7 @@ TEST_CASE("what another prior brings is what a fit beside it brings", "[mismatch
 }
 
 TEST_CASE("sizes of noise with a memory are the likeliest", "[mismatch][limit]") {
-  const Ship ship = test_ship();
+  const Ship ship = well_known_ship();
   const Fitted f(ship, runs_of(ship, 13));
   const auto given = ship_at(f.trial, {}, f.trial.mean);
   const auto problem = problem_of(f.trial, given);
@@ -176,7 +173,7 @@ TEST_CASE("sizes of noise with a memory are the likeliest", "[mismatch][limit]")
 }
 
 TEST_CASE("an effect that stands in the place of what is ordinary begins where that was", "[mismatch][limit]") {
-  const Ship ship = test_ship();
+  const Ship ship = well_known_ship();
   const auto runs = runs_of(ship, 15);
   const auto channels = recorded_channels(runs, motion_channels());
   const auto trial = as_on_board(trial_of(ship, runs, channels), runs, channels);
@@ -199,7 +196,7 @@ TEST_CASE("an effect that stands in the place of what is ordinary begins where t
 }
 
 TEST_CASE("a lag as small as an ordinary one is ordinary, unless it does what that cannot", "[mismatch][limit]") {
-  const Ship ship = test_ship();
+  const Ship ship = well_known_ship();
   const auto runs = runs_of(ship, 16);
   const auto channels = recorded_channels(runs, motion_channels());
   const auto trial = as_on_board(trial_of(ship, runs, channels), runs, channels);
@@ -217,7 +214,7 @@ TEST_CASE("a lag as small as an ordinary one is ordinary, unless it does what th
 }
 
 TEST_CASE("numbers of an effect change with its coordinates as their slopes say", "[mismatch][second-route]") {
-  const Ship ship = test_ship();
+  const Ship ship = well_known_ship();
   const std::vector<Channel> channels{Channel::psi};
   for (const auto& form : effect_forms(ship, channels, 90.0)) {
     CAPTURE(form.id);
@@ -244,7 +241,7 @@ TEST_CASE("numbers of an effect change with its coordinates as their slopes say"
 
 TEST_CASE("speed and direction of a wind change with its parts as a point does on the plane, across south too",
           "[mismatch][second-route]") {
-  Ship ship = test_ship();
+  Ship ship = well_known_ship();
   ship.surroundings.windage = *windage_from({.frontal = 1.0, .lateral = 4.0, .length = length(ship)});
   const std::vector<Channel> channels{Channel::psi};
   const auto forms = effect_forms(ship, channels, 90.0);
@@ -262,7 +259,7 @@ TEST_CASE("speed and direction of a wind change with its parts as a point does o
 
 TEST_CASE("on board the loads of the wind are each known to a fifth, of a ship that has a windage",
           "[mismatch][limit]") {
-  Ship bare = test_ship();
+  Ship bare = well_known_ship();
   bare.surroundings.windage = {};
   Ship ship = bare;
   ship.surroundings.windage = *windage_from({.frontal = 1.0, .lateral = 4.0, .length = length(ship)});
@@ -288,7 +285,7 @@ TEST_CASE("on board the loads of the wind are each known to a fifth, of a ship t
 }
 
 TEST_CASE("an effect is told from nothing where its size is, whatever is known of the rest", "[mismatch][limit]") {
-  Ship ship = test_ship();
+  Ship ship = well_known_ship();
   ship.surroundings.windage = *windage_from({.frontal = 1.0, .lateral = 4.0, .length = length(ship)});
   const std::vector<Channel> channels{Channel::psi};
   const auto forms = effect_forms(ship, channels, 90.0);

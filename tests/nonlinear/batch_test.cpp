@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "random_manoeuvres.hpp"
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
@@ -14,6 +15,7 @@ namespace swayaw {
 namespace {
 
 using test::RandomShips;
+using test::with_model;
 
 constexpr InstructionSet every_set[] = {InstructionSet::numbers, InstructionSet::baseline, InstructionSet::avx2,
                                         InstructionSet::avx512};
@@ -37,10 +39,6 @@ std::vector<MmgShip<double>> fleet_of(std::size_t count, unsigned seed, double s
     if (i % 5 == 1) ship.added_mass.surge_coupling.index = 1;
   }
   return ships;
-}
-
-Ship with_model(const MmgShip<double>& model) {
-  return {.name = {}, .model = model, .confidence = {}, .surroundings = {}};
 }
 
 /// A number, or not a number twice.

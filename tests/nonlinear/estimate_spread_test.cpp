@@ -2,6 +2,7 @@
 
 #include <catch.hpp>
 
+#include "coaster.hpp"
 #include "random_ships.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
@@ -15,7 +16,7 @@
 namespace swayaw {
 namespace {
 
-constexpr HullDimensions<double> coaster{.L = 97.4, .B = 16.6, .d = 7.1, .C_B = 0.761};
+using test::coaster;
 
 const CoefficientSpread& of(const std::vector<CoefficientSpread>& spread, std::string_view key) {
   const auto found = std::ranges::find(spread, key, &CoefficientSpread::key);

@@ -2,6 +2,7 @@
 
 #include <catch.hpp>
 
+#include "coaster.hpp"
 #include "random_ships.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
@@ -12,7 +13,7 @@
 namespace swayaw {
 namespace {
 
-constexpr HullDimensions<double> coaster{.L = 97.4, .B = 16.6, .d = 7.1, .C_B = 0.761};
+using test::coaster;
 
 /// A merchant ship within the range of the formulas and her service speed, Froude number 0.12 to 0.22.
 std::pair<HullDimensions<double>, double> random_merchant(test::RandomShips& random) {

@@ -4,6 +4,7 @@
 #include <catch.hpp>
 
 #include "froude_scaled.hpp"
+#include "random_manoeuvres.hpp"
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -15,10 +16,9 @@ namespace {
 
 using test::froude_scaled;
 using test::RandomShips;
+using test::with_model;
 
 const ZigzagOrder ten_ten{.rudder = radians(10), .heading = radians(10), .first = Side::starboard};
-
-Ship with_model(const MmgShip<double>& model) { return {.name = "test ship", .model = model, .confidence = {}}; }
 
 /// Zigzag with classical Runge–Kutta steps of fixed length and a switch found by bisection of the step:
 /// a second route that shares the forces only.

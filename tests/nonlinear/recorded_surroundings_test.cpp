@@ -51,10 +51,10 @@ Recording calm_run(double lengths = 15.0) {
 
 Ship in_steady_wind(const Wind<double>& wind) { return with_effect(pond_model(), SteadyWind<>{wind.speed, wind.from}); }
 
-constexpr std::array motion{Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r};
+constexpr std::array place_and_velocity{Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r};
 
 void check_same(const Recording& a, const Recording& b, double tolerance) {
-  for (const auto channel : motion) {
+  for (const auto channel : place_and_velocity) {
     INFO(column_name(channel));
     CHECK(rms_difference(a, b, channel) <= tolerance);
   }
@@ -68,7 +68,7 @@ TEST_CASE("a replay with the recorded gusty wind sails as the ship did, and one 
     const auto run = run_in_wind(pond_model(), {mean_wind, 0.5, unit_of_time(pond_model()), seed});
     const auto with = replay(pond_model(), run), without = replay(pond_model(), without_wind(run));
     INFO(seed);
-    for (const auto channel : motion) {
+    for (const auto channel : place_and_velocity) {
       INFO(column_name(channel));
       CHECK(rms_difference(with, run, channel) < 0.1 * rms_difference(without, run, channel));
     }
