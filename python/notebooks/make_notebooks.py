@@ -17,6 +17,9 @@ import tempfile
 from typing import NamedTuple
 
 here = pathlib.Path(__file__).resolve().parent
+for variable in ("PYTHONPATH", "SWAYAW_RECORDINGS"):  # notebooks run in a folder of their own
+    if os.environ.get(variable):
+        os.environ[variable] = os.pathsep.join(map(os.path.abspath, os.environ[variable].split(os.pathsep)))
 os.environ.setdefault("SWAYAW_SOURCE", str(here.parents[1]))
 os.environ.setdefault("PYDEVD_DISABLE_FILE_VALIDATION", "1")  # words of the debugger of ipykernel
 pages = here.parents[1] / "docs" / "notebooks"

@@ -70,7 +70,7 @@ print(f"{len(log)} seconds at sea")
 # ## What comes home
 #
 # Instruments add noise and round, the rate gyro shows 0.9 deg/min at rest, the log drops out now and then, and Excel does the rest. That rudder angles count to starboard is known to everybody on board and
-# written nowhere.
+# written nowhere. The file is `Probefahrt.csv`, in the folder in which this runs.
 
 # %%
 time, x, y, psi, r, delta, u = numpy.array(log).T
