@@ -1,6 +1,8 @@
 #include "manoeuvre_run.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 #include "swayaw/core/rounding.hpp"
 #include "swayaw/nonlinear/models/validity.hpp"
@@ -14,6 +16,16 @@ std::vector<double> sample_times(double step, double end) {
   std::vector<double> times(count);
   for (std::size_t i = 0; i < count; ++i) times[i] = static_cast<double>(i) * step;
   return times;
+}
+
+void fill_motion(Recording& run, const std::vector<Sample>& samples, const Current<double>& current) {
+  constexpr std::array channels{Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r};
+  std::array<std::span<double>, channels.size()> columns;
+  for (std::size_t k = 0; k < channels.size(); ++k) columns[k] = run.fill(channels[k]);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const auto seen = kinematics(samples[i].state, current);
+    for (std::size_t k = 0; k < channels.size(); ++k) columns[k][i] = observe(channels[k], seen);
+  }
 }
 
 }  // namespace
@@ -46,13 +58,13 @@ template <class Model>
 Recording recording_of(const std::vector<Sample>& samples, const ActingShip<Model>& acting) {
   const auto& ship = acting.model;
   Recording run;
+  run.time.reserve(samples.size());
   for (const auto& m : samples) run.time.push_back(m.time);
   const auto fill = [&](Channel channel, auto&& value) {
     auto column = run.fill(channel);
     for (std::size_t i = 0; i < samples.size(); ++i) column[i] = value(samples[i]);
   };
-  for (const Channel channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r})
-    fill(channel, [&](const Sample& m) { return observe(channel, kinematics(m.state, acting.surroundings.current)); });
+  fill_motion(run, samples, acting.surroundings.current);
   fill(Channel::delta, [](const Sample& m) { return m.shown; });
   const bool by_thrust = !samples.empty() && samples.front().controls.by_thrust;
   if (!by_thrust && takes_shaft_speed(ship)) fill(Channel::rev, [](const Sample& m) { return m.controls.rev; });
