@@ -80,14 +80,18 @@ void add_checks(py::module_& m) {
   add_results(m);
   m.def("check", &check_run, py::arg("run"), Unlocked(),
         "Instruments judged by kinematics alone, before any ship is: sign, units, noise, clocks, zeros, scales, axes, "
-        "lever arm. Raises Refusal for a run of fewer than 20 samples. Source: [Klein2006] chapter 10");
+        "lever arm. Raises Refusal for a run of fewer than 20 samples. Source: [Klein2006] chapter 10"
+        "\n\nrun: whose channels are compared with each other.");
   m.def(
       "check_groups", [](const std::vector<RunCheck>& checks) { return grouped(checks); }, py::arg("checks"),
-      "Errors that runs with the same instruments have in common, pooled.");
+      "Errors that runs with the same instruments have in common, pooled."
+      "\n\nchecks: of `check`, one for each run. The result has one GroupCheck for each group.");
   m.def("repaired", &repaired, py::arg("run"), py::arg("check"), Unlocked(),
-        "The run without the errors that were told, and without outliers.");
+        "The run without the errors that were told, and without outliers."
+        "\n\nrun: that was checked. check: of `check`.");
   m.def("measured_samples", &measured_samples_of, py::arg("run"), py::arg("channel"),
-        "Places of the samples of a channel that were really measured.");
+        "Places of the samples of a channel that were really measured."
+        "\n\nrun: a recording, perhaps of a logger that repeats old values. channel: by its short name.");
 }
 
 }  // namespace swayaw::python

@@ -76,6 +76,22 @@ void add_pictures(py::module_& m) {
       .field<&RunPicture::given>("given", "Replay by the ship as given.")
       .field<&RunPicture::refitted>("refitted", "Replay by the refitted ship.")
       .field<&RunPicture::after>("after", "Replay with the effects.");
+  m.def(
+      "missing_force",
+      [](const Ship& ship, const Recording& run, const Noise& noise) { return missing_force(ship, run, noise); },
+      py::arg("ship"), py::arg("run"), py::arg("noise") = Noise{}, Unlocked(),
+      "The force that drives a recorded ship beyond her model, by a Kalman filter and smoother that carry an "
+      "acceleration with a memory of L/U: a list of MissingForce, one for each sample.\n\nship: the model. run: tells "
+      "rudder and speed, else Refusal. noise: a Noise; its scale is the deviation of that acceleration over that of an "
+      "adequate model.");
+  m.def("ordinary_force", &ordinary_force, py::arg("ship"),
+        "Standard deviation of the force that an adequate model leaves out [N, N, N m].\n\nship: of any nonlinear "
+        "model.");
+  m.def("run_picture", &run_picture, py::arg("given"), py::arg("refitted"), py::arg("after"), py::arg("run"),
+        py::arg("noise") = Noise{}, Unlocked(),
+        "A run beside replays and missing forces of three ships, at most 500 points.\n\ngiven: the ship as she was "
+        "given. refitted: with other coefficients. after: with effects. run: as recorded. noise: one for all, so that "
+        "what shrinks is the force and not the allowance for it.");
 }
 
 }  // namespace
@@ -93,13 +109,18 @@ void add_comparison(py::module_& m) {
       "Where a simulation and a recording differ: the recorded rudder and shaft speed drive the ship from the recorded "
       "state, anew every two ship lengths of way, and once more from the start of the run to its end. Raises Refusal "
       "if "
-      "the run does not tell rudder or speed.");
+      "the run does not tell rudder or speed."
+      "\n\nship, run: that are compared. window_lengths: of a window, in ship lengths of way.");
   m.def(
       "compare_verdict", [](const std::vector<Comparison>& comparisons) { return verdict(comparisons); },
-      py::arg("comparisons"), "One sentence: in which quantity, run, interval and region the ship is farthest off.");
+      py::arg("comparisons"),
+      "One sentence: in which quantity, run, interval and region the ship is farthest off."
+      "\n\ncomparisons: of `compare`, one for each run.");
   m.def(
       "pooled_errors", [](const std::vector<Comparison>& comparisons) { return pooled(comparisons); },
-      py::arg("comparisons"), "Errors of each quantity in all runs together.");
+      py::arg("comparisons"),
+      "Errors of each quantity in all runs together."
+      "\n\ncomparisons: of `compare`, one for each run. The result has a QuantityError for each quantity.");
 }
 
 }  // namespace swayaw::python

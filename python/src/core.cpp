@@ -270,19 +270,25 @@ void add_reading(py::module_& m) {
       py::arg("files"), py::arg("columns") = "", Unlocked(),
       "Text tables of spreadsheets and loggers as one recording; `columns` is a column map (docs/import.md). Nothing "
       "is "
-      "guessed silently: what stays open is refused with the line of the map that settles it.");
+      "guessed silently: what stays open is refused with the line of the map that settles it."
+      "\n\nfiles: in the order of time; FileError names file and line of what is refused.");
   m.def(
       "import_nmea",
       [](const std::vector<std::filesystem::path>& files, const std::filesystem::path& columns) {
         return import_nmea(files, {.column_map = columns});
       },
-      py::arg("files"), py::arg("columns") = "", Unlocked(), "Logs of NMEA 0183 sentences as one recording.");
+      py::arg("files"), py::arg("columns") = "", Unlocked(),
+      "Logs of NMEA 0183 sentences as one recording."
+      "\n\nfiles: in the order of time. columns: a column map (docs/import.md). Raises FileError for what stays open.");
   m.def(
       "import_mat",
       [](const std::filesystem::path& file, const std::filesystem::path& columns) {
         return import_mat(file, {.column_map = columns});
       },
-      py::arg("file"), py::arg("columns") = "", Unlocked(), "A MATLAB file, versions 4 to 7.3, as a recording.");
+      py::arg("file"), py::arg("columns") = "", Unlocked(),
+      "A MATLAB file, versions 4 to 7.3, as a recording."
+      "\n\nfile: to be read. columns: a column map, where the names of the file are not clear. Raises FileError for "
+      "what stays open.");
 
   Record<ManoeuvrePiece>(m, "ManoeuvrePiece", "A stretch of a recording in which one manoeuvre is sailed.")
       .field<&ManoeuvrePiece::begin>("begin", "[s], time of the recording.")
@@ -291,9 +297,11 @@ void add_reading(py::module_& m) {
       .field<&ManoeuvrePiece::execute>("execute", "First rudder order [s]; None for steady runs.")
       .field<&ManoeuvrePiece::why>("why", "How it was recognised, one line.");
   m.def("manoeuvres_in", &manoeuvres_in, py::arg("run"), Unlocked(),
-        "What is sailed in a long recording, in order of time, found by rudder and heading.");
+        "What is sailed in a long recording, in order of time, found by rudder and heading."
+        "\n\nrun: a recording of hours. Each ManoeuvrePiece has begin and end [s] and what was sailed.");
   m.def("piece_of", &piece_of, py::arg("run"), py::arg("piece"), Unlocked(),
-        "The piece as a recording of its own: time from 0 at its first sample.");
+        "The piece as a recording of its own: time from 0 at its first sample."
+        "\n\nrun: a recording. piece: of `manoeuvres_in`.");
 }
 
 void add_motions(py::module_& m) {
@@ -318,8 +326,12 @@ void add_motions(py::module_& m) {
       .field<&State::y>("y", "Midship, earth-fixed, eastward [m].")
       .field<&State::psi>("psi", "Heading, clockwise from north [rad].")
       .field<&State::motion>("motion", "Through the water.");
-  m.def("drift_angle", &drift_angle<double>, py::arg("motion"), "beta = atan2(-v, u) [rad].");
-  m.def("speed", &speed<double>, py::arg("motion"), "U = sqrt(u² + v²) [m/s].");
+  m.def("drift_angle", &drift_angle<double>, py::arg("motion"),
+        "beta = atan2(-v, u) [rad]."
+        "\n\nmotion: u and v of midship through the water.");
+  m.def("speed", &speed<double>, py::arg("motion"),
+        "U = sqrt(u² + v²) [m/s]."
+        "\n\nmotion: u and v of midship [m/s].");
 }
 
 }  // namespace

@@ -28,7 +28,10 @@ void add_imo(py::module_& m) {
       },
       py::arg("ship"), py::kw_only(), py::arg("speed") = py::none(), py::arg("rev") = py::none(),
       py::arg("thrust") = py::none(), Unlocked(),
-      "Turning circle and the zigzags 10/10 and 20/20, to both sides, judged by MSC.137(76); speed [m/s].");
+      "Turning circle and the zigzags 10/10 and 20/20, to both sides, judged by MSC.137(76); speed [m/s]."
+      "\n\nship: of any nonlinear model. speed: of the approach, the service speed unless given. rev: shaft speed "
+      "[1/s], or thrust: of all propellers [N]; self-propulsion unless given. Raises Refusal if she cannot propel "
+      "herself at the speed.");
 }
 
 // ---------------------------------------------------------------- exact derivatives
@@ -75,7 +78,9 @@ void add_slopes(py::module_& m) {
       py::kw_only(), py::arg("speed") = py::none(),
       "Exact derivatives of the indices of a zigzag (SI) by parameters of the ship, in the units of her file: a "
       "dictionary from index to an array in the order of the names, None for an index that does not exist. Raises "
-      "Refusal for a ship in wind or with effects other than a current.");
+      "Refusal for a ship in wind or with effects other than a current."
+      "\n\nship: of any nonlinear model. rudder, heading: angles [rad], positive. parameters: names. first: side "
+      "turned to first. speed: of the approach [m/s], the service speed unless given.");
   m.def(
       "turning_circle_slopes",
       [](const Ship& ship, double rudder, const std::vector<std::string>& parameters, Side side, Maybe speed) {
@@ -84,7 +89,10 @@ void add_slopes(py::module_& m) {
                       turning_circle);
       },
       py::arg("ship"), py::arg("rudder"), py::arg("parameters"), py::arg("side") = Side::starboard, py::kw_only(),
-      py::arg("speed") = py::none(), "The same of a turning circle, told as of a turn to starboard.");
+      py::arg("speed") = py::none(),
+      "The same of a turning circle, told as of a turn to starboard."
+      "\n\nship: of any nonlinear model. rudder: angle [rad], positive. parameters: by name. side: turned to. speed: "
+      "of the approach [m/s], the service speed unless given.");
 }
 
 void add_curve(py::module_& m) {
@@ -96,9 +104,11 @@ void add_curve(py::module_& m) {
       },
       py::arg("ship"), py::arg("largest"), py::kw_only(), py::arg("speed") = py::none(), Unlocked(),
       "The r-delta curve through all its folds, up to that rudder angle [rad] on both sides, with the propulsion of "
-      "that straight speed [m/s].");
+      "that straight speed [m/s]."
+      "\n\nship: of any nonlinear model. largest: rudder angle. speed: the service speed unless given.");
   m.def("instability_loop", &instability_loop, py::arg("curve"),
-        "Hysteresis of a curve of steady turns; None where there is one turn at every rudder angle.");
+        "Hysteresis of a curve of steady turns; None where there is one turn at every rudder angle."
+        "\n\ncurve: of `steady_turn_curve`, in its order.");
 }
 
 }  // namespace

@@ -79,14 +79,19 @@ Kb and Kw are negative for a stable ship, since a rudder angle to port is positi
 
 void add_conversions(py::module_& m) {
   m.def("transfer_functions", py::overload_cast<const Coefficients&>(&transfer_functions<double>),
-        py::arg("coefficients"), "Transfer functions of the coupled equations.");
+        py::arg("coefficients"),
+        "Transfer functions of the coupled equations."
+        "\n\ncoefficients: a1 to c2.");
   m.def("transfer_functions", py::overload_cast<const Indices&>(&transfer_functions<double>), py::arg("indices"),
-        "Transfer functions with given indices.");
+        "Transfer functions with given indices."
+        "\n\nindices: of `steering_indices`.");
   m.def("steering_indices", py::overload_cast<const Coefficients&>(&steering_indices<double>), py::arg("coefficients"),
         "Steering indices of the coupled equations. Source: [Artyszuk2016] eqs (17)–(24). Infinite or not a number for "
-        "a neutral ship, or where Kb or Kw is 0.");
+        "a neutral ship, or where Kb or Kw is 0."
+        "\n\ncoefficients: a1 to c2.");
   m.def("steering_indices", py::overload_cast<const Transfer&>(&steering_indices<double>), py::arg("transfer"),
-        "Steering indices of transfer functions.");
+        "Steering indices of transfer functions."
+        "\n\ntransfer: of `transfer_functions`.");
   m.def(
       "coefficients_from", py::overload_cast<const Indices&>(&coefficients_from<double>), py::arg("indices"),
       "Coupled equations with given indices, the inverse of steering_indices. Infinite or not a number for T3b = T3w. "
@@ -95,18 +100,25 @@ void add_conversions(py::module_& m) {
         "Coupled equations with given transfer functions, the inverse of transfer_functions.");
   m.def(
       "time_constants", [](const Transfer& h) { return time_constants(h); }, py::arg("transfer"),
-      "T1 and T2; None when they are a complex pair.");
+      "T1 and T2; None when they are a complex pair."
+      "\n\ntransfer: of `transfer_functions`; dimensionless.");
   m.def(
       "time_constants", [](const Coefficients& c) { return time_constants(transfer_functions(c)); },
-      py::arg("coefficients"), "T1 and T2; None when they are a complex pair.");
+      py::arg("coefficients"),
+      "T1 and T2; None when they are a complex pair."
+      "\n\ncoefficients: a1 to c2; dimensionless.");
   m.def("first_order_drift", &first_order_drift<double>, py::arg("indices"),
-        "First-order equation with T_b = T1 + T2 - T3b. Source: [Artyszuk2016] eq. (41)");
+        "First-order equation with T_b = T1 + T2 - T3b. Source: [Artyszuk2016] eq. (41)"
+        "\n\nindices: T1T2, T1_plus_T2, T3b … of `steering_indices`.");
   m.def("first_order_yaw", &first_order_yaw<double>, py::arg("indices"),
-        "First-order equation with T_w = T1 + T2 - T3w. Source: [Artyszuk2016] eq. (42)");
+        "First-order equation with T_w = T1 + T2 - T3w. Source: [Artyszuk2016] eq. (42)"
+        "\n\nindices: T1T2, T1_plus_T2, T3w … of `steering_indices`.");
   m.def("condition_number", &condition_number, py::arg("coefficients"),
-        "How much accuracy the conversion between coefficients and indices can lose; infinite where there is none.");
+        "How much accuracy the conversion between coefficients and indices can lose; infinite where there is none."
+        "\n\ncoefficients: a1 to c2; the number is that of the matrix [c w] of docs/linear.md.");
   m.def("inverse_distance", &inverse_distance<double>, py::arg("indices"),
-        "|T3b - T3w|/(|T3b| + |T3w|), 0 where no inverse exists.");
+        "|T3b - T3w|/(|T3b| + |T3w|), 0 where no inverse exists."
+        "\n\nindices: whose T3b and T3w are looked at.");
 }
 
 void add_dimension(py::module_& m) {
@@ -133,19 +145,25 @@ void add_dimension(py::module_& m) {
       .field<&S::r_v>("r_v", "[1/(m s)]")
       .field<&S::r_r>("r_r", "[1/s]")
       .field<&S::r_delta>("r_delta", "[1/s²]");
-  const auto* with_dimension = "With dimension: T = T' L/U, Kr = Kw U/L; the coupled equations for v and r in seconds.";
   m.def(
       "dimensional", [](const Indices& i, const PrimeScale& scale) { return dimensional(i, scale); },
-      py::arg("indices"), py::arg("scale"), with_dimension);
+      py::arg("indices"), py::arg("scale"),
+      "With dimension: T = T' L/U, Kr = Kw U/L.\n\nindices: dimensionless. scale: length and speed.");
   m.def(
       "dimensional", [](const Coefficients& c, const PrimeScale& scale) { return dimensional(c, scale); },
-      py::arg("coefficients"), py::arg("scale"), with_dimension);
+      py::arg("coefficients"), py::arg("scale"),
+      "With dimension: the coupled equations for v and r in seconds.\n\ncoefficients: dimensionless. scale: length and "
+      "speed.");
   m.def(
       "to_prime", [](const D& i, const PrimeScale& scale) { return to_prime(i, scale); }, py::arg("indices"),
-      py::arg("scale"), "The inverse of dimensional.");
+      py::arg("scale"),
+      "The inverse of dimensional."
+      "\n\nindices: with dimension. scale: length and speed.");
   m.def(
       "to_prime", [](const S& c, const PrimeScale& scale) { return to_prime(c, scale); }, py::arg("equations"),
-      py::arg("scale"), "The inverse of dimensional.");
+      py::arg("scale"),
+      "The inverse of dimensional."
+      "\n\nequations: with dimension. scale: length and speed.");
 }
 
 void add_sname(py::module_& m) {
@@ -178,14 +196,17 @@ about midship, v' = v/U = -beta, r' = omega'.)",
       py::arg("derivatives"), py::arg("rudder_positive") = Side::port,
       "Coefficients of the coupled equations, A = M⁻¹F with the signs of v' = -beta. rudder_positive: side to which "
       "the "
-      "rudder angle of the derivatives turns the ship.");
+      "rudder angle of the derivatives turns the ship."
+      "\n\nderivatives: SnameDerivatives.");
   m.def(
       "sname_derivatives",
       [convention](const Coefficients& c, const Sname& inertia, Side rudder_positive) {
         return sname_derivatives(c, inertia, convention(rudder_positive));
       },
       py::arg("coefficients"), py::arg("inertia"), py::arg("rudder_positive") = Side::port,
-      "The derivatives that give the coefficients, with mass, inertia and added masses as in `inertia`; F = M A.");
+      "The derivatives that give the coefficients, with mass, inertia and added masses as in `inertia`; F = M A."
+      "\n\ncoefficients: a1 to c2. inertia: SnameDerivatives. rudder_positive: side to which the rudder angle of the "
+      "derivatives turns the ship.");
 }
 
 // ---------------------------------------------------------------- hull and rudder
@@ -223,13 +244,16 @@ void add_parts(py::module_& m) {
       .def_property_readonly("total", &Split::total, "Their sum.");
   m.def(
       "coefficients_of", [](const Parts& parts) { return coefficients(parts); }, py::arg("parts"),
-      "Coefficients from hull and rudder, split by what they come from. Source: [Artyszuk2016] eqs (3)–(14)");
+      "Coefficients from hull and rudder, split by what they come from. Source: [Artyszuk2016] eqs (3)–(14)"
+      "\n\nparts: LinearParts, hull and rudder.");
   m.def(
       "parts_from",
       [](const Coefficients& c, const Parts& ship, KnownPart known) { return parts_from(c, ship, known); },
       py::arg("coefficients"), py::arg("ship"), py::arg("known"),
       "Hull and rudder that have given coefficients. c1 gives a_H, c2/c1 gives x_Reff; the known number, one of Y_b, "
-      "Y_w, N_b, N_w, c_Ry, closes a1, b1, a2, b2 for the other four. Source: [Artyszuk2016] eqs (44)–(46)");
+      "Y_w, N_b, N_w, c_Ry, closes a1, b1, a2, b2 for the other four. Source: [Artyszuk2016] eqs (44)–(46)"
+      "\n\ncoefficients: given. ship: LinearParts, whose other numbers stay. known: the number that is known. Raises "
+      "Refusal where no hull has them.");
 }
 
 // ---------------------------------------------------------------- ships
@@ -288,8 +312,11 @@ void add_linear_ship(py::module_& m) {
       .def(py::pickle([](const LinearShip& ship) { return ship_text(ship); },
                       [](const std::string& text) { return parse_linear_ship(text, "pickled ship"); }));
   m.def("parse_linear_ship", &parse_linear_ship, py::arg("text"), py::arg("name") = "ship",
-        "A linear ship from the text of a ship file; `name` stands for the file in messages.");
-  m.def("read_linear_ship", &read_linear_ship, py::arg("file"), "A linear ship from a ship file.");
+        "A linear ship from the text of a ship file; `name` stands for the file in messages."
+        "\n\ntext: of a ship file. name: of the file. Raises FileError \"NAME:LINE:COLUMN: what is wrong\".");
+  m.def("read_linear_ship", &read_linear_ship, py::arg("file"),
+        "A linear ship from a ship file."
+        "\n\nfile: of the model \"linear\". Raises FileError \"FILE:LINE:COLUMN: what is wrong\".");
 }
 
 // ---------------------------------------------------------------- inversion
@@ -312,14 +339,16 @@ void add_inversion(py::module_& m) {
       "coefficient_elasticities",
       [](const Coefficients& c) { return elasticities(inverted_coefficients(c, steering_indices(c))); },
       py::arg("coefficients"),
-      "Exact d ln(a1 … c2)/d ln(T1, T2, T3b, T3w, Kb, Kw): a dictionary of dictionaries, NaN where there is none.");
+      "Exact d ln(a1 … c2)/d ln(T1, T2, T3b, T3w, Kb, Kw): a dictionary of dictionaries, NaN where there is none."
+      "\n\ncoefficients: a1 to c2.");
   m.def(
       "part_elasticities",
       [](const Coefficients& c, const Parts& formal, KnownPart known) {
         return elasticities(inverted(c, steering_indices(c), formal, known).parts);
       },
       py::arg("coefficients"), py::arg("ship"), py::arg("known"),
-      "The same of hull and rudder, by the indices and the known number.");
+      "The same of hull and rudder, by the indices and the known number."
+      "\n\ncoefficients: given. ship: LinearParts, whose other numbers stay. known: the known number.");
 }
 
 }  // namespace

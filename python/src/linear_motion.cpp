@@ -43,9 +43,12 @@ void add_response(py::module_& m) {
                         Made::by_anyone)
       .field<&RudderHistory::s>("s", "Ship lengths, never descending.")
       .field<&RudderHistory::delta>("delta", "Rudder angle [rad], positive to port.");
-  m.def("rudder_step", &rudder_step, py::arg("angle"), "The rudder is at `angle` [rad] from s' = 0.");
+  m.def("rudder_step", &rudder_step, py::arg("angle"),
+        "The rudder is at `angle` [rad] from s' = 0."
+        "\n\nangle: positive to port. For `response`.");
   m.def("rudder_ramp_and_hold", &rudder_ramp_and_hold, py::arg("angle"), py::arg("rate"),
-        "From midships to `angle` [rad] at `rate` [rad per ship length], then held.");
+        "From midships to `angle` [rad] at `rate` [rad per ship length], then held."
+        "\n\nangle: positive to port. rate: positive. For `response`.");
   m.def(
       "response",
       [](const Coefficients& ship, const RudderHistory& history, const Array& times, const State& start) {
@@ -53,7 +56,9 @@ void add_response(py::module_& m) {
         return columns_of(response_to(LinearResponse<double>(ship), history, s, start));
       },
       py::arg("coefficients"), py::arg("rudder"), py::arg("s"), py::arg("start") = State{0.0, 0.0, 0.0},
-      "Exact response to a rudder history at dimensionless times s' = tU/L: arrays beta [rad], omega', psi [rad].");
+      "Exact response to a rudder history at dimensionless times s' = tU/L: arrays beta [rad], omega', psi [rad]."
+      "\n\ncoefficients: of the ship. rudder: of `rudder_step` or `rudder_ramp_and_hold`. s: times, an array. start: "
+      "at s' = 0, straight ahead unless given.");
 }
 
 // ---------------------------------------------------------------- zigzag
@@ -118,7 +123,11 @@ void add_zigzag(py::module_& m) {
       py::arg("first") = Side::starboard, py::arg("reversals") = LinearZigzagOrder{}.reversals, Unlocked(),
       "The zigzag from straight ahead, exact: every leg a closed form, every switch the root of one. Rudder and "
       "heading "
-      "[rad]; rate in rad per ship length, infinite for a step.");
+      "[rad]; rate in rad per ship length, infinite for a step."
+      "\n\ncoefficients: of the ship. rudder, heading, rate: positive. first: side turned to first. reversals: how "
+      "many to "
+      "sail for. Raises ValueError "
+      "for an angle or a rate that is not positive.");
 
   using Loop = LoopMeasures<double>;
   Record<Loop>(m, "LoopMeasures", "Measures of the drift–yaw loop of a zigzag.")
@@ -132,7 +141,8 @@ void add_zigzag(py::module_& m) {
       .field<&Loop::beta_at_omega_zero>("beta_at_omega_zero", "|beta| where omega' passes zero [rad].")
       .field<&Loop::distance_from_line>("distance_from_line", "Root mean square from omega' = (Kw/Kb) beta.");
   m.def("drift_yaw_loop", &drift_yaw_loop, py::arg("coefficients"), py::arg("zigzag"),
-        "The loop of the last full cycle of a zigzag; None with fewer than three reversals.");
+        "The loop of the last full cycle of a zigzag; None with fewer than three reversals."
+        "\n\ncoefficients: of the ship that sailed it. zigzag: of `linear_zigzag` or `limit_cycle`.");
   Record<LimitCycle>(m, "LimitCycle", "A zigzag sailed until each reversal repeats the one before.")
       .field<&LimitCycle::zigzag>("zigzag", "As sailed.")
       .field<&LimitCycle::settled>("settled", "Whether it repeats to 1e-12.");
@@ -142,7 +152,10 @@ void add_zigzag(py::module_& m) {
         return limit_cycle(ship, order(rudder, heading, rate, first, LinearZigzagOrder{}.reversals));
       },
       py::arg("coefficients"), py::arg("rudder"), py::arg("heading"), py::arg("rate"),
-      py::arg("first") = Side::starboard, Unlocked(), "The zigzag sailed until it repeats.");
+      py::arg("first") = Side::starboard, Unlocked(),
+      "The zigzag sailed until it repeats."
+      "\n\ncoefficients: of the ship. rudder, heading [rad]; rate: of the rudder in rad per ship length. first: side "
+      "turned to first.");
   Record<LoopSensitivity>(m, "LoopSensitivity", "Loop and overshoots with exact derivatives by T3b and T3w.")
       .field<&LoopSensitivity::value>("value", "The loop.")
       .field<&LoopSensitivity::by_T3b>("by_T3b", "Its derivatives by T3b, the other indices held.")
@@ -160,7 +173,10 @@ void add_zigzag(py::module_& m) {
         return loop_sensitivity(indices, order(rudder, heading, rate, first, LinearZigzagOrder{}.reversals));
       },
       py::arg("indices"), py::arg("rudder"), py::arg("heading"), py::arg("rate"), py::arg("first") = Side::starboard,
-      Unlocked(), "Exact derivatives of loop and overshoots by T3b and T3w. Raises ValueError if T3b = T3w.");
+      Unlocked(),
+      "Exact derivatives of loop and overshoots by T3b and T3w. Raises ValueError if T3b = T3w."
+      "\n\nindices: of the ship. rudder, heading [rad]; rate: of the rudder in rad per ship length. first: side turned "
+      "to first.");
 }
 
 // ---------------------------------------------------------------- frequency
@@ -186,18 +202,22 @@ void add_frequency(py::module_& m) {
       },
       py::arg("transfer"), py::arg("of"), py::arg("frequencies"), py::arg("scale"),
       "Bode diagram of \"drift\", \"yaw\" or \"heading\" over the rudder at frequencies in radians per ship length: "
-      "arrays frequency_rad_s, gain, phase [rad, continuous].");
+      "arrays frequency_rad_s, gain, phase [rad, continuous]."
+      "\n\ntransfer: of `transfer_functions`. of: over the rudder. frequencies: one array. scale: length and speed, "
+      "which give rad/s.");
   m.def(
       "bandwidth",
       [](const SwayYawTransfer<double>& h, const std::string& of) { return bandwidth(transfer_to(h, of)); },
       py::arg("transfer"), py::arg("of"),
       "Frequency [radians per ship length] above which the gain stays below 1/√2 of the static one; None for the "
-      "heading, a neutral ship and a gain of 0.");
+      "heading, a neutral ship and a gain of 0."
+      "\n\ntransfer: of `transfer_functions`. of: \"drift\", \"yaw\" or \"heading\".");
   Record<Crossover>(m, "Crossover", "Where a helmsman's loop has gain 1.")
       .field<&Crossover::frequency>("frequency", "Radians per ship length.")
       .field<&Crossover::phase_margin>("phase_margin", "By which the phase of the loop is above -π [rad].");
   m.def("crossover", &crossover, py::arg("transfer"), py::arg("k"),
-        "Crossover of the loop of a helmsman who orders delta = k (psi - wanted); None when the gain is nowhere 1.");
+        "Crossover of the loop of a helmsman who orders delta = k (psi - wanted); None when the gain is nowhere 1."
+        "\n\ntransfer: of `transfer_functions`. k: rudder per error of heading.");
 }
 
 }  // namespace

@@ -38,6 +38,10 @@ constexpr double usual_tolerance = ManoeuvreOptions{}.tolerance;
 // ---------------------------------------------------------------- results
 
 void add_zigzag(py::module_& m) {
+  Record<ZigzagOrder>(m, "ZigzagOrder", "A zigzag.", Made::by_anyone)
+      .field<&ZigzagOrder::rudder>("rudder", "[rad], positive.")
+      .field<&ZigzagOrder::heading>("heading", "At which the rudder is reversed [rad], positive.")
+      .optional<&ZigzagOrder::first>("first", "Side turned to first.");
   Record<Reversal>(m, "Reversal", "A rudder reversal and the heading peak that follows.")
       .field<&Reversal::time>("time", "When the heading reaches the switch angle [s].")
       .field<&Reversal::peak_time>("peak_time", "When the yaw rate passes zero [s].")
@@ -61,10 +65,13 @@ void add_zigzag(py::module_& m) {
       "Zigzag: the rudder [rad] is put over to the side `first`; whenever the heading has changed by `heading` [rad] "
       "to "
       "the side of the turn it is reversed. Ends after the fourth overshoot unless a duration is "
-      "given." SWAYAW_MANOEUVRE_DOC);
+      "given." SWAYAW_MANOEUVRE_DOC "\n\ntolerance: error of an integration step.");
 }
 
 void add_turning_circle(py::module_& m) {
+  Record<TurnOrder>(m, "TurnOrder", "A turn with the rudder held.", Made::by_anyone)
+      .field<&TurnOrder::rudder>("rudder", "[rad], positive.")
+      .optional<&TurnOrder::side>("side", "Turned to.");
   Record<TurningCircle>(m, "TurningCircle",
                         "A simulated turning circle and its indices; None for what was not reached.")
       .field<&TurningCircle::advance>("advance", "Forward way at 90 deg change of heading [m].")
@@ -87,7 +94,7 @@ void add_turning_circle(py::module_& m) {
       },
       py::arg("ship"), py::arg("rudder"), py::arg("side") = Side::starboard, SWAYAW_MANOEUVRE_ARGUMENTS,
       "Turning circle with the rudder [rad] held over to a side. Ends after 540 deg, or where the ship no longer moves "
-      "ahead, unless a duration is given." SWAYAW_MANOEUVRE_DOC);
+      "ahead, unless a duration is given." SWAYAW_MANOEUVRE_DOC "\n\ntolerance: error of an integration step.");
 }
 
 void add_pull_out(py::module_& m) {
@@ -118,7 +125,8 @@ void add_pull_out(py::module_& m) {
       py::arg("ship"), py::arg("rudder"), SWAYAW_MANOEUVRE_ARGUMENTS,
       "Turns with the rudder [rad] held, then puts it amidships, to both sides; both motions last until they are "
       "steady. "
-      "`duration` is not used. Source: [MSC/Circ.1053] appendix 4." SWAYAW_MANOEUVRE_DOC);
+      "`duration` is not used. Source: [MSC/Circ.1053] appendix 4." SWAYAW_MANOEUVRE_DOC
+      "\n\ntolerance: error of an integration step.");
 }
 
 void add_spiral(py::module_& m) {
@@ -157,7 +165,7 @@ void add_spiral(py::module_& m) {
       py::arg("first") = Side::starboard, SWAYAW_MANOEUVRE_ARGUMENTS,
       "Dieudonné's spiral: the rudder goes from the largest angle [rad] on one side to that on the other and back in "
       "steps of `step_angle` [rad], held at each until the ship turns steadily. `duration` is not "
-      "used." SWAYAW_MANOEUVRE_DOC);
+      "used." SWAYAW_MANOEUVRE_DOC "\n\nfirst: side of the first angle. tolerance: error of an integration step.");
   Record<HeldYawRate>(m, "HeldYawRate", "A yaw rate and the rudder that holds it.")
       .field<&HeldYawRate::r>("r", "[rad/s]")
       .field<&HeldYawRate::turn>("turn", "None where no rudder angle up to the largest holds it.");
@@ -173,7 +181,10 @@ void add_spiral(py::module_& m) {
       },
       py::arg("ship"), py::arg("largest") = ReverseSpiralOrder{}.largest, py::arg("steps") = ReverseSpiralOrder{}.steps,
       py::kw_only(), py::arg("speed") = py::none(), py::arg("rev") = py::none(), py::arg("thrust") = py::none(),
-      Unlocked(), "For each yaw rate the mean rudder angle of a helmsman who keeps it, up to `largest` [rad].");
+      Unlocked(),
+      "For each yaw rate the mean rudder angle of a helmsman who keeps it, up to `largest` [rad]."
+      "\n\nship: of any nonlinear model. steps: between yaw rate 0 and the largest. speed: of the approach [m/s], the "
+      "service speed unless given. rev: shaft speed [1/s], or thrust: of all propellers [N].");
 }
 
 void add_williamson_turn(py::module_& m) {
@@ -202,7 +213,8 @@ void add_williamson_turn(py::module_& m) {
       py::arg("before") = WilliamsonOrder{}.before, py::arg("first") = Side::starboard, SWAYAW_MANOEUVRE_ARGUMENTS,
       "Rudder [rad] hard over to `first` until the heading has changed by `heading` [rad], to the other side until it "
       "is "
-      "`before` [rad] short of the reciprocal, then amidships. Source: [IAMSAR]." SWAYAW_MANOEUVRE_DOC);
+      "`before` [rad] short of the reciprocal, then amidships. Source: [IAMSAR]." SWAYAW_MANOEUVRE_DOC
+      "\n\nrudder, heading, before: angles, positive. tolerance: error of an integration step.");
 }
 
 }  // namespace

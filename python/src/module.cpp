@@ -62,14 +62,22 @@ PYBIND11_MODULE(_swayaw, m) {
   add_linear(m);
   add_linear_motion(m);
   add_ships(m);
+  add_estimates(m);
   add_manoeuvres(m);
   add_criteria(m);
   add_motion(m);
   add_checks(m);
   add_trials(m);
+  add_regression(m);
+  add_states(m);
   add_fits(m);
+  add_captive(m);
   add_trajectories(m);
   add_tuning(m);
+  add_batches(m);
+  add_estimation(m);
   add_comparison(m);
+  add_findings(m);
+  add_budget(m);
   add_diagnosis(m);
 }

@@ -35,9 +35,13 @@ void add_replay(py::module_& m) {
       "The whole run simulated from its recorded start with the recorded rudder and shaft speed, sampled at the "
       "recorded times, in the wind and depth that were measured. shaft=\"self_propulsion\": with what carries the "
       "model "
-      "at the recorded starting speed. Raises Refusal if the run does not tell rudder or speed.");
+      "at the recorded starting speed. Raises Refusal if the run does not tell rudder or speed."
+      "\n\nship: who sails. run: a recording. shaft: \"recorded\" or \"self_propulsion\". tolerance: error of an "
+      "integration step.");
   m.def("recorded_state", &recorded_state, py::arg("ship"), py::arg("run"), py::arg("time"), Unlocked(),
-        "Recorded state of the ship through the water at a time [s].");
+        "Recorded state of the ship through the water at a time [s]."
+        "\n\nship: whose instruments and length count. run: a recording. time: within it. Raises Refusal if the run "
+        "does not tell rudder or speed.");
 }
 
 // ---------------------------------------------------------------- forces
@@ -58,7 +62,9 @@ void add_forces_of(py::module_& m) {
   m.def(
       "force_breakdown", &force_breakdown, py::arg("ship"), py::arg("state"), py::arg("controls"), Unlocked(),
       "Which force acts here, and from which part? The rudder angle is that of the rudder. Raises Refusal if no force "
-      "model holds for the motion or the controls.");
+      "model holds for the motion or the controls."
+      "\n\nship: of any nonlinear model. state: where she is and how she moves. controls: rudder angle and shaft speed "
+      "or thrust. Forces are in N, moments about midship in N m.");
   m.def(
       "with_forces",
       [](Recording run, const Ship& ship) {
@@ -66,7 +72,8 @@ void add_forces_of(py::module_& m) {
         return run;
       },
       py::arg("run"), py::arg("ship"), Unlocked(),
-      "The run with forces by part as extra columns X_hull_N, Y_hull_N, N_hull_N_m, …");
+      "The run with forces by part as extra columns X_hull_N, Y_hull_N, N_hull_N_m, …"
+      "\n\nship: of any nonlinear model. run: a recording; Refusal if it does not tell rudder or speed.");
 }
 
 // ---------------------------------------------------------------- linearization
@@ -121,24 +128,32 @@ void add_linearization(py::module_& m) {
       "linearize", &linearize, py::arg("ship"), py::arg("point"), py::arg("side") = py::none(), Unlocked(),
       "Linear motion about a steady motion. Where the forces have a kink, as the MMG rudder has straight ahead, the "
       "derivatives are those of a turn to `side`, or without a side the mean of both. Raises Refusal if the ship does "
-      "not move ahead, or accelerates there by more than 1e-6 U²/L.");
+      "not move ahead, or accelerates there by more than 1e-6 U²/L."
+      "\n\nship: of any nonlinear model. point: of `straight_course`, or an OperatingPoint of a steady turn.");
   m.def("linearize_transient", &linearize_transient, py::arg("ship"), py::arg("point"), py::arg("side") = py::none(),
         Unlocked(),
-        "The same about a motion that need not be steady: the derivatives hold while the motion is near it.");
+        "The same about a motion that need not be steady: the derivatives hold while the motion is near it."
+        "\n\nship: of any nonlinear model. point: an OperatingPoint. side: of the derivatives at a kink, else the mean "
+        "of both.");
   m.def(
       "straight_course",
       [](const Ship& ship, Maybe speed) { return straight_course(ship, speed.value_or(service_speed(ship))); },
       py::arg("ship"), py::arg("speed") = py::none(), Unlocked(),
-      "Straight ahead at that speed [m/s], the service speed unless given, with self-propulsion.");
+      "Straight ahead at that speed [m/s], the service speed unless given, with self-propulsion."
+      "\n\nship: of any nonlinear model. speed: straight ahead. Raises Refusal if she cannot propel herself at it.");
   m.def("has_kink", &has_kink, py::arg("ship"), py::arg("point"), Unlocked(),
-        "Whether the derivatives of turns to port and to starboard differ there.");
+        "Whether the derivatives of turns to port and to starboard differ there."
+        "\n\nship: of any nonlinear model. point: of `straight_course` or of a steady turn.");
   m.def("linear_ship", &linear_ship, py::arg("ship"), py::arg("linearization"), Unlocked(),
-        "The ship in small motions about the operating point, in the form that the linear floor works with.");
+        "The ship in small motions about the operating point, in the form that the linear floor works with."
+        "\n\nship: she who was linearized. linearization: of `linearize`.");
   Record<SteadyMotion>(m, "SteadyMotion", "A motion in which nothing changes but the place and the heading.")
       .field<&SteadyMotion::motion>("motion", "Through the water.")
       .field<&SteadyMotion::stable>("stable", "A small disturbance dies out.");
   m.def("steady_motion", &steady_motion, py::arg("ship"), py::arg("controls"), py::arg("guess"), Unlocked(),
-        "The steady motion that Newton's method finds from the guess at constant controls; None where it does not.");
+        "The steady motion that Newton's method finds from the guess at constant controls; None where it does not."
+        "\n\nship: of any nonlinear model. controls: rudder angle and shaft speed or thrust. guess: where the search "
+        "begins.");
 }
 
 // ---------------------------------------------------------------- wind
@@ -164,7 +179,8 @@ void add_wind(py::module_& m) {
       py::arg("ship"), py::arg("wind_speed"), py::arg("wind_from"), py::arg("direction") = 0.0,
       py::arg("kept") = Kept::course, Unlocked(),
       "The straight run in a true wind [m/s] from a direction [rad, clockwise from north] that keeps the course or the "
-      "heading `direction` [rad]; None where no helm balances that wind.");
+      "heading `direction` [rad]; None where no helm balances that wind."
+      "\n\nship: of any nonlinear model. wind_speed, wind_from: the true wind. kept: \"course\" or \"heading\".");
 }
 
 // ---------------------------------------------------------------- real time

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "casters.hpp"
+#include "record.hpp"
 #include "swayaw/identification/measurement.hpp"
 
 /// Standard deviations by channel, as dictionaries.
@@ -22,5 +22,13 @@ inline py::dict noise_of(const MeasurementNoise& noise) {
     if (noise[i]) result[py::str(short_name(static_cast<Channel>(i)))] = *noise[i];
   return result;
 }
+
+/// A field of them.
+template <>
+struct Form<MeasurementNoise> {
+  static std::string type() { return "dict"; }
+  static py::object get(MeasurementNoise& value, py::handle) { return noise_of(value); }
+  static void set(MeasurementNoise& place, py::handle value) { place = noise_from(value.cast<NoiseByChannel>()); }
+};
 
 }  // namespace swayaw::python

@@ -8,10 +8,15 @@
 namespace swayaw::python {
 
 /// Whoever listens to a work that runs without the interpreter's lock. An exception, of the listener or of Ctrl-C, ends
-/// the work at its next word; `rethrow` raises it when the work has come back.
+/// the work at its next word; `end` raises it.
 class Listener {
  public:
-  explicit Listener(py::object function) : function_(std::move(function)) {}
+  /// @param function  None for the line of a notebook, where there is one; False for nobody
+  /// @param work      its name
+  Listener(py::object function, const char* work) : function_(std::move(function)) {
+    if (function_.is_none()) function_ = line_ = py::module_::import("swayaw.notebook").attr("line")(work);
+    if (function_.is(py::bool_(false))) function_ = py::none();
+  }
 
   /// @return false if the work shall end with what it has
   template <class... Words>
@@ -27,12 +32,15 @@ class Listener {
     }
   }
 
-  void rethrow() const {
+  /// The work has come back.
+  void end() const {
+    if (!line_.is_none()) line_.attr("end")();
     if (trouble_) std::rethrow_exception(trouble_);
   }
 
  private:
   py::object function_;
+  py::object line_ = py::none();
   std::exception_ptr trouble_;
 };
 
@@ -43,7 +51,7 @@ auto listened_to(Listener& listener, const Work& work) {
     const py::gil_scoped_release unlocked;
     return work();
   }();
-  listener.rethrow();
+  listener.end();
   return result;
 }
 

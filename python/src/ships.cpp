@@ -3,13 +3,12 @@
 #include "effect.hpp"
 #include "module.hpp"
 #include "record.hpp"
+#include "ship_values.hpp"
 #include "swayaw/core/detail/spelling.hpp"
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
-#include "swayaw/nonlinear/estimates/estimate_spread.hpp"
-#include "swayaw/nonlinear/estimates/estimated_ship.hpp"
 #include "swayaw/nonlinear/published_ships.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
@@ -18,10 +17,6 @@ namespace swayaw::python {
 
 template <>
 struct Words<EffectPlace> : NamedWords<EffectPlace, 5, name_of> {};
-template <>
-struct Words<HullFormula> {
-  static std::vector<std::string> list() { return {"yoshimura_masumoto", "kijima"}; }
-};
 
 namespace {
 
@@ -35,19 +30,6 @@ py::dict by_name(const std::vector<Parameter>& parameters) {
   py::dict result;
   for (const auto& p : parameters) result[py::str(p.name)] = p;
   return result;
-}
-
-/// Values in SI from those in the units of the ship file.
-/// @throws std::domain_error  "R_0 in [hull] cannot be -1", as a ship file is refused
-std::vector<double> si_values(std::span<const Parameter> parameters, std::span<const double> given) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    const auto& p = parameters[i];
-    if (!std::isfinite(given[i]) || !scaled(p.range, 1.0 / p.si).contains(given[i]))
-      throw std::domain_error(fmt::format("{} in [{}] cannot be {}", p.key, p.table, given[i]));
-    values.push_back(given[i] * p.si);
-  }
-  return values;
 }
 
 Ship with_named_values(const Ship& ship, const std::map<std::string, double>& named_values) {
@@ -256,7 +238,9 @@ void add_effects(py::module_& m, py::class_<AnyEffect>& type) {
         if (!effect) throw std::domain_error(fmt::format("there is no effect \"{}\"", id));
         return AnyEffect{*effect};
       },
-      py::arg("id"), "The effect of that name where it does nothing.");
+      py::arg("id"),
+      "The effect of that name where it does nothing."
+      "\n\nid: as in ship files; ValueError for one that is not known.");
 }
 
 // ---------------------------------------------------------------- ships
@@ -326,11 +310,14 @@ She is a value: `with_values` and `with_effect` give another ship. Two ships are
                       [](const std::string& text) { return parse_ship(text, "pickled ship"); }));
 
   m.def("parse_ship", &parse_ship, py::arg("text"), py::arg("name") = "ship",
-        "A ship of a nonlinear model from the text of a ship file; `name` stands for the file in messages.");
+        "A ship of a nonlinear model from the text of a ship file; `name` stands for the file in messages."
+        "\n\ntext: of a ship file. name: of the file. Raises FileError \"NAME:LINE:COLUMN: what is wrong\".");
   m.def("read_ship", &read_ship, py::arg("file"),
-        "A ship of a nonlinear model from a ship file. Raises FileError \"FILE:LINE:COLUMN: what is wrong\".");
+        "A ship of a nonlinear model from a ship file. Raises FileError \"FILE:LINE:COLUMN: what is wrong\"."
+        "\n\nfile: of one of the models mmg, pi, pu and abkowitz.");
   m.def("published_ship", &published_ship, py::arg("name"),
-        "The published ship of a nonlinear model with that name. Raises Refusal that lists the names.");
+        "The published ship of a nonlinear model with that name. Raises Refusal that lists the names."
+        "\n\nname: of `published_ships`, \"kvlcc2\".");
   m.def(
       "published_ships",
       [] {
@@ -346,52 +333,31 @@ She is a value: `with_values` and `with_effect` give another ship. Two ships are
         if (!text) throw Refusal(fmt::format("there is no published ship \"{}\"", name));
         return *text;
       },
-      py::arg("name"), "The ship file of that name.");
+      py::arg("name"),
+      "The ship file of that name."
+      "\n\nname: of `published_ships`; Refusal for another.");
   m.def("_model_of", &model_of, py::arg("text"), py::arg("name"));
   m.def(
       "self_propulsion",
       [](const Ship& ship, Maybe speed) { return self_propulsion(ship, speed.value_or(service_speed(ship))); },
       py::arg("ship"), py::arg("speed") = py::none(),
-      "Rudder amidships and the shaft speed, or thrust, that carries her straight ahead at that speed [m/s].");
-}
-
-// ---------------------------------------------------------------- estimates
-
-void add_estimate(py::module_& m) {
-  py::class_<EstimatedShip>(m, "EstimatedShip", "A ship from main dimensions, and what was assumed about her.")
-      .def_readonly("assumptions", &EstimatedShip::assumptions)
-      .def_readonly("warnings", &EstimatedShip::warnings,
-                    "Ratios of the hull that lie outside the range of the formulas.");
-  m.def(
-      "estimate_ship",
-      [](double length_m, double beam, double draught, double block, double speed, double trim, HullFormula formula,
-         std::string name, Maybe rudder_area, Maybe propeller_diameter, Maybe resistance) {
-        const HullDimensions<double> hull{.L = length_m, .B = beam, .d = draught, .C_B = block, .trim = trim};
-        const EstimateOptions options{.hull = formula,
-                                      .rudder_area = rudder_area,
-                                      .rudder_height = {},
-                                      .propeller_diameter = propeller_diameter,
-                                      .wake_fraction = {},
-                                      .thrust_deduction = {},
-                                      .resistance = resistance};
-        const auto estimate = estimated_mmg_ship(hull, speed, options);
-        Ship ship{.name = std::move(name),
-                  .model = estimate.ship,
-                  .confidence = confidence_of(estimate_spread(hull, estimate, options)),
-                  .surroundings = {}};
-        return std::pair(std::move(ship), estimate);
-      },
-      py::arg("length"), py::arg("beam"), py::arg("draught"), py::arg("block_coefficient"), py::arg("service_speed"),
-      py::kw_only(), py::arg("trim") = 0.0, py::arg("formula") = HullFormula::yoshimura_masumoto,
-      py::arg("name") = "estimated ship", py::arg("rudder_area") = py::none(),
-      py::arg("propeller_diameter") = py::none(), py::arg("resistance") = py::none(), Unlocked(),
-      "A ship of the MMG model from main dimensions [m], block coefficient and service speed [m/s], and what was "
-      "assumed. Her confidence is the spread of the formulas and their misses of measured ships. trim: draught aft "
-      "less "
-      "draught forward [m]; formula \"kijima\" takes trim. resistance: R_0'.");
+      "Rudder amidships and the shaft speed, or thrust, that carries her straight ahead at that speed [m/s]."
+      "\n\nship: of any nonlinear model. speed: the service speed unless given. Raises Refusal if she cannot propel "
+      "herself at it.");
 }
 
 }  // namespace
+
+std::vector<double> si_values(std::span<const Parameter> parameters, std::span<const double> given) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto& p = parameters[i];
+    if (!std::isfinite(given[i]) || !scaled(p.range, 1.0 / p.si).contains(given[i]))
+      throw std::domain_error(fmt::format("{} in [{}] cannot be {}", p.key, p.table, given[i]));
+    values.push_back(given[i] * p.si);
+  }
+  return values;
+}
 
 void add_ships(py::module_& m) {
   add_parameters(m);
@@ -399,7 +365,6 @@ void add_ships(py::module_& m) {
                                "Physics that a model leaves out, as a value; docs/effects.md tells all kinds.");
   add_ship(m);
   add_effects(m, effect);
-  add_estimate(m);
 }
 
 }  // namespace swayaw::python

@@ -1,3 +1,4 @@
+#include "fit_words.hpp"
 #include "module.hpp"
 #include "noise.hpp"
 #include "progress.hpp"
@@ -9,8 +10,6 @@
 
 namespace swayaw::python {
 
-template <>
-struct Words<FitStatus> : NamedWords<FitStatus, 3, in_words> {};
 template <>
 struct Words<TrajectoryFitStatus> {
   static std::vector<std::string> list() { return {"converged", "iteration_limit", "stopped", "rank_deficient"}; }
@@ -43,30 +42,26 @@ void add_trajectory_fit(py::module_& m) {
       .field<&FittedRun::name>("name", "")
       .field<&FittedRun::start>("start", "Fitted, at the first sample.")
       .field<&FittedRun::channels>("channels", "");
-  py::class_<TrajectoryFit>(m, "TrajectoryFit", "A ship whose simulation runs through recordings.")
-      .def_readonly("ship", &TrajectoryFit::ship, "With the fitted parameters.")
-      .def_readonly("status", &TrajectoryFit::status, "converged, iteration_limit, stopped or rank_deficient.")
-      .def_readonly("parameters", &TrajectoryFit::parameters, "In the order of the question.")
-      .def_property_readonly(
-          "covariance", [](const TrajectoryFit& f) { return matrix(f.covariance); },
-          "Of the parameters, SI: numpy.ndarray.")
-      .def_property_readonly(
-          "correlation", [](const TrajectoryFit& f) { return matrix(f.correlation); }, "numpy.ndarray")
-      .def_readonly("condition_number", &TrajectoryFit::condition_number)
-      .def_readonly("best_combination", &TrajectoryFit::best_combination,
-                    "Which product of powers is known best: \"|Y_v|^0.71 |N_v|^-0.70 to 0.4 %\".")
-      .def_readonly("undetermined", &TrajectoryFit::undetermined, "Relative error of 50 % and more, worst first.")
-      .def_property_readonly(
-          "noise", [](const TrajectoryFit& f) { return noise_of(f.noise); }, "By channel, SI.")
-      .def_readonly("log_likelihood", &TrajectoryFit::log_likelihood)
-      .def_readonly("runs", &TrajectoryFit::runs)
-      .def_readonly("iterations", &TrajectoryFit::iterations);
+  Record<TrajectoryFit>(m, "TrajectoryFit", "A ship whose simulation runs through recordings.")
+      .field<&TrajectoryFit::ship>("ship", "With the fitted parameters.")
+      .field<&TrajectoryFit::status>("status", "converged, iteration_limit, stopped or rank_deficient.")
+      .field<&TrajectoryFit::parameters>("parameters", "In the order of the question.")
+      .field<&TrajectoryFit::covariance>("covariance", "Of the parameters, SI.")
+      .field<&TrajectoryFit::correlation>("correlation", "Of the parameters.")
+      .field<&TrajectoryFit::condition_number>("condition_number", "Of combinations of the parameters.")
+      .field<&TrajectoryFit::best_combination>("best_combination", "Which product of powers is known best.")
+      .field<&TrajectoryFit::undetermined>("undetermined", "Relative error of 50 % and more, worst first.")
+      .field<&TrajectoryFit::noise>("noise", "Standard deviation by channel, SI.")
+      .field<&TrajectoryFit::log_likelihood>("log_likelihood", "Of all runs.")
+      .field<&TrajectoryFit::runs>("runs", "In their order.")
+      .field<&TrajectoryFit::iterations>("iterations", "")
+      .field<&TrajectoryFit::sensitivities>("sensitivities", "How often all runs were sailed with derivatives.");
   m.def(
       "fit_trajectories",
       [](const Ship& ship, const std::vector<Recording>& runs, std::optional<std::vector<std::string>> parameters,
          std::vector<Channel> channels, const NoiseByChannel& noise, bool priors, Maybe robust, double segment,
          int most_iterations, unsigned threads, py::object progress) {
-        Listener listener(std::move(progress));
+        Listener listener(std::move(progress), "fit_trajectories");
         TrajectoryFitOptions options{.parameters = parameters ? std::move(*parameters) : usual_parameters(ship),
                                      .channels = std::move(channels),
                                      .noise = noise_from(noise),
@@ -88,7 +83,14 @@ void add_trajectory_fit(py::module_& m) {
       "Parameters of a ship fitted to recordings by multiple shooting, maximum likelihood of white measurement noise, "
       "with exact derivatives (docs/trajectory_fit.md).\n\nprogress: a function of iteration, log likelihood, relative "
       "change and a dictionary of the parameters (SI); False ends the fit with the best so far. Ctrl-C raises "
-      "KeyboardInterrupt. threads: 0 for one on each core.");
+      "KeyboardInterrupt. Without one a notebook has a line that changes, progress=False nothing. threads: 0 for one "
+      "on each core."
+      "\n\nship: where the fit begins. runs: recordings, each with a start that is fitted too. parameters: by name, "
+      "the usual ones unless given. channels: to fit to, all that a run has unless given. noise: known standard "
+      "deviations by channel, SI, else estimated. priors: the parameters as given, with the ship's confidence, count "
+      "as measurements. robust: residuals beyond so many standard deviations count with their size, 1.345. segment: "
+      "length of the segments [ship lengths]. most_iterations: at most.\n\nRaises Refusal if there is nothing to fit "
+      "or to fit to, or the ship cannot be simulated; ValueError for a noise or segment that is not positive.");
 }
 
 // ---------------------------------------------------------------- linear
@@ -122,27 +124,51 @@ void add_linear_fit(py::module_& m) {
       .field<&LinearAmplitude::rudder>("rudder", "[rad]")
       .field<&LinearAmplitude::drift>("drift", "[rad]; NaN without drift.")
       .field<&LinearAmplitude::omega>("omega", "rL/U");
-  py::class_<LinearFit>(m, "LinearFit", R"(The linear sway–yaw equations that explain recordings.
+  using H = SwayYawTransfer<Estimate>;
+  Record<H>(m, "TransferEstimates", "Fitted transfer functions, dimensionless.")
+      .field<&H::e0>("e0", "")
+      .field<&H::e1>("e1", "")
+      .field<&H::nb0>("nb0", "")
+      .field<&H::nb1>("nb1", "")
+      .field<&H::nw0>("nw0", "")
+      .field<&H::nw1>("nw1", "");
+  using S = LinearState<Estimate>;
+  Record<S>(m, "LinearStateEstimates", "A fitted state.")
+      .field<&S::beta>("beta", "[rad]")
+      .field<&S::omega>("omega", "rL/U")
+      .field<&S::psi>("psi", "[rad]");
+  Record<ChannelNoise>(m, "ChannelNoise", "Standard deviations of white measurement noise.")
+      .field<&ChannelNoise::psi>("psi", "[rad]")
+      .field<&ChannelNoise::r>("r", "[rad/s]")
+      .field<&ChannelNoise::beta>("beta", "[rad]");
+  Record<Disturbance>(m, "Disturbance", "Random forces, by what an undisturbed state gains in deviation.")
+      .field<&Disturbance::beta>("beta", "[rad] per root of a ship length.")
+      .field<&Disturbance::omega>("omega", "Of omega', per root of a ship length.");
+  Record<LinearFit>(m, "LinearFit", R"(The linear sway–yaw equations that explain recordings.
 
 Where drift was not recorded, only the transfer function of yaw and its indices are determined.)")
-      .def_readonly("status", &LinearFit::status)
-      .def_readonly("scale", &LinearFit::scale, "Length and mean speed.")
-      .def_readonly("coefficients", &LinearFit::coefficients)
-      .def_readonly("indices", &LinearFit::indices)
-      .def_readonly("time_constants", &LinearFit::time_constants, "None when they are a complex pair.")
-      .def_readonly("rudder_offset", &LinearFit::rudder_offset, "Recorded angle plus this acts [rad].")
-      .def_readonly("one_step", &LinearFit::one_step, "From one measurement to the next.")
-      .def_readonly("whole_run", &LinearFit::whole_run, "Of the simulation of the whole run.")
-      .def_property_readonly(
-          "covariance", [](const LinearFit& f) { return matrix(f.covariance); },
-          "Of a1, b1, c1, a2, b2, c2: numpy.ndarray.")
-      .def_readonly("condition_number", &LinearFit::condition_number)
-      .def_readonly("best_combination", &LinearFit::best_combination)
-      .def_readonly("worst_combination", &LinearFit::worst_combination)
-      .def_readonly("stable", &LinearFit::stable)
-      .def_readonly("probability_stable", &LinearFit::probability_stable)
-      .def_readonly("amplitude", &LinearFit::amplitude, "A verdict on stability holds for motions of this size.")
-      .def_readonly("samples", &LinearFit::samples);
+      .field<&LinearFit::status>("status", "converged, iteration limit or rank deficient.")
+      .field<&LinearFit::scale>("scale", "Length and mean speed.")
+      .field<&LinearFit::coefficients>("coefficients", "Of the coupled equations.")
+      .field<&LinearFit::transfer>("transfer", "Of drift and yaw.")
+      .field<&LinearFit::indices>("indices", "")
+      .field<&LinearFit::time_constants>("time_constants", "None when they are a complex pair.")
+      .field<&LinearFit::rudder_offset>("rudder_offset", "Recorded angle plus this acts [rad].")
+      .field<&LinearFit::yaw_rate_offset>("yaw_rate_offset", "Recorded minus true [rad/s].")
+      .field<&LinearFit::drift_offset>("drift_offset", "Recorded minus true [rad].")
+      .field<&LinearFit::starts>("starts", "State at the first sample used, of each run.")
+      .field<&LinearFit::noise>("noise", "Known or estimated.")
+      .field<&LinearFit::disturbance>("disturbance", "Estimated.")
+      .field<&LinearFit::one_step>("one_step", "From one measurement to the next.")
+      .field<&LinearFit::whole_run>("whole_run", "Of the simulation of the whole run.")
+      .field<&LinearFit::covariance>("covariance", "Of a1, b1, c1, a2, b2, c2; NaN without drift.")
+      .field<&LinearFit::condition_number>("condition_number", "Of combinations of the constants.")
+      .field<&LinearFit::best_combination>("best_combination", "Which product of powers is known best.")
+      .field<&LinearFit::worst_combination>("worst_combination", "And which worst.")
+      .field<&LinearFit::stable>("stable", "At the estimate.")
+      .field<&LinearFit::probability_stable>("probability_stable", "At least; errors taken as normal.")
+      .field<&LinearFit::amplitude>("amplitude", "A verdict on stability holds for motions of this size.")
+      .field<&LinearFit::samples>("samples", "With a measurement that is used.");
   m.def(
       "fit_linear",
       [](const std::vector<Recording>& runs, double L, Maybe U, bool use_drift, bool disturbances, bool rudder_offset,
@@ -158,7 +184,10 @@ Where drift was not recorded, only the transfer function of yaw and its indices 
       py::arg("disturbances") = true, py::arg("rudder_offset") = true, py::arg("spacing") = 0.1, Unlocked(),
       "Both second-order equations fitted to recordings of any ship of that length [m], stable or not: maximum "
       "likelihood of the one-step prediction errors of a Kalman filter. speed [m/s]: constant, else as recorded. "
-      "spacing: least distance of the measurements used, ship lengths.");
+      "spacing: least distance of the measurements used, ship lengths."
+      "\n\nruns: recordings. use_drift: drift counts where it was recorded. disturbances: random forces act on the "
+      "ship, else only the measurements are noisy. rudder_offset: the recorded rudder angle has an unknown zero. "
+      "Raises Refusal if a run tells neither heading nor yaw rate, or has fewer than 20 measurements.");
   Record<NomotoZigzag>(m, "NomotoZigzag", "First-order equation T dr/dt + r = K (delta + delta_r), rudder to port.")
       .field<&NomotoZigzag::K>("K", "[1/s], negative for a stable ship.")
       .field<&NomotoZigzag::T>("T", "[s]")
@@ -166,7 +195,8 @@ Where drift was not recorded, only the transfer function of yaw and its indices 
       .field<&NomotoZigzag::intervals>("intervals", "Used.")
       .field<&NomotoZigzag::residual>("residual", "Rms of the heading changes left unexplained [rad].");
   m.def("nomoto_zigzag", &nomoto_zigzag_analysis, py::arg("run"), Unlocked(),
-        "Nomoto's analysis of a recorded zigzag. Raises Refusal with fewer than three heading peaks.");
+        "Nomoto's analysis of a recorded zigzag. Raises Refusal with fewer than three heading peaks."
+        "\n\nrun: heading and rudder suffice.");
 }
 
 }  // namespace

@@ -192,10 +192,12 @@ void add_trials(py::module_& m) {
       "errors. "
       "Heading and rudder suffice. The ship gives her length [m] and largest rudder angle; speed: of the approach "
       "[m/s], "
-      "in place of the recorded one. Raises Refusal where the run tells no manoeuvre.");
+      "in place of the recorded one. Raises Refusal where the run tells no manoeuvre."
+      "\n\nrun: the recording. ship: of any nonlinear model; without her, length: of the ship [m].");
   m.def(
       "trial_summary", [](const std::vector<TrialResult>& trials) { return summary_of(trials); }, py::arg("trials"),
-      "One verdict of several trials by MSC.137(76).");
+      "One verdict of several trials by MSC.137(76)."
+      "\n\ntrials: of `trial`, one for each run.");
 }
 
 }  // namespace swayaw::python

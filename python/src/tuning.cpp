@@ -15,13 +15,6 @@ namespace {
 // ---------------------------------------------------------------- what was measured
 
 void add_measured(py::module_& m) {
-  Record<TurnOrder>(m, "TurnOrder", "A turn with the rudder held.", Made::by_anyone)
-      .field<&TurnOrder::rudder>("rudder", "[rad], positive.")
-      .optional<&TurnOrder::side>("side", "Turned to.");
-  Record<ZigzagOrder>(m, "ZigzagOrder", "A zigzag.", Made::by_anyone)
-      .field<&ZigzagOrder::rudder>("rudder", "[rad], positive.")
-      .field<&ZigzagOrder::heading>("heading", "At which the rudder is reversed [rad], positive.")
-      .optional<&ZigzagOrder::first>("first", "Side turned to first.");
   Record<MeasuredIndex>(m, "MeasuredIndex", "One measured number of a manoeuvre, SI.")
       .field<&MeasuredIndex::name>("name", "As in the file: \"advance_L\", \"overshoot_deg 2\" for the second peak.")
       .field<&MeasuredIndex::place>("place", "Among the indices of such a manoeuvre.")
@@ -78,7 +71,8 @@ void add_sensitivity(py::module_& m) {
       },
       py::arg("ship"), py::arg("parameters") = std::vector<std::string>{},
       "The numbers that `tune` changes, as Parameter.\n\nparameters: by name; unless given those of the hull that are "
-      "not 0, but for its resistance. Raises Refusal for one that she does not have.");
+      "not 0, but for its resistance. Raises Refusal for one that she does not have."
+      "\n\nship: who is tuned.");
   m.def(
       "index_sensitivity",
       [](const Ship& ship, const MeasuredIndices& measured, std::vector<std::string> parameters) {
@@ -134,7 +128,7 @@ void add_tune(py::module_& m) {
       "tune",
       [](const Ship& ship, const MeasuredIndices& measured, std::vector<std::string> parameters, Maybe prior,
          Maybe most_change, int most_turns, double least_decay, py::object progress) {
-        Listener listener(std::move(progress));
+        Listener listener(std::move(progress), "tune");
         TuningOptions options{.parameters = std::move(parameters),
                               .prior = prior,
                               .most_change = most_change,
@@ -156,6 +150,7 @@ for its resistance. prior: relative standard deviation of each number; that of t
 most_change: largest relative change. most_turns: turning circles to be sailed at most. least_decay: what a steady turn
 must keep, decay of a disturbance per ship length. progress: a function of the manoeuvres sailed (SimulationCount) and
 the error of the best ship so far (TuningError); False ends the tuning with her, Ctrl-C raises KeyboardInterrupt.
+Without one a notebook has a line that changes, progress=False nothing.
 
 Raises Refusal for a ship in wind, one that does not reach a measured index to begin with or lacks a parameter, or where
 a number to change is 0; ValueError if an option is not positive or a rudder angle beyond the ship's largest.)");

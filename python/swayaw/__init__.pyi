@@ -92,6 +92,144 @@ class Candidate:
     def trace(self) -> bool:
         """Too small to matter, or not told from nothing."""
 
+class CaptiveError:
+    """Model less measurement, as primes over ½ρL²U² and ½ρL³U²; NaN without any."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> CaptiveError: ...
+    @property
+    def measured(self) -> PlanarForce:
+        """Rms of what was measured."""
+    @property
+    def points(self) -> int:
+        """How many."""
+    @property
+    def relative(self) -> PlanarForce:
+        """rms of the error over that of the measurement."""
+    @property
+    def rms(self) -> PlanarForce:
+        """Of model less measured."""
+
+class CaptiveFit:
+    """A ship from captive tests."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> CaptiveFit: ...
+    @property
+    def ship(self) -> Ship:
+        """With the coefficients found."""
+    @property
+    def steps(self) -> List[CaptiveStepReport]:
+        """In their order."""
+    @property
+    def validation(self) -> CaptiveError:
+        """After the last step."""
+
+class CaptiveMoment:
+    """A moment of a captive test."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> CaptiveMoment: ...
+    def __init__(self, motion: PlanarMotion = ..., acceleration: PlanarAcceleration = ..., controls: Controls = ..., weight: float = ...) -> None: ...
+    @property
+    def acceleration(self) -> PlanarAcceleration:
+        """Likewise."""
+    @property
+    def controls(self) -> Controls:
+        """Rudder and propulsion."""
+    @property
+    def motion(self) -> PlanarMotion:
+        """That the carriage imposes."""
+    @property
+    def weight(self) -> float:
+        """Forces of a test are Σ weight × force over its moments."""
+
+class CaptivePlan:
+    """Steps in their order: what one has found is known to the next."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> CaptivePlan: ...
+    def __init__(self, steps: List[CaptiveStep] = ..., validation: CaptiveSelection = ...) -> None: ...
+    @property
+    def steps(self) -> List[CaptiveStep]:
+        """In their order."""
+    @property
+    def validation(self) -> CaptiveSelection:
+        """Points that no step may use."""
+
+class CaptivePoint:
+    """One measurement of a captive test."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> CaptivePoint: ...
+    def __init__(self, run: str = ..., tests: List[str] = ..., moments: List[CaptiveMoment] = ..., measured: PlanarForce = ..., with_inertia: bool = ...) -> None: ...
+    @property
+    def measured(self) -> PlanarForce:
+        """About midship [N, N m]; NaN where it was not measured."""
+    @property
+    def moments(self) -> List[CaptiveMoment]:
+        """One for a steady test, a cycle for a Fourier coefficient."""
+    @property
+    def run(self) -> str:
+        """Its name."""
+    @property
+    def tests(self) -> List[str]:
+        """Kinds of test it belongs to: "static_drift", "pure_yaw:velocity"."""
+    @property
+    def with_inertia(self) -> bool:
+        """The force that accelerates the model is still in it."""
+
+class CaptiveSelection:
+    """Which points of captive tests."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> CaptiveSelection: ...
+    def __init__(self, tests: List[str] = ..., max_drift: float = ..., max_rudder: float = ..., min_rudder: float = ..., min_speed: float = ..., without_runs: List[str] = ...) -> None: ...
+    @property
+    def max_drift(self) -> float:
+        """[rad]"""
+    @property
+    def max_rudder(self) -> float:
+        """[rad]"""
+    @property
+    def min_rudder(self) -> float:
+        """[rad]"""
+    @property
+    def min_speed(self) -> float:
+        """[m/s]"""
+    @property
+    def tests(self) -> List[str]:
+        """Of one of these kinds; empty for every kind."""
+    @property
+    def without_runs(self) -> List[str]:
+        """Names."""
+
+class CaptiveStep:
+    """Some coefficients from some captive tests."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> CaptiveStep: ...
+    def __init__(self, points: CaptiveSelection = ..., component: str = ..., coefficients: List[str] = ...) -> None: ...
+    @property
+    def coefficients(self) -> List[str]:
+        """Keys of the ship file."""
+    @property
+    def component(self) -> str:
+        """X, Y or N."""
+    @property
+    def points(self) -> CaptiveSelection:
+        """Which, a CaptiveSelection."""
+
+class CaptiveStepReport:
+    """What a step found."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> CaptiveStepReport: ...
+    @property
+    def fit(self) -> Regression:
+        """Of primes; coefficients in SI or as the primes they are."""
+    @property
+    def points(self) -> int:
+        """How many it used."""
+    @property
+    def step(self) -> CaptiveStep:
+        """As planned."""
+    @property
+    def validation(self) -> CaptiveError:
+        """Of the ship with what is found so far."""
+
 class Channel(NamedTuple):
     """What a recording can hold."""
     name: str
@@ -146,6 +284,20 @@ class ChannelInnovation:
     @property
     def rms(self) -> float:
         """Of prediction errors over their expected size: 1 for a right filter."""
+
+class ChannelNoise:
+    """Standard deviations of white measurement noise."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> ChannelNoise: ...
+    @property
+    def beta(self) -> float:
+        """[rad]"""
+    @property
+    def psi(self) -> float:
+        """[rad]"""
+    @property
+    def r(self) -> float:
+        """[rad/s]"""
 
 class ChannelResiduals:
     """What a run leaves unexplained in a channel, SI."""
@@ -230,6 +382,20 @@ class CoefficientEstimates:
     def c1(self) -> Estimate: ...
     @property
     def c2(self) -> Estimate: ...
+
+class Combination:
+    """A sum of coefficients that data do not determine."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> Combination: ...
+    @property
+    def standard_error(self) -> float:
+        """Over the rms of y; infinite where y does not see it."""
+    @property
+    def terms(self) -> List[Tuple[str, float]]:
+        """Names and weights of coefficient times rms of its column, largest 1."""
+    @property
+    def words(self) -> str:
+        """\"Y_v - 0.98 Y_r\""""
 
 class Comparison:
     """One run beside its simulations, which share its times."""
@@ -505,6 +671,17 @@ class Discrepancy:
     def refitted(self) -> float:
         """Refitted."""
 
+class Disturbance:
+    """Random forces, by what an undisturbed state gains in deviation."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> Disturbance: ...
+    @property
+    def beta(self) -> float:
+        """[rad] per root of a ship length."""
+    @property
+    def omega(self) -> float:
+        """Of omega', per root of a ship length."""
+
 class DriftTold:
     """Drift of the track over ground, of current and wind together."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -563,6 +740,17 @@ class Estimate:
     @property
     def verdict(self) -> str:
         """determined, weakly determined or not determined."""
+
+class EstimatedForce:
+    """A force with its covariance."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> EstimatedForce: ...
+    @property
+    def covariance(self) -> numpy.ndarray:
+        """Of X, Y, N: 3 by 3."""
+    @property
+    def force(self) -> PlanarForce:
+        """[N, N, N m]"""
 
 class EstimatedShip:
     """A ship from main dimensions, and what was assumed about her."""
@@ -654,11 +842,13 @@ class ForceBudget:
 
 class ForceEquation:
     """One of the three force equations and the coefficients in it."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> ForceEquation: ...
     @property
     def R2(self) -> float:
         """Share of the variance explained."""
     @property
-    def bias(self) -> List[float]:
+    def bias(self) -> numpy.ndarray:
         """How far errors of the estimated motion may have moved each coefficient."""
     @property
     def coefficients(self) -> List[Coefficient]: ...
@@ -667,6 +857,9 @@ class ForceEquation:
         """X, Y or N."""
     @property
     def condition_number(self) -> float: ...
+    @property
+    def fit(self) -> Regression:
+        """Of forces over ½ρL²U², moments over ½ρL³U²."""
     @property
     def residual_rms(self) -> float: ...
     @property
@@ -678,14 +871,18 @@ class ForceEquation:
 
 class ForceFit:
     """Coefficients of a ship from the forces that recorded ships must have felt."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> ForceFit: ...
     def _repr_html_(self) -> str: ...
     @property
     def coefficients(self) -> dict:
         """Of all equations, by name."""
     @property
-    def equations(self) -> List[ForceEquation]: ...
+    def equations(self) -> List[ForceEquation]:
+        """Those that have a coefficient to be found."""
     @property
-    def range(self) -> MotionRange: ...
+    def range(self) -> MotionRange:
+        """Of the motions."""
     @property
     def ship(self) -> Ship:
         """With the coefficients found."""
@@ -936,6 +1133,20 @@ class InstrumentEstimate:
     def value(self) -> float:
         """In `unit`."""
 
+class InverseDynamics:
+    """Forces that a recorded ship must have felt at one sample."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> InverseDynamics: ...
+    @property
+    def damping(self) -> EstimatedForce:
+        """Of the water: hull, propeller, rudder and what the model lacks."""
+    @property
+    def hull(self) -> EstimatedForce:
+        """The same without what the model says of propeller and rudder."""
+    @property
+    def time(self) -> float:
+        """[s]"""
+
 class JudgedCriterion:
     """A criterion of MSC.137(76) on a recorded number."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -1008,45 +1219,73 @@ class LinearFit:
     """The linear sway–yaw equations that explain recordings.
     
     Where drift was not recorded, only the transfer function of yaw and its indices are determined."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> LinearFit: ...
     @property
     def amplitude(self) -> LinearAmplitude:
         """A verdict on stability holds for motions of this size."""
     @property
-    def best_combination(self) -> str: ...
+    def best_combination(self) -> str:
+        """Which product of powers is known best."""
     @property
-    def coefficients(self) -> CoefficientEstimates: ...
+    def coefficients(self) -> CoefficientEstimates:
+        """Of the coupled equations."""
     @property
-    def condition_number(self) -> float: ...
+    def condition_number(self) -> float:
+        """Of combinations of the constants."""
     @property
     def covariance(self) -> numpy.ndarray:
-        """Of a1, b1, c1, a2, b2, c2: numpy.ndarray."""
+        """Of a1, b1, c1, a2, b2, c2; NaN without drift."""
+    @property
+    def disturbance(self) -> Disturbance:
+        """Estimated."""
+    @property
+    def drift_offset(self) -> Estimate:
+        """Recorded minus true [rad]."""
     @property
     def indices(self) -> IndexEstimates: ...
+    @property
+    def noise(self) -> ChannelNoise:
+        """Known or estimated."""
     @property
     def one_step(self) -> LinearResiduals:
         """From one measurement to the next."""
     @property
-    def probability_stable(self) -> float: ...
+    def probability_stable(self) -> float:
+        """At least; errors taken as normal."""
     @property
     def rudder_offset(self) -> Estimate:
         """Recorded angle plus this acts [rad]."""
     @property
-    def samples(self) -> int: ...
+    def samples(self) -> int:
+        """With a measurement that is used."""
     @property
     def scale(self) -> PrimeScale:
         """Length and mean speed."""
     @property
-    def stable(self) -> bool: ...
+    def stable(self) -> bool:
+        """At the estimate."""
     @property
-    def status(self) -> str: ...
+    def starts(self) -> List[LinearStateEstimates]:
+        """State at the first sample used, of each run."""
+    @property
+    def status(self) -> str:
+        """converged, iteration limit or rank deficient."""
     @property
     def time_constants(self) -> Optional[TimeConstantEstimates]:
         """None when they are a complex pair."""
     @property
+    def transfer(self) -> TransferEstimates:
+        """Of drift and yaw."""
+    @property
     def whole_run(self) -> LinearResiduals:
         """Of the simulation of the whole run."""
     @property
-    def worst_combination(self) -> str: ...
+    def worst_combination(self) -> str:
+        """And which worst."""
+    @property
+    def yaw_rate_offset(self) -> Estimate:
+        """Recorded minus true [rad/s]."""
 
 class LinearHull:
     """Hull of a ship in linear motion, dimensionless. Source: [Artyszuk2016] eqs (2)–(14)"""
@@ -1204,6 +1443,20 @@ class LinearState:
     def psi(self) -> float:
         """Heading [rad]."""
 
+class LinearStateEstimates:
+    """A fitted state."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> LinearStateEstimates: ...
+    @property
+    def beta(self) -> Estimate:
+        """[rad]"""
+    @property
+    def omega(self) -> Estimate:
+        """rL/U"""
+    @property
+    def psi(self) -> Estimate:
+        """[rad]"""
+
 class LinearView:
     """A recorded zigzag and the refitted ship's, by K, T and the loop."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -1238,6 +1491,32 @@ class LinearZigzag:
         """Rudder angle at times s' [rad]."""
     def states(self: LinearZigzag, coefficients: SwayYawCoefficients, s: ArrayLike) -> dict:
         """Exact states of its ship at times s': beta, omega, psi."""
+
+class LinearZigzagBatch:
+    """Zigzags of many linear ships: reversals by ships; NaN for what a ship did not reach."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> LinearZigzagBatch: ...
+    @property
+    def by_numbers(self) -> int:
+        """Ships that the packs left to the scalar code."""
+    @property
+    def count(self) -> numpy.ndarray:
+        """Reversals of each ship."""
+    @property
+    def execute(self) -> numpy.ndarray:
+        """s' at which the heading reaches H."""
+    @property
+    def overshoot(self) -> numpy.ndarray:
+        """Heading beyond H at the peak [rad]."""
+    @property
+    def peak(self) -> numpy.ndarray:
+        """s' at which the yaw rate passes zero."""
+    @property
+    def reversals(self) -> int:
+        """Asked for."""
+    @property
+    def ships(self) -> int:
+        """How many."""
 
 class Linearization:
     """Small motions about a steady one, by exact derivatives of the forces, SI:
@@ -1357,6 +1636,26 @@ class ManoeuvrePiece:
     @property
     def why(self) -> str:
         """How it was recognised, one line."""
+
+class MapFit:
+    """The most probable values of unknowns."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> MapFit: ...
+    @property
+    def covariance(self) -> numpy.ndarray:
+        """Of the point."""
+    @property
+    def information(self) -> numpy.ndarray:
+        """Of the runs alone."""
+    @property
+    def log_evidence(self) -> float:
+        """By Laplace; differences are what counts."""
+    @property
+    def noise(self) -> Noise:
+        """That suits it best."""
+    @property
+    def point(self) -> numpy.ndarray:
+        """In the order of the unknowns."""
 
 class MeasuredIndex:
     """One measured number of a manoeuvre, SI."""
@@ -1482,6 +1781,53 @@ class MovedPart:
     @property
     def rudder_force(self) -> Optional[float]:
         """Of a rudder: its moment over that as given."""
+
+class Noise:
+    """What no model and no instrument gets right."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> Noise: ...
+    def __init__(self, scale: float = ..., apart: bool = ..., axes: List[float] = ..., memory: float = ..., with_memory: bool = ..., walk: float = ..., factor: List[float] = ...) -> None: ...
+    @property
+    def apart(self) -> bool:
+        """Each axis has a scale, and the noise a memory of its own."""
+    @property
+    def axes(self) -> List[float]:
+        """Factors on the scale in surge, sway and yaw."""
+    @property
+    def factor(self) -> List[float]:
+        """On the noise of each channel, in the order of `channels()`."""
+    @property
+    def memory(self) -> float:
+        """Of the process noise, over L/U."""
+    @property
+    def scale(self) -> float:
+        """Of the ordinary process noise."""
+    @property
+    def walk(self) -> float:
+        """What the error of a position wanders in L/U, over L."""
+    @property
+    def with_memory(self) -> bool:
+        """Errors of positions have one, as receivers have it."""
+
+class NoiseEstimate:
+    """Noise that makes recorded runs most likely."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> NoiseEstimate: ...
+    @property
+    def converged(self) -> bool:
+        """True where nothing had to be estimated."""
+    @property
+    def iterations(self) -> int:
+        """Of the estimation of the noise."""
+    @property
+    def log_likelihood(self) -> float:
+        """Of all runs."""
+    @property
+    def noise(self) -> dict:
+        """Standard deviation by channel, known or estimated, SI."""
+    @property
+    def process_noise(self) -> PlanarAcceleration:
+        """Size of the unmodelled accelerations."""
 
 class NomotoTold:
     """T dr/dt + r = K (delta + offset), delta positive to STARBOARD, as K is read:
@@ -1856,6 +2202,66 @@ class RegionError:
     @property
     def words(self) -> str:
         """\"rudder 15 to 25 deg to port\""""
+
+class Regression:
+    """Coefficients of y = X b + e and what the data tell of them."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> Regression: ...
+    @property
+    def R2(self) -> float:
+        """Share of the variance of y about its mean that is explained."""
+    def __getitem__(self: Regression, name: str) -> Coefficient:
+        """The coefficient of that name; Refusal where there is none."""
+    @property
+    def autoregression(self) -> numpy.ndarray:
+        """phi of the residuals; empty where independent."""
+    @property
+    def coefficients(self) -> List[Coefficient]:
+        """In the order of the columns."""
+    @property
+    def condition_number(self) -> float:
+        """Of the features, columns scaled to one size."""
+    @property
+    def covariance(self) -> numpy.ndarray:
+        """Of the coefficients."""
+    @property
+    def degrees_of_freedom(self) -> float:
+        """Of the intervals."""
+    @property
+    def error_size(self) -> float:
+        """Factor on the covariances that total least squares finds; else 1."""
+    @property
+    def iterations(self) -> int:
+        """Of autoregression or noise."""
+    @property
+    def residual_rms(self) -> float:
+        """Of them."""
+    @property
+    def residuals(self) -> numpy.ndarray:
+        """y - X b"""
+    @property
+    def samples(self) -> float:
+        """Effective number, less than the rows where residuals are correlated."""
+    @property
+    def solver(self) -> str:
+        """normal equations, QR or SVD."""
+    @property
+    def status(self) -> str:
+        """converged, iteration limit or rank deficient."""
+    @property
+    def undetermined(self) -> List[Combination]:
+        """Worst first."""
+
+class Resample:
+    """Coefficients from some of the runs."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> Resample: ...
+    @property
+    def runs(self) -> str:
+        """\"all but zz10.csv", "zz10.csv alone", "rudder 20 deg alone\""""
+    @property
+    def values(self) -> List[Optional[float]]:
+        """In the order of the parameters; None where not determined."""
 
 class Reversal:
     """A rudder reversal and the heading peak that follows."""
@@ -2342,15 +2748,23 @@ class StabilityVerdict:
 
 class StateEstimate:
     """Where a recorded ship really was, how she moved, and what pushed her."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> StateEstimate: ...
     @property
-    def converged(self) -> bool: ...
+    def converged(self) -> bool:
+        """True where nothing had to be estimated."""
     @property
     def covariances(self) -> numpy.ndarray:
-        """numpy.ndarray, samples by 9 by 9."""
+        """Samples by 9 by 9."""
     @property
-    def innovations(self) -> List[ChannelInnovation]: ...
+    def innovations(self) -> List[ChannelInnovation]:
+        """By channel."""
     @property
-    def log_likelihood(self) -> float: ...
+    def iterations(self) -> int:
+        """Of the estimation of the noise."""
+    @property
+    def log_likelihood(self) -> float:
+        """Of all runs."""
     names: Tuple[str, ...]
     @property
     def noise(self) -> dict:
@@ -2359,10 +2773,10 @@ class StateEstimate:
     def process_noise(self) -> PlanarAcceleration:
         """Size of the unmodelled accelerations."""
     def recording(self: StateEstimate, run: Recording) -> Recording:
-        """The estimated motion as a recording; rudder and propulsion as in the run it came from."""
+        """The estimated motion as a recording; rudder and propulsion as in `run`, which it came from."""
     @property
     def states(self) -> numpy.ndarray:
-        """numpy.ndarray, a row for each sample, columns as `names`."""
+        """A row for each sample, columns as `names`."""
     @property
     def time(self) -> numpy.ndarray:
         """[s]"""
@@ -2602,6 +3016,38 @@ class SwayYawTransfer:
     def nw1(self) -> float:
         """Kw T3w/(T1 T2)"""
 
+class T3Map:
+    """Loop measures, rows by T3w, columns by T3b; NaN where a ship makes no three reversals."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> T3Map: ...
+    @property
+    def T3b(self) -> numpy.ndarray:
+        """Of the columns."""
+    @property
+    def T3w(self) -> numpy.ndarray:
+        """Of the rows."""
+    @property
+    def area(self) -> numpy.ndarray:
+        """Of the loop [rad]."""
+    @property
+    def beta_max(self) -> numpy.ndarray:
+        """Largest |beta| [rad]."""
+    @property
+    def omega_at_beta_zero(self) -> numpy.ndarray:
+        """|omega'| where beta passes zero."""
+    @property
+    def omega_max(self) -> numpy.ndarray:
+        """Largest |omega'|."""
+    @property
+    def overshoot1(self) -> numpy.ndarray:
+        """First [rad]."""
+    @property
+    def overshoot2(self) -> numpy.ndarray:
+        """Second [rad]."""
+    @property
+    def period(self) -> numpy.ndarray:
+        """Of the limit cycle [ship lengths]."""
+
 class Thrust:
     """Thrust of the propellers by side; of a single propeller the sum counts."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -2663,30 +3109,38 @@ class TrackPlace:
 
 class TrajectoryFit:
     """A ship whose simulation runs through recordings."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> TrajectoryFit: ...
     def _repr_html_(self) -> str: ...
     @property
     def best_combination(self) -> str:
-        """Which product of powers is known best: "|Y_v|^0.71 |N_v|^-0.70 to 0.4 %"."""
+        """Which product of powers is known best."""
     @property
-    def condition_number(self) -> float: ...
+    def condition_number(self) -> float:
+        """Of combinations of the parameters."""
     @property
     def correlation(self) -> numpy.ndarray:
-        """numpy.ndarray"""
+        """Of the parameters."""
     @property
     def covariance(self) -> numpy.ndarray:
-        """Of the parameters, SI: numpy.ndarray."""
+        """Of the parameters, SI."""
     @property
     def iterations(self) -> int: ...
     @property
-    def log_likelihood(self) -> float: ...
+    def log_likelihood(self) -> float:
+        """Of all runs."""
     @property
     def noise(self) -> dict:
-        """By channel, SI."""
+        """Standard deviation by channel, SI."""
     @property
     def parameters(self) -> List[FittedParameter]:
         """In the order of the question."""
     @property
-    def runs(self) -> List[FittedRun]: ...
+    def runs(self) -> List[FittedRun]:
+        """In their order."""
+    @property
+    def sensitivities(self) -> float:
+        """How often all runs were sailed with derivatives."""
     @property
     def ship(self) -> Ship:
         """With the fitted parameters."""
@@ -2696,6 +3150,23 @@ class TrajectoryFit:
     @property
     def undetermined(self) -> List[str]:
         """Relative error of 50 % and more, worst first."""
+
+class TransferEstimates:
+    """Fitted transfer functions, dimensionless."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> TransferEstimates: ...
+    @property
+    def e0(self) -> Estimate: ...
+    @property
+    def e1(self) -> Estimate: ...
+    @property
+    def nb0(self) -> Estimate: ...
+    @property
+    def nb1(self) -> Estimate: ...
+    @property
+    def nw0(self) -> Estimate: ...
+    @property
+    def nw1(self) -> Estimate: ...
 
 class TrialManoeuvre:
     """What was sailed."""
@@ -2994,6 +3465,30 @@ class TurningCircle:
     def way_lost(self) -> Optional[float]:
         """When the ship ceased to move ahead, which ended the turn [s]."""
 
+class Unknown:
+    """A number to be estimated and what is known of it beforehand."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> Unknown: ...
+    def __init__(self, name: str = ..., mean: float = ..., deviation: float = ..., low: float = ..., high: float = ..., step: float = ...) -> None: ...
+    @property
+    def deviation(self) -> float:
+        """Standard deviation about the mean beforehand."""
+    @property
+    def high(self) -> float:
+        """Bound."""
+    @property
+    def low(self) -> float:
+        """Bound."""
+    @property
+    def mean(self) -> float:
+        """Where nothing is known, and where the search begins."""
+    @property
+    def name(self) -> str:
+        """By which the function of ships gets it."""
+    @property
+    def step(self) -> float:
+        """Of differences, over which residuals are about linear."""
+
 class WilliamsonTurn:
     """Back along the own track."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -3099,6 +3594,32 @@ class Zigzag:
     def run(self) -> Recording:
         """The time series."""
 
+class ZigzagBatch:
+    """Zigzags of many ships: reversals by ships; NaN for what a ship did not reach."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> ZigzagBatch: ...
+    @property
+    def count(self) -> numpy.ndarray:
+        """Overshoots of each ship."""
+    @property
+    def end(self) -> List[str]:
+        """Of each ship: complete, time_over, unbounded or no_propulsion."""
+    @property
+    def overshoot(self) -> numpy.ndarray:
+        """Heading peak beyond the switch angle [rad]."""
+    @property
+    def peak_time(self) -> numpy.ndarray:
+        """When the yaw rate passes zero [s]."""
+    @property
+    def reversals(self) -> int:
+        """Asked for."""
+    @property
+    def ships(self) -> int:
+        """How many."""
+    @property
+    def time(self) -> numpy.ndarray:
+        """When the heading reaches the switch angle [s]."""
+
 class ZigzagOrder:
     """A zigzag."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -3158,22 +3679,47 @@ class ZigzagView:
         """∮ beta d(r') over one period; NaN without sway velocity."""
 
 def bandwidth(transfer: SwayYawTransfer, of: str) -> Optional[float]:
-    """Frequency [radians per ship length] above which the gain stays below 1/√2 of the static one; None for the heading, a neutral ship and a gain of 0."""
+    """Frequency [radians per ship length] above which the gain stays below 1/√2 of the static one; None for the heading, a neutral ship and a gain of 0.
+    
+    transfer: of `transfer_functions`. of: "drift", "yaw" or "heading"."""
 
 def bode(transfer: SwayYawTransfer, of: str, frequencies: ArrayLike, scale: PrimeScale) -> dict:
-    """Bode diagram of "drift", "yaw" or "heading" over the rudder at frequencies in radians per ship length: arrays frequency_rad_s, gain, phase [rad, continuous]."""
+    """Bode diagram of "drift", "yaw" or "heading" over the rudder at frequencies in radians per ship length: arrays frequency_rad_s, gain, phase [rad, continuous].
+    
+    transfer: of `transfer_functions`. of: over the rudder. frequencies: one array. scale: length and speed, which give rad/s."""
+
+def captive_error(ship: Ship, points: List[CaptivePoint], selection: CaptiveSelection = ...) -> CaptiveError:
+    """How far a ship is off captive tests.
+    
+    ship: any of a nonlinear model. points: of `read_captive`. selection: which of them count, all unless given."""
+
+def captive_force(ship: Ship, point: CaptivePoint) -> PlanarForce:
+    """Force that a captive test would measure of a ship, PlanarForce [N, N m].
+    
+    ship: any of a nonlinear model. point: motion, controls and acceleration; less what accelerates the entrained water, and less what accelerates the ship herself where that is in the measurement."""
+
+def captive_plan(ship: Ship, points: List[CaptivePoint], terms: str = ..., max_drift: float = ...) -> CaptivePlan:
+    """The steps of Alexandersson et al. 2024, table 3, and like ones for yawing, cubic terms and added mass: those whose coefficients the model has and whose tests are among the points (docs/captive_tests.md).
+    
+    ship: whose coefficients are looked for. points: of `read_captive`. terms: of the hull, "linear" or "cubic". max_drift: of the points that are used [rad]."""
 
 def channels() -> list[Channel]:
     """All channels of recordings, in their order."""
 
 def check(run: Recording) -> RunCheck:
-    """Instruments judged by kinematics alone, before any ship is: sign, units, noise, clocks, zeros, scales, axes, lever arm. Raises Refusal for a run of fewer than 20 samples. Source: [Klein2006] chapter 10"""
+    """Instruments judged by kinematics alone, before any ship is: sign, units, noise, clocks, zeros, scales, axes, lever arm. Raises Refusal for a run of fewer than 20 samples. Source: [Klein2006] chapter 10
+    
+    run: whose channels are compared with each other."""
 
 def check_groups(checks: List[RunCheck]) -> List[GroupCheck]:
-    """Errors that runs with the same instruments have in common, pooled."""
+    """Errors that runs with the same instruments have in common, pooled.
+    
+    checks: of `check`, one for each run. The result has one GroupCheck for each group."""
 
 def coefficient_elasticities(coefficients: SwayYawCoefficients) -> dict:
-    """Exact d ln(a1 … c2)/d ln(T1, T2, T3b, T3w, Kb, Kw): a dictionary of dictionaries, NaN where there is none."""
+    """Exact d ln(a1 … c2)/d ln(T1, T2, T3b, T3w, Kb, Kw): a dictionary of dictionaries, NaN where there is none.
+    
+    coefficients: a1 to c2."""
 
 @overload
 def coefficients_from(indices: SteeringIndices) -> SwayYawCoefficients: ...
@@ -3193,19 +3739,36 @@ def coefficients_of(parts: LinearParts) -> SwayYawSplit:
     
     Coefficients of the coupled equations, A = M⁻¹F with the signs of v' = -beta. rudder_positive: side to which the rudder angle of the derivatives turns the ship.
     
-    Coefficients from hull and rudder, split by what they come from. Source: [Artyszuk2016] eqs (3)–(14)"""
+    derivatives: SnameDerivatives.
+    
+    Coefficients from hull and rudder, split by what they come from. Source: [Artyszuk2016] eqs (3)–(14)
+    
+    parts: LinearParts, hull and rudder."""
 
 def compare(ship: Ship, run: Recording, *, window_lengths: float = ...) -> Comparison:
-    """Where a simulation and a recording differ: the recorded rudder and shaft speed drive the ship from the recorded state, anew every two ship lengths of way, and once more from the start of the run to its end. Raises Refusal if the run does not tell rudder or speed."""
+    """Where a simulation and a recording differ: the recorded rudder and shaft speed drive the ship from the recorded state, anew every two ship lengths of way, and once more from the start of the run to its end. Raises Refusal if the run does not tell rudder or speed.
+    
+    ship, run: that are compared. window_lengths: of a window, in ship lengths of way."""
 
 def compare_verdict(comparisons: List[Comparison]) -> str:
-    """One sentence: in which quantity, run, interval and region the ship is farthest off."""
+    """One sentence: in which quantity, run, interval and region the ship is farthest off.
+    
+    comparisons: of `compare`, one for each run."""
 
 def condition_number(coefficients: SwayYawCoefficients) -> float:
-    """How much accuracy the conversion between coefficients and indices can lose; infinite where there is none."""
+    """How much accuracy the conversion between coefficients and indices can lose; infinite where there is none.
+    
+    coefficients: a1 to c2; the number is that of the matrix [c w] of docs/linear.md."""
+
+def correlation(fit: Regression) -> numpy.ndarray:
+    """Correlation of the estimates of a regression, coefficients by coefficients; NaN where one is not determined.
+    
+    fit: of `regress`."""
 
 def crossover(transfer: SwayYawTransfer, k: float) -> Optional[Crossover]:
-    """Crossover of the loop of a helmsman who orders delta = k (psi - wanted); None when the gain is nowhere 1."""
+    """Crossover of the loop of a helmsman who orders delta = k (psi - wanted); None when the gain is nowhere 1.
+    
+    transfer: of `transfer_functions`. k: rudder per error of heading."""
 
 def determined_combinations(sensitivity: List[List[float]], tolerance: List[float]) -> List[IndexCombination]:
     """Combinations of numbers from the best to the worst determined by indices.
@@ -3215,7 +3778,9 @@ def determined_combinations(sensitivity: List[List[float]], tolerance: List[floa
 def diagnose(ship: Ship, runs: List[Recording], *, reference: List[Recording] = ..., holdout: List[Recording] = ..., progress: Any = ..., most_effects: int = ..., pictures: bool = ...) -> Diagnosis:
     """What a model left out: where it differs from recordings, which effect explains that, and whether runs that were not used gain by it (docs/diagnose.md).
     
-    reference: runs in which nothing is hidden; they calibrate the baseline first. holdout: runs that are not used and say whether the effect is real. progress: a function that is told in words what is going on; False ends the work with what is known. Ctrl-C raises KeyboardInterrupt. Other threads go on meanwhile. Raises Refusal if there is no run, or one tells neither rudder nor speed."""
+    reference: runs in which nothing is hidden; they calibrate the baseline first. holdout: runs that are not used and say whether the effect is real. progress: a function that is told in words what is going on; False ends the work with what is known. Ctrl-C raises KeyboardInterrupt. Without one a notebook has a line that changes, progress=False nothing. Other threads go on meanwhile. Raises Refusal if there is no run, or one tells neither rudder nor speed.
+    
+    ship: the model that is doubted. runs: recordings that are to be explained. most_effects: that may be found. pictures: whether the result holds series for figures."""
 
 @overload
 def dimensional(indices: SteeringIndices, scale: PrimeScale) -> DimensionalIndices: ...
@@ -3223,69 +3788,121 @@ def dimensional(indices: SteeringIndices, scale: PrimeScale) -> DimensionalIndic
 def dimensional(coefficients: SwayYawCoefficients, scale: PrimeScale) -> DimensionalSwayYaw:
     """dimensional(*args, **kwargs)
     
-    With dimension: T = T' L/U, Kr = Kw U/L; the coupled equations for v and r in seconds.
+    With dimension: T = T' L/U, Kr = Kw U/L.
     
-    With dimension: T = T' L/U, Kr = Kw U/L; the coupled equations for v and r in seconds."""
+    indices: dimensionless. scale: length and speed.
+    
+    With dimension: the coupled equations for v and r in seconds.
+    
+    coefficients: dimensionless. scale: length and speed."""
 
 def drift_angle(motion: PlanarMotion) -> float:
-    """beta = atan2(-v, u) [rad]."""
+    """beta = atan2(-v, u) [rad].
+    
+    motion: u and v of midship through the water."""
 
 def drift_yaw_loop(coefficients: SwayYawCoefficients, zigzag: LinearZigzag) -> Optional[LoopMeasures]:
-    """The loop of the last full cycle of a zigzag; None with fewer than three reversals."""
+    """The loop of the last full cycle of a zigzag; None with fewer than three reversals.
+    
+    coefficients: of the ship that sailed it. zigzag: of `linear_zigzag` or `limit_cycle`."""
 
 def effect_ids() -> List[str]:
     """Names of all effects, as in ship files."""
 
 def effect_named(id: str) -> Effect:
-    """The effect of that name where it does nothing."""
+    """The effect of that name where it does nothing.
+    
+    id: as in ship files; ValueError for one that is not known."""
+
+def estimate_noise(ship: Ship, runs: List[Recording], *, channels: List[str] = ..., noise: Dict[str, float] = ..., process_noise: Optional[PlanarAcceleration] = ..., coloured: bool = ..., memory: float = ...) -> NoiseEstimate:
+    """What is not known of noise and process noise, from several runs at once, for instance calm ones.
+    
+    ship: the predictor. runs: recordings. channels, noise, process_noise, coloured, memory: as of `estimate_states`, which takes the result: noise=e.noise, process_noise=e.process_noise."""
 
 def estimate_ship(length: float, beam: float, draught: float, block_coefficient: float, service_speed: float, *, trim: float = ..., formula: str = ..., name: str = ..., rudder_area: Optional[float] = ..., propeller_diameter: Optional[float] = ..., resistance: Optional[float] = ...) -> Tuple[Ship, EstimatedShip]:
-    """A ship of the MMG model from main dimensions [m], block coefficient and service speed [m/s], and what was assumed. Her confidence is the spread of the formulas and their misses of measured ships. trim: draught aft less draught forward [m]; formula "kijima" takes trim. resistance: R_0'."""
+    """A ship of the MMG model from main dimensions [m], block coefficient and service speed [m/s], and what was assumed. Her confidence is the spread of the formulas and their misses of measured ships. trim: draught aft less draught forward [m]; formula "kijima" takes trim. resistance: R_0'.
+    
+    length: between perpendiculars. beam, draught: amidships. block_coefficient, service_speed: as told. name: of the ship. rudder_area [m²], propeller_diameter [m]: as estimated unless given. Raises ValueError for dimensions that are not positive."""
 
 def estimate_states(ship: Ship, run: Recording, *, channels: List[str] = ..., noise: Dict[str, float] = ..., process_noise: Optional[PlanarAcceleration] = ..., coloured: bool = ..., memory: float = ..., smooth: bool = ...) -> StateEstimate:
-    """States of a recorded ship by an extended Kalman filter with the ship as predictor, and smoother. channels: to be used, all that the run has unless given. noise: known standard deviations by channel, SI; process_noise: known size; what is not known is estimated from the run. memory: of the unmodelled accelerations in ship lengths. Raises Refusal if the run has no rudder angle, or none of the channels tells position or speed."""
+    """States of a recorded ship by an extended Kalman filter with the ship as predictor, and smoother. channels: to be used, all that the run has unless given. noise: known standard deviations by channel, SI; process_noise: known size; what is not known is estimated from the run. memory: of the unmodelled accelerations in ship lengths. Raises Refusal if the run has no rudder angle, or none of the channels tells position or speed.
+    
+    ship: the predictor. run: to be estimated. coloured: the unmodelled accelerations have a memory and are states; else they are white. smooth: the future of a sample counts too."""
 
 def first_order_drift(indices: SteeringIndices) -> FirstOrder:
-    """First-order equation with T_b = T1 + T2 - T3b. Source: [Artyszuk2016] eq. (41)"""
+    """First-order equation with T_b = T1 + T2 - T3b. Source: [Artyszuk2016] eq. (41)
+    
+    indices: T1T2, T1_plus_T2, T3b … of `steering_indices`."""
 
 def first_order_yaw(indices: SteeringIndices) -> FirstOrder:
-    """First-order equation with T_w = T1 + T2 - T3w. Source: [Artyszuk2016] eq. (42)"""
+    """First-order equation with T_w = T1 + T2 - T3w. Source: [Artyszuk2016] eq. (42)
+    
+    indices: T1T2, T1_plus_T2, T3w … of `steering_indices`."""
+
+def fit_captive(ship: Ship, points: List[CaptivePoint], plan: CaptivePlan, *, ridge: float = ...) -> CaptiveFit:
+    """Coefficients from captive tests, step by step; standard errors take what earlier steps found for exact. Source: [Alexandersson2024] section 3.1, tables 2, 3
+    
+    ship: whose other numbers are known. points: of `read_captive`. plan: a CaptivePlan, of `captive_plan` or your own. ridge: shrinks as if so many points had said 0. Raises Refusal if the model lacks a coefficient, its force is not linear in the coefficients of a step, points are both fitted and kept for validation, or a step has too few points."""
 
 def fit_forces(ship: Ship, runs: List[Recording], parameters: Optional[List[str]] = ..., *, channels: List[str] = ..., priors: bool = ..., ridge: float = ...) -> ForceFit:
-    """Coefficients that act linearly, by least squares on the forces of inverse dynamics: F(t) - F_known(t) = Σ theta_i ∂F/∂theta_i. parameters: by name, the usual ones unless given. priors: the parameters as given, with the ship's confidence, count as measurements. Source: [Alexandersson2024] section 3.4"""
+    """Coefficients that act linearly, by least squares on the forces of inverse dynamics: F(t) - F_known(t) = Σ theta_i ∂F/∂theta_i. parameters: by name, the usual ones unless given. priors: the parameters as given, with the ship's confidence, count as measurements. Source: [Alexandersson2024] section 3.4
+    
+    ship: whose other numbers are known. runs: recordings. channels: that the estimates of states use, all that a run has unless given. ridge: shrinks as if so many samples had said 0. Raises Refusal if there is nothing to find, a number does not exist or does not act linearly, or a run cannot be estimated."""
 
 def fit_linear(runs: List[Recording], length: float, *, speed: Optional[float] = ..., use_drift: bool = ..., disturbances: bool = ..., rudder_offset: bool = ..., spacing: float = ...) -> LinearFit:
-    """Both second-order equations fitted to recordings of any ship of that length [m], stable or not: maximum likelihood of the one-step prediction errors of a Kalman filter. speed [m/s]: constant, else as recorded. spacing: least distance of the measurements used, ship lengths."""
+    """Both second-order equations fitted to recordings of any ship of that length [m], stable or not: maximum likelihood of the one-step prediction errors of a Kalman filter. speed [m/s]: constant, else as recorded. spacing: least distance of the measurements used, ship lengths.
+    
+    runs: recordings. use_drift: drift counts where it was recorded. disturbances: random forces act on the ship, else only the measurements are noisy. rudder_offset: the recorded rudder angle has an unknown zero. Raises Refusal if a run tells neither heading nor yaw rate, or has fewer than 20 measurements."""
 
 def fit_trajectories(ship: Ship, runs: List[Recording], parameters: Optional[List[str]] = ..., *, channels: List[str] = ..., noise: Dict[str, float] = ..., priors: bool = ..., robust: Optional[float] = ..., segment: float = ..., most_iterations: int = ..., threads: int = ..., progress: Any = ...) -> TrajectoryFit:
     """Parameters of a ship fitted to recordings by multiple shooting, maximum likelihood of white measurement noise, with exact derivatives (docs/trajectory_fit.md).
     
-    progress: a function of iteration, log likelihood, relative change and a dictionary of the parameters (SI); False ends the fit with the best so far. Ctrl-C raises KeyboardInterrupt. threads: 0 for one on each core."""
+    progress: a function of iteration, log likelihood, relative change and a dictionary of the parameters (SI); False ends the fit with the best so far. Ctrl-C raises KeyboardInterrupt. Without one a notebook has a line that changes, progress=False nothing. threads: 0 for one on each core.
+    
+    ship: where the fit begins. runs: recordings, each with a start that is fitted too. parameters: by name, the usual ones unless given. channels: to fit to, all that a run has unless given. noise: known standard deviations by channel, SI, else estimated. priors: the parameters as given, with the ship's confidence, count as measurements. robust: residuals beyond so many standard deviations count with their size, 1.345. segment: length of the segments [ship lengths]. most_iterations: at most.
+    
+    Raises Refusal if there is nothing to fit or to fit to, or the ship cannot be simulated; ValueError for a noise or segment that is not positive."""
 
 def force_breakdown(ship: Ship, state: ShipState, controls: Controls) -> ForceBreakdown:
-    """Which force acts here, and from which part? The rudder angle is that of the rudder. Raises Refusal if no force model holds for the motion or the controls."""
+    """Which force acts here, and from which part? The rudder angle is that of the rudder. Raises Refusal if no force model holds for the motion or the controls.
+    
+    ship: of any nonlinear model. state: where she is and how she moves. controls: rudder angle and shaft speed or thrust. Forces are in N, moments about midship in N m."""
 
 def frame_of(records) -> Any:
     """Values of one type, such as `diagnosis.candidates` or `zigzag.reversals`, as a pandas.DataFrame: a row for each, a
-    column for each field."""
+    column for each field.
+    
+    records: a list of values of one type."""
 
 def has_kink(ship: Ship, point: OperatingPoint) -> bool:
-    """Whether the derivatives of turns to port and to starboard differ there."""
+    """Whether the derivatives of turns to port and to starboard differ there.
+    
+    ship: of any nonlinear model. point: of `straight_course` or of a steady turn."""
 
 def imo_criteria(ship: Ship, *, speed: Optional[float] = ..., rev: Optional[float] = ..., thrust: Optional[float] = ...) -> ImoCriteria:
-    """Turning circle and the zigzags 10/10 and 20/20, to both sides, judged by MSC.137(76); speed [m/s]."""
+    """Turning circle and the zigzags 10/10 and 20/20, to both sides, judged by MSC.137(76); speed [m/s].
+    
+    ship: of any nonlinear model. speed: of the approach, the service speed unless given. rev: shaft speed [1/s], or thrust: of all propellers [N]; self-propulsion unless given. Raises Refusal if she cannot propel herself at the speed."""
 
 def import_mat(file: Union[str, 'PathLike[str]'], columns: Union[str, 'PathLike[str]'] = ...) -> Import:
-    """A MATLAB file, versions 4 to 7.3, as a recording."""
+    """A MATLAB file, versions 4 to 7.3, as a recording.
+    
+    file: to be read. columns: a column map, where the names of the file are not clear. Raises FileError for what stays open."""
 
 def import_nmea(files: List[Union[str, 'PathLike[str]']], columns: Union[str, 'PathLike[str]'] = ...) -> Import:
-    """Logs of NMEA 0183 sentences as one recording."""
+    """Logs of NMEA 0183 sentences as one recording.
+    
+    files: in the order of time. columns: a column map (docs/import.md). Raises FileError for what stays open."""
 
 def import_table(files: List[Union[str, 'PathLike[str]']], columns: Union[str, 'PathLike[str]'] = ...) -> Import:
-    """Text tables of spreadsheets and loggers as one recording; `columns` is a column map (docs/import.md). Nothing is guessed silently: what stays open is refused with the line of the map that settles it."""
+    """Text tables of spreadsheets and loggers as one recording; `columns` is a column map (docs/import.md). Nothing is guessed silently: what stays open is refused with the line of the map that settles it.
+    
+    files: in the order of time; FileError names file and line of what is refused."""
 
 def in_model(ship: Ship, model: str) -> Ship:
-    """The ship in another model, "mmg", "pi" or "pu", with the same hull, propeller and steering gear."""
+    """The ship in another model, "mmg", "pi" or "pu", with the same hull, propeller and steering gear.
+    
+    ship: of a nonlinear model. model: its name. Raises Refusal where the other model needs numbers that she does not have."""
 
 def index_sensitivity(ship: Ship, measured: MeasuredIndices, parameters: List[str] = ...) -> IndexSensitivity:
     """What numbers of a ship do to the indices that were measured.
@@ -3293,34 +3910,88 @@ def index_sensitivity(ship: Ship, measured: MeasuredIndices, parameters: List[st
     measured: the manoeuvres and indices. parameters: columns of the result, those of `tuned_parameters`. Raises Refusal as `tune` does."""
 
 def instability_loop(curve: List[SteadyTurn]) -> Optional[InstabilityLoop]:
-    """Hysteresis of a curve of steady turns; None where there is one turn at every rudder angle."""
+    """Hysteresis of a curve of steady turns; None where there is one turn at every rudder angle.
+    
+    curve: of `steady_turn_curve`, in its order."""
 
 def inverse_distance(indices: SteeringIndices) -> float:
-    """|T3b - T3w|/(|T3b| + |T3w|), 0 where no inverse exists."""
+    """|T3b - T3w|/(|T3b| + |T3w|), 0 where no inverse exists.
+    
+    indices: whose T3b and T3w are looked at."""
+
+def inverse_dynamics(ship: Ship, run: Recording, estimate: StateEstimate) -> List[InverseDynamics]:
+    """Forces at each sample of an estimated run, from its motion and what pushed it: damping = M (a + d) less centrifugal and Coriolis terms and wind (docs/state_estimation.md). Source: [Alexandersson2024] eqs (1)-(3), (39)-(41)
+    
+    ship: she whom it was estimated with. run: as recorded. estimate: of `estimate_states`. Raises Refusal if the run has no rudder angle, or another number of samples than the estimate."""
 
 def limit_cycle(coefficients: SwayYawCoefficients, rudder: float, heading: float, rate: float, first: str = ...) -> LimitCycle:
-    """The zigzag sailed until it repeats."""
+    """The zigzag sailed until it repeats.
+    
+    coefficients: of the ship. rudder, heading [rad]; rate: of the rudder in rad per ship length. first: side turned to first."""
 
 def linear_ship(ship: Ship, linearization: Linearization) -> LinearShip:
-    """The ship in small motions about the operating point, in the form that the linear floor works with."""
+    """The ship in small motions about the operating point, in the form that the linear floor works with.
+    
+    ship: she who was linearized. linearization: of `linearize`."""
+
+def linear_view(model: Ship, runs: List[Recording]) -> List[LinearView]:
+    """Each zigzag among runs beside a ship's replay of it, by K, T and the drift-yaw loop.
+    
+    model: who replays. runs: those that are no zigzags, or that she cannot sail, are left out."""
+
+def linear_words(views: List[LinearView]) -> str:
+    """What follows from zigzags: offset, gain, history, in words; empty where recordings and model agree within a tenth.
+    
+    views: of `linear_view`."""
 
 def linear_zigzag(coefficients: SwayYawCoefficients, rudder: float, heading: float, rate: float, first: str = ..., reversals: int = ...) -> LinearZigzag:
-    """The zigzag from straight ahead, exact: every leg a closed form, every switch the root of one. Rudder and heading [rad]; rate in rad per ship length, infinite for a step."""
+    """The zigzag from straight ahead, exact: every leg a closed form, every switch the root of one. Rudder and heading [rad]; rate in rad per ship length, infinite for a step.
+    
+    coefficients: of the ship. rudder, heading, rate: positive. first: side turned to first. reversals: how many to sail for. Raises ValueError for an angle or a rate that is not positive."""
+
+def linear_zigzag_batch(coefficients: SwayYawCoefficients, values: Dict[str, ArrayLike], rudder: float, heading: float, rate: float, first: str = ..., reversals: int = ..., *, threads: int = ..., instruction_set: str = ...) -> LinearZigzagBatch:
+    """The zigzag of many linear ships, switches as `linear_zigzag` gives them to 1e-10.
+    
+    coefficients: of all ships but for `values`: arrays by name, a1 to c2, one value for each ship. rudder, heading [rad]; rate in rad per ship length. first: side turned to first. reversals: 16 at most. threads: 0 for one on each core. instruction_set: best, numbers, baseline, avx2 or avx512.
+    
+    Raises ValueError if lengths differ, an angle or the rate is not positive, or the instruction set is not there."""
 
 def linearize(ship: Ship, point: OperatingPoint, side: Optional[str] = ...) -> Linearization:
-    """Linear motion about a steady motion. Where the forces have a kink, as the MMG rudder has straight ahead, the derivatives are those of a turn to `side`, or without a side the mean of both. Raises Refusal if the ship does not move ahead, or accelerates there by more than 1e-6 U²/L."""
+    """Linear motion about a steady motion. Where the forces have a kink, as the MMG rudder has straight ahead, the derivatives are those of a turn to `side`, or without a side the mean of both. Raises Refusal if the ship does not move ahead, or accelerates there by more than 1e-6 U²/L.
+    
+    ship: of any nonlinear model. point: of `straight_course`, or an OperatingPoint of a steady turn."""
 
 def linearize_transient(ship: Ship, point: OperatingPoint, side: Optional[str] = ...) -> Linearization:
-    """The same about a motion that need not be steady: the derivatives hold while the motion is near it."""
+    """The same about a motion that need not be steady: the derivatives hold while the motion is near it.
+    
+    ship: of any nonlinear model. point: an OperatingPoint. side: of the derivatives at a kink, else the mean of both."""
 
 def load_ship(ship: Union[str, 'PathLike[str]']) -> Union[Ship, LinearShip]:
-    """A ship of any model from a ship file, or where no such file is there, the published ship of that bare name."""
+    """A ship of any model, nonlinear (Ship) or linear (LinearShip).
+    
+    ship: a ship file, or where no such file is there, the bare name of a published ship. Raises FileError
+    "FILE:LINE:COLUMN: what is wrong", Refusal for a name that is not published."""
 
 def loop_sensitivity(indices: SteeringIndices, rudder: float, heading: float, rate: float, first: str = ...) -> Optional[LoopSensitivity]:
-    """Exact derivatives of loop and overshoots by T3b and T3w. Raises ValueError if T3b = T3w."""
+    """Exact derivatives of loop and overshoots by T3b and T3w. Raises ValueError if T3b = T3w.
+    
+    indices: of the ship. rudder, heading [rad]; rate: of the rudder in rad per ship length. first: side turned to first."""
 
 def manoeuvres_in(run: Recording) -> List[ManoeuvrePiece]:
-    """What is sailed in a long recording, in order of time, found by rudder and heading."""
+    """What is sailed in a long recording, in order of time, found by rudder and heading.
+    
+    run: a recording of hours. Each ManoeuvrePiece has begin and end [s] and what was sailed."""
+
+def map_fit(ship: Ship, runs: List[Recording], unknowns: List[Unknown], ship_in: Callable[..., Any], *, channels: List[str] = ..., noise: Noise = ..., lean: bool = ..., rounds: int = ...) -> MapFit:
+    """Unknowns of any kind estimated together from recorded runs: the maximum of their posterior under a Kalman filter
+    that carries what no model gets right, and its evidence (docs/estimation.md).
+    
+    ship: whose length and speed give units of noise. unknowns: a list of Unknown. ship_in: a function of their values, by
+    name, and the place of a run, that gives the ship who sailed it; Refusal from it means that no ship can sail like that,
+    any other exception ends the fit, and so does Ctrl-C. channels: to be compared, all that show the motion unless given.
+    noise: where the search for it begins. lean: as few samples as tell what they tell. rounds: of gains and noise.
+    
+    Raises Refusal if a run tells neither rudder nor speed, ValueError for a deviation that is not positive."""
 
 def measured_indices(length: float, *, turns: Sequence[Mapping[str, Any]] = ..., zigzags: Sequence[Mapping[str, Any]] = ..., speed: Optional[float] = ..., rev: Optional[float] = ..., thrust: Optional[float] = ..., tolerance: Optional[float] = ...) -> MeasuredIndices:
     """Measured indices from dictionaries with the keys of an index file (docs/formats.md):
@@ -3334,13 +4005,30 @@ def measured_indices(length: float, *, turns: Sequence[Mapping[str, Any]] = ...,
     indices:LINE:COLUMN: what is wrong" with the line of the text that they make."""
 
 def measured_samples(run: Recording, channel: str) -> List[int]:
-    """Places of the samples of a channel that were really measured."""
+    """Places of the samples of a channel that were really measured.
+    
+    run: a recording, perhaps of a logger that repeats old values. channel: by its short name."""
+
+def missing_force(ship: Ship, run: Recording, noise: Noise = ...) -> List[MissingForce]:
+    """The force that drives a recorded ship beyond her model, by a Kalman filter and smoother that carry an acceleration with a memory of L/U: a list of MissingForce, one for each sample.
+    
+    ship: the model. run: tells rudder and speed, else Refusal. noise: a Noise; its scale is the deviation of that acceleration over that of an adequate model."""
 
 def nomoto_zigzag(run: Recording) -> NomotoZigzag:
-    """Nomoto's analysis of a recorded zigzag. Raises Refusal with fewer than three heading peaks."""
+    """Nomoto's analysis of a recorded zigzag. Raises Refusal with fewer than three heading peaks.
+    
+    run: heading and rudder suffice."""
+
+def ordinary_force(ship: Ship) -> PlanarForce:
+    """Standard deviation of the force that an adequate model leaves out [N, N, N m].
+    
+    ship: of any nonlinear model."""
 
 def parse_csv(text: str, name: Union[str, 'PathLike[str]'] = ..., rudder_positive: Optional[str] = ...) -> Recording:
-    """The same from text; `name` stands for the file in messages."""
+    """A recording from text as `read_csv` reads it.
+    
+    text: of a recording file. name: stands for the file in messages. rudder_positive: side to which the rudder column is
+    positive, whatever the text says. Raises FileError "NAME:LINE:COLUMN: what is wrong"."""
 
 def parse_indices(text: str, length: float, name: Union[str, 'PathLike[str]'] = ...) -> MeasuredIndices:
     """Measured indices from the text of such a file.
@@ -3348,38 +4036,66 @@ def parse_indices(text: str, length: float, name: Union[str, 'PathLike[str]'] = 
     length: of the ship [m]. name: stands for the file in messages. Raises FileError "NAME:LINE:COLUMN: what is wrong"."""
 
 def parse_linear_ship(text: str, name: Union[str, 'PathLike[str]'] = ...) -> LinearShip:
-    """A linear ship from the text of a ship file; `name` stands for the file in messages."""
+    """A linear ship from the text of a ship file; `name` stands for the file in messages.
+    
+    text: of a ship file. name: of the file. Raises FileError "NAME:LINE:COLUMN: what is wrong"."""
 
 def parse_ship(text: str, name: Union[str, 'PathLike[str]'] = ...) -> Ship:
-    """A ship of a nonlinear model from the text of a ship file; `name` stands for the file in messages."""
+    """A ship of a nonlinear model from the text of a ship file; `name` stands for the file in messages.
+    
+    text: of a ship file. name: of the file. Raises FileError "NAME:LINE:COLUMN: what is wrong"."""
 
 def part_elasticities(coefficients: SwayYawCoefficients, ship: LinearParts, known: str) -> dict:
-    """The same of hull and rudder, by the indices and the known number."""
+    """The same of hull and rudder, by the indices and the known number.
+    
+    coefficients: given. ship: LinearParts, whose other numbers stay. known: the known number."""
 
 def parts_from(coefficients: SwayYawCoefficients, ship: LinearParts, known: str) -> LinearParts:
-    """Hull and rudder that have given coefficients. c1 gives a_H, c2/c1 gives x_Reff; the known number, one of Y_b, Y_w, N_b, N_w, c_Ry, closes a1, b1, a2, b2 for the other four. Source: [Artyszuk2016] eqs (44)–(46)"""
+    """Hull and rudder that have given coefficients. c1 gives a_H, c2/c1 gives x_Reff; the known number, one of Y_b, Y_w, N_b, N_w, c_Ry, closes a1, b1, a2, b2 for the other four. Source: [Artyszuk2016] eqs (44)–(46)
+    
+    coefficients: given. ship: LinearParts, whose other numbers stay. known: the number that is known. Raises Refusal where no hull has them."""
 
 def piece_of(run: Recording, piece: ManoeuvrePiece) -> Recording:
-    """The piece as a recording of its own: time from 0 at its first sample."""
+    """The piece as a recording of its own: time from 0 at its first sample.
+    
+    run: a recording. piece: of `manoeuvres_in`."""
 
 def pooled_errors(comparisons: List[Comparison]) -> List[QuantityError]:
-    """Errors of each quantity in all runs together."""
+    """Errors of each quantity in all runs together.
+    
+    comparisons: of `compare`, one for each run. The result has a QuantityError for each quantity."""
+
+def process_noise(ship: Ship, noise: Noise = ...) -> PlanarAcceleration:
+    """Standard deviation of the accelerations that a model leaves out, PlanarAcceleration: 0.002 U²/L times the scale in sway, 0.3 of that in surge, 1.5/L of that in yaw.
+    
+    ship: whose length and service speed count. noise: its scale and axes."""
 
 def published_ship(name: str) -> Ship:
-    """The published ship of a nonlinear model with that name. Raises Refusal that lists the names."""
+    """The published ship of a nonlinear model with that name. Raises Refusal that lists the names.
+    
+    name: of `published_ships`, "kvlcc2"."""
 
 def published_ships() -> List[str]:
     """Names of all published ships, linear ones among them."""
 
 def published_text(name: str) -> str:
-    """The ship file of that name."""
+    """The ship file of that name.
+    
+    name: of `published_ships`; Refusal for another."""
 
 def pull_out(ship: Ship, rudder: float, *, speed: Optional[float] = ..., rev: Optional[float] = ..., thrust: Optional[float] = ..., duration: Optional[float] = ..., step: Optional[float] = ..., tolerance: float = ..., sampled: bool = ...) -> PullOut:
     """Turns with the rudder [rad] held, then puts it amidships, to both sides; both motions last until they are steady. `duration` is not used. Source: [MSC/Circ.1053] appendix 4.
     
     speed: of the approach [m/s], the service speed unless given. rev: shaft speed [1/s], or thrust: of all propellers [N]; self-propulsion at that speed unless given. duration [s]: else until the indices are known. step: between samples [s]. sampled=False keeps no time series and is faster.
     
-    Raises ValueError for an angle that is not positive or beyond the ship's largest, Refusal if she cannot propel herself at the speed."""
+    Raises ValueError for an angle that is not positive or beyond the ship's largest, Refusal if she cannot propel herself at the speed.
+    
+    tolerance: error of an integration step."""
+
+def read_captive(file: Union[str, 'PathLike[str]'], length: float, *, density: float = ..., towed_length: Optional[float] = ..., towed_density: Optional[float] = ..., test: str = ..., thrust_prime: Optional[float] = ...) -> List[CaptivePoint]:
+    """Points of captive tests from a table with a header, units in the names of its columns (docs/captive_tests.md).
+    
+    length: of the ship [m]; density: of her water [kg/m³]. towed_length, towed_density: of the model in the tank, where it was another. test: kind of all tests, where the file does not say. thrust_prime: T/(½ρL²U²), likewise. Raises FileError that names the column that is missing, or the cell that is no number."""
 
 def read_csv(file: Union[str, 'PathLike[str]'], rudder_positive: Optional[str] = ...) -> Recording:
     """A recording from a file of comma-separated text (docs/formats.md), as every command of the program reads it.
@@ -3396,56 +4112,128 @@ def read_indices(file: Union[str, 'PathLike[str]'], length: float) -> MeasuredIn
     length: of the ship [m], for lengths that the file gives in it. Raises FileError "FILE:LINE:COLUMN: what is wrong"."""
 
 def read_linear_ship(file: Union[str, 'PathLike[str]']) -> LinearShip:
-    """A linear ship from a ship file."""
+    """A linear ship from a ship file.
+    
+    file: of the model "linear". Raises FileError "FILE:LINE:COLUMN: what is wrong"."""
 
 def read_ship(file: Union[str, 'PathLike[str]']) -> Ship:
-    """A ship of a nonlinear model from a ship file. Raises FileError "FILE:LINE:COLUMN: what is wrong"."""
+    """A ship of a nonlinear model from a ship file. Raises FileError "FILE:LINE:COLUMN: what is wrong".
+    
+    file: of one of the models mmg, pi, pu and abkowitz."""
+
+def recorded_overshoots(run: Recording, order: ZigzagOrder) -> List[float]:
+    """Heading peaks beyond the switch angle in a recorded zigzag as they come [rad].
+    
+    run: as recorded. order: a ZigzagOrder, of `zigzag_order`."""
 
 def recorded_state(ship: Ship, run: Recording, time: float) -> ShipState:
-    """Recorded state of the ship through the water at a time [s]."""
+    """Recorded state of the ship through the water at a time [s].
+    
+    ship: whose instruments and length count. run: a recording. time: within it. Raises Refusal if the run does not tell rudder or speed."""
+
+def regress(X: ArrayLike, y: ArrayLike, names: Optional[List[str]] = ..., *, runs: List[int] = ..., variance: Optional[ArrayLike] = ..., variance_known: bool = ..., residuals: str = ..., order: int = ..., standard_errors: str = ..., ridge: float = ..., priors: Dict[str, Tuple[float, float]] = ..., constraints: List[Tuple[List[Tuple[str, float]], float]] = ..., feature_covariance: Optional[ArrayLike] = ..., feature_size_known: bool = ...) -> Regression:
+    """Linear regression y = X b + e for forces: what data tell of each coefficient, and what they do not
+    (docs/identification.md).
+    
+    X: features, samples by coefficients. y: what is explained. names: of the coefficients, b0, b1 … unless given. runs:
+    first row of each run, where there are several; the rows of a run follow each other in equal steps of time. variance: of
+    each y, up to a common factor; variance_known: they are the true ones. residuals: "independent", or "autoregressive" of
+    that `order` within a run. standard_errors: "of_model" or "newey_west". ridge: shrinks as if so many samples had said 0.
+    priors: {name: (mean, deviation)}. constraints: [([(name, weight), …], sum), …], held exactly. feature_covariance: of
+    the errors in (x, y), p + 1 by p + 1, one for all samples or one for each; feature_size_known=False takes it up to a
+    factor: total least squares. Source: [Prais1954], [Newey1994], [Andrews1992], [Fuller1987]
+    
+    Raises Refusal if a name is not known, a number is not finite, constraints contradict each other or there are no more
+    samples than coefficients; ValueError if sizes do not fit or a variance or deviation is not positive."""
 
 def repaired(run: Recording, check: RunCheck) -> Recording:
-    """The run without the errors that were told, and without outliers."""
+    """The run without the errors that were told, and without outliers.
+    
+    run: that was checked. check: of `check`."""
 
 def replay(ship: Ship, run: Recording, *, shaft: str = ..., tolerance: float = ...) -> Recording:
-    """The whole run simulated from its recorded start with the recorded rudder and shaft speed, sampled at the recorded times, in the wind and depth that were measured. shaft="self_propulsion": with what carries the model at the recorded starting speed. Raises Refusal if the run does not tell rudder or speed."""
+    """The whole run simulated from its recorded start with the recorded rudder and shaft speed, sampled at the recorded times, in the wind and depth that were measured. shaft="self_propulsion": with what carries the model at the recorded starting speed. Raises Refusal if the run does not tell rudder or speed.
+    
+    ship: who sails. run: a recording. shaft: "recorded" or "self_propulsion". tolerance: error of an integration step."""
+
+def resample(ship: Ship, runs: List[Recording], fit: ForceFit, parameters: Optional[List[str]] = ..., *, priors: bool = ..., ridge: float = ...) -> List[Resample]:
+    """How much coefficients depend on the choice of runs: from all runs, without each, from each alone, and from each rudder amplitude alone.
+    
+    ship, runs, parameters, priors, ridge: as `fit_forces` was given them. fit: its result, whose states are taken."""
 
 def response(coefficients: SwayYawCoefficients, rudder: RudderHistory, s: ArrayLike, start: LinearState = ...) -> dict:
-    """Exact response to a rudder history at dimensionless times s' = tU/L: arrays beta [rad], omega', psi [rad]."""
+    """Exact response to a rudder history at dimensionless times s' = tU/L: arrays beta [rad], omega', psi [rad].
+    
+    coefficients: of the ship. rudder: of `rudder_step` or `rudder_ramp_and_hold`. s: times, an array. start: at s' = 0, straight ahead unless given."""
 
 def reverse_spiral(ship: Ship, largest: float = ..., steps: int = ..., *, speed: Optional[float] = ..., rev: Optional[float] = ..., thrust: Optional[float] = ...) -> ReverseSpiral:
-    """For each yaw rate the mean rudder angle of a helmsman who keeps it, up to `largest` [rad]."""
+    """For each yaw rate the mean rudder angle of a helmsman who keeps it, up to `largest` [rad].
+    
+    ship: of any nonlinear model. steps: between yaw rate 0 and the largest. speed: of the approach [m/s], the service speed unless given. rev: shaft speed [1/s], or thrust: of all propellers [N]."""
 
 def rudder_ramp_and_hold(angle: float, rate: float) -> RudderHistory:
-    """From midships to `angle` [rad] at `rate` [rad per ship length], then held."""
+    """From midships to `angle` [rad] at `rate` [rad per ship length], then held.
+    
+    angle: positive to port. rate: positive. For `response`."""
 
 def rudder_step(angle: float) -> RudderHistory:
-    """The rudder is at `angle` [rad] from s' = 0."""
+    """The rudder is at `angle` [rad] from s' = 0.
+    
+    angle: positive to port. For `response`."""
+
+def run_picture(given: Ship, refitted: Ship, after: Ship, run: Recording, noise: Noise = ...) -> RunPicture:
+    """A run beside replays and missing forces of three ships, at most 500 points.
+    
+    given: the ship as she was given. refitted: with other coefficients. after: with effects. run: as recorded. noise: one for all, so that what shrinks is the force and not the allowance for it."""
+
+def selected(points: List[CaptivePoint], selection: CaptiveSelection) -> List[CaptivePoint]:
+    """Those of captive points that a selection takes.
+    
+    points: of `read_captive`. selection: a CaptiveSelection."""
 
 def self_propulsion(ship: Ship, speed: Optional[float] = ...) -> Controls:
-    """Rudder amidships and the shaft speed, or thrust, that carries her straight ahead at that speed [m/s]."""
+    """Rudder amidships and the shaft speed, or thrust, that carries her straight ahead at that speed [m/s].
+    
+    ship: of any nonlinear model. speed: the service speed unless given. Raises Refusal if she cannot propel herself at it."""
+
+def simulated_overshoots(ship: Ship, run: Recording, order: ZigzagOrder, most: int) -> Optional[List[float]]:
+    """Overshoots of a ship in the zigzag of a run, from its recorded speed with its mean shaft speed or thrust [rad].
+    
+    ship: who sails. run, order: the recorded zigzag. most: how many overshoots. None where she cannot sail it."""
 
 def sname_derivatives(coefficients: SwayYawCoefficients, inertia: SnameDerivatives, rudder_positive: str = ...) -> SnameDerivatives:
-    """The derivatives that give the coefficients, with mass, inertia and added masses as in `inertia`; F = M A."""
+    """The derivatives that give the coefficients, with mass, inertia and added masses as in `inertia`; F = M A.
+    
+    coefficients: a1 to c2. inertia: SnameDerivatives. rudder_positive: side to which the rudder angle of the derivatives turns the ship."""
 
 def speed(motion: PlanarMotion) -> float:
-    """U = sqrt(u² + v²) [m/s]."""
+    """U = sqrt(u² + v²) [m/s].
+    
+    motion: u and v of midship [m/s]."""
 
 def spiral(ship: Ship, largest: float = ..., step_angle: float = ..., first: str = ..., *, speed: Optional[float] = ..., rev: Optional[float] = ..., thrust: Optional[float] = ..., duration: Optional[float] = ..., step: Optional[float] = ..., tolerance: float = ..., sampled: bool = ...) -> Spiral:
     """Dieudonné's spiral: the rudder goes from the largest angle [rad] on one side to that on the other and back in steps of `step_angle` [rad], held at each until the ship turns steadily. `duration` is not used.
     
     speed: of the approach [m/s], the service speed unless given. rev: shaft speed [1/s], or thrust: of all propellers [N]; self-propulsion at that speed unless given. duration [s]: else until the indices are known. step: between samples [s]. sampled=False keeps no time series and is faster.
     
-    Raises ValueError for an angle that is not positive or beyond the ship's largest, Refusal if she cannot propel herself at the speed."""
+    Raises ValueError for an angle that is not positive or beyond the ship's largest, Refusal if she cannot propel herself at the speed.
+    
+    first: side of the first angle. tolerance: error of an integration step."""
 
 def steady_motion(ship: Ship, controls: Controls, guess: PlanarMotion) -> Optional[SteadyMotion]:
-    """The steady motion that Newton's method finds from the guess at constant controls; None where it does not."""
+    """The steady motion that Newton's method finds from the guess at constant controls; None where it does not.
+    
+    ship: of any nonlinear model. controls: rudder angle and shaft speed or thrust. guess: where the search begins."""
 
 def steady_run_in_wind(ship: Ship, wind_speed: float, wind_from: float, direction: float = ..., kept: str = ...) -> Optional[WindRun]:
-    """The straight run in a true wind [m/s] from a direction [rad, clockwise from north] that keeps the course or the heading `direction` [rad]; None where no helm balances that wind."""
+    """The straight run in a true wind [m/s] from a direction [rad, clockwise from north] that keeps the course or the heading `direction` [rad]; None where no helm balances that wind.
+    
+    ship: of any nonlinear model. wind_speed, wind_from: the true wind. kept: "course" or "heading"."""
 
 def steady_turn_curve(ship: Ship, largest: float, *, speed: Optional[float] = ...) -> List[SteadyTurn]:
-    """The r-delta curve through all its folds, up to that rudder angle [rad] on both sides, with the propulsion of that straight speed [m/s]."""
+    """The r-delta curve through all its folds, up to that rudder angle [rad] on both sides, with the propulsion of that straight speed [m/s].
+    
+    ship: of any nonlinear model. largest: rudder angle. speed: the service speed unless given."""
 
 @overload
 def steering_indices(coefficients: SwayYawCoefficients) -> SteeringIndices: ...
@@ -3455,10 +4243,21 @@ def steering_indices(transfer: SwayYawTransfer) -> SteeringIndices:
     
     Steering indices of the coupled equations. Source: [Artyszuk2016] eqs (17)–(24). Infinite or not a number for a neutral ship, or where Kb or Kw is 0.
     
-    Steering indices of transfer functions."""
+    coefficients: a1 to c2.
+    
+    Steering indices of transfer functions.
+    
+    transfer: of `transfer_functions`."""
 
 def straight_course(ship: Ship, speed: Optional[float] = ...) -> OperatingPoint:
-    """Straight ahead at that speed [m/s], the service speed unless given, with self-propulsion."""
+    """Straight ahead at that speed [m/s], the service speed unless given, with self-propulsion.
+    
+    ship: of any nonlinear model. speed: straight ahead. Raises Refusal if she cannot propel herself at it."""
+
+def t3_map(indices: SteeringIndices, rudder: float, heading: float, rate: float, T3b: ArrayLike, T3w: ArrayLike, *, threads: int = ...) -> T3Map:
+    """Loop measures of the limit cycle for every pair of T3b and T3w, the other indices held.
+    
+    indices: of the ship. rudder, heading [rad]; rate in rad per ship length. T3b, T3w: arrays of the map. threads: 0 for one on each core. Raises ValueError if T1 T2, Kb or Kw is 0, or an angle or the rate is not positive."""
 
 @overload
 def time_constants(transfer: SwayYawTransfer) -> Optional[TimeConstants]: ...
@@ -3468,7 +4267,11 @@ def time_constants(coefficients: SwayYawCoefficients) -> Optional[TimeConstants]
     
     T1 and T2; None when they are a complex pair.
     
-    T1 and T2; None when they are a complex pair."""
+    transfer: of `transfer_functions`; dimensionless.
+    
+    T1 and T2; None when they are a complex pair.
+    
+    coefficients: a1 to c2; dimensionless."""
 
 @overload
 def to_prime(indices: DimensionalIndices, scale: PrimeScale) -> SteeringIndices: ...
@@ -3478,7 +4281,11 @@ def to_prime(equations: DimensionalSwayYaw, scale: PrimeScale) -> SwayYawCoeffic
     
     The inverse of dimensional.
     
-    The inverse of dimensional."""
+    indices: with dimension. scale: length and speed.
+    
+    The inverse of dimensional.
+    
+    equations: with dimension. scale: length and speed."""
 
 @overload
 def transfer_functions(coefficients: SwayYawCoefficients) -> SwayYawTransfer: ...
@@ -3488,13 +4295,21 @@ def transfer_functions(indices: SteeringIndices) -> SwayYawTransfer:
     
     Transfer functions of the coupled equations.
     
-    Transfer functions with given indices."""
+    coefficients: a1 to c2.
+    
+    Transfer functions with given indices.
+    
+    indices: of `steering_indices`."""
 
 def trial(run: Recording, ship: Optional[Ship] = ..., *, length: Optional[float] = ..., speed: Optional[float] = ...) -> TrialResult:
-    """A recorded manoeuvre judged: overshoots, K and T, turning circle, criteria of MSC.137(76), with standard errors. Heading and rudder suffice. The ship gives her length [m] and largest rudder angle; speed: of the approach [m/s], in place of the recorded one. Raises Refusal where the run tells no manoeuvre."""
+    """A recorded manoeuvre judged: overshoots, K and T, turning circle, criteria of MSC.137(76), with standard errors. Heading and rudder suffice. The ship gives her length [m] and largest rudder angle; speed: of the approach [m/s], in place of the recorded one. Raises Refusal where the run tells no manoeuvre.
+    
+    run: the recording. ship: of any nonlinear model; without her, length: of the ship [m]."""
 
 def trial_summary(trials: List[TrialResult]) -> ImoSummary:
-    """One verdict of several trials by MSC.137(76)."""
+    """One verdict of several trials by MSC.137(76).
+    
+    trials: of `trial`, one for each run."""
 
 def tune(ship: Ship, measured: MeasuredIndices, parameters: List[str] = ..., *, prior: Optional[float] = ..., most_change: Optional[float] = ..., most_turns: int = ..., least_decay: float = ..., progress: Any = ...) -> Tuning:
     """Coefficients of a ship from measured indices of her manoeuvres: weighted least squares with a prior and exact
@@ -3505,6 +4320,7 @@ def tune(ship: Ship, measured: MeasuredIndices, parameters: List[str] = ..., *, 
     most_change: largest relative change. most_turns: turning circles to be sailed at most. least_decay: what a steady turn
     must keep, decay of a disturbance per ship length. progress: a function of the manoeuvres sailed (SimulationCount) and
     the error of the best ship so far (TuningError); False ends the tuning with her, Ctrl-C raises KeyboardInterrupt.
+    Without one a notebook has a line that changes, progress=False nothing.
     
     Raises Refusal for a ship in wind, one that does not reach a measured index to begin with or lacks a parameter, or where
     a number to change is 0; ValueError if an option is not positive or a rudder angle beyond the ship's largest."""
@@ -3512,40 +4328,79 @@ def tune(ship: Ship, measured: MeasuredIndices, parameters: List[str] = ..., *, 
 def tuned_parameters(ship: Ship, parameters: List[str] = ...) -> List[Parameter]:
     """The numbers that `tune` changes, as Parameter.
     
-    parameters: by name; unless given those of the hull that are not 0, but for its resistance. Raises Refusal for one that she does not have."""
+    parameters: by name; unless given those of the hull that are not 0, but for its resistance. Raises Refusal for one that she does not have.
+    
+    ship: who is tuned."""
 
 def turning_circle(ship: Ship, rudder: float, side: str = ..., *, speed: Optional[float] = ..., rev: Optional[float] = ..., thrust: Optional[float] = ..., duration: Optional[float] = ..., step: Optional[float] = ..., tolerance: float = ..., sampled: bool = ...) -> TurningCircle:
     """Turning circle with the rudder [rad] held over to a side. Ends after 540 deg, or where the ship no longer moves ahead, unless a duration is given.
     
     speed: of the approach [m/s], the service speed unless given. rev: shaft speed [1/s], or thrust: of all propellers [N]; self-propulsion at that speed unless given. duration [s]: else until the indices are known. step: between samples [s]. sampled=False keeps no time series and is faster.
     
-    Raises ValueError for an angle that is not positive or beyond the ship's largest, Refusal if she cannot propel herself at the speed."""
+    Raises ValueError for an angle that is not positive or beyond the ship's largest, Refusal if she cannot propel herself at the speed.
+    
+    tolerance: error of an integration step."""
 
 def turning_circle_slopes(ship: Ship, rudder: float, parameters: List[str], side: str = ..., *, speed: Optional[float] = ...) -> dict:
-    """The same of a turning circle, told as of a turn to starboard."""
+    """The same of a turning circle, told as of a turn to starboard.
+    
+    ship: of any nonlinear model. rudder: angle [rad], positive. parameters: by name. side: turned to. speed: of the approach [m/s], the service speed unless given."""
 
 def usual_parameters(ship: Ship) -> List[str]:
-    """Coefficients that are looked for unless others are named."""
+    """Coefficients that are looked for unless others are named.
+    
+    ship: those of her hull that are not 0, and of a PU ship those of the rudder."""
 
 def williamson_turn(ship: Ship, rudder: float = ..., heading: float = ..., before: float = ..., first: str = ..., *, speed: Optional[float] = ..., rev: Optional[float] = ..., thrust: Optional[float] = ..., duration: Optional[float] = ..., step: Optional[float] = ..., tolerance: float = ..., sampled: bool = ...) -> WilliamsonTurn:
     """Rudder [rad] hard over to `first` until the heading has changed by `heading` [rad], to the other side until it is `before` [rad] short of the reciprocal, then amidships. Source: [IAMSAR].
     
     speed: of the approach [m/s], the service speed unless given. rev: shaft speed [1/s], or thrust: of all propellers [N]; self-propulsion at that speed unless given. duration [s]: else until the indices are known. step: between samples [s]. sampled=False keeps no time series and is faster.
     
-    Raises ValueError for an angle that is not positive or beyond the ship's largest, Refusal if she cannot propel herself at the speed."""
+    Raises ValueError for an angle that is not positive or beyond the ship's largest, Refusal if she cannot propel herself at the speed.
+    
+    rudder, heading, before: angles, positive. tolerance: error of an integration step."""
 
 def with_forces(run: Recording, ship: Ship) -> Recording:
-    """The run with forces by part as extra columns X_hull_N, Y_hull_N, N_hull_N_m, …"""
+    """The run with forces by part as extra columns X_hull_N, Y_hull_N, N_hull_N_m, …
+    
+    ship: of any nonlinear model. run: a recording; Refusal if it does not tell rudder or speed."""
 
 def writable(found: Ship, beginning: Ship) -> Tuple[Ship, List[str]]:
-    """The ship as a file can hold her, and what had to give way for that, in words."""
+    """The ship as a file can hold her, and what had to give way for that, in words.
+    
+    found: as a fit left her. beginning: she whom the fit began with."""
 
 def zigzag(ship: Ship, rudder: float, heading: float, first: str = ..., *, speed: Optional[float] = ..., rev: Optional[float] = ..., thrust: Optional[float] = ..., duration: Optional[float] = ..., step: Optional[float] = ..., tolerance: float = ..., sampled: bool = ...) -> Zigzag:
     """Zigzag: the rudder [rad] is put over to the side `first`; whenever the heading has changed by `heading` [rad] to the side of the turn it is reversed. Ends after the fourth overshoot unless a duration is given.
     
     speed: of the approach [m/s], the service speed unless given. rev: shaft speed [1/s], or thrust: of all propellers [N]; self-propulsion at that speed unless given. duration [s]: else until the indices are known. step: between samples [s]. sampled=False keeps no time series and is faster.
     
-    Raises ValueError for an angle that is not positive or beyond the ship's largest, Refusal if she cannot propel herself at the speed."""
+    Raises ValueError for an angle that is not positive or beyond the ship's largest, Refusal if she cannot propel herself at the speed.
+    
+    tolerance: error of an integration step."""
+
+@overload
+def zigzag_batch(ships: List[Ship], rudder: float, heading: float, first: str = ..., *, reversals: int = ..., speed: Optional[float] = ..., rev: Optional[float] = ..., duration: Optional[float] = ..., tolerance: float = ..., threads: int = ..., instruction_set: str = ...) -> ZigzagBatch: ...
+@overload
+def zigzag_batch(ship: Ship, values: Dict[str, ArrayLike], rudder: float, heading: float, first: str = ..., *, reversals: int = ..., speed: Optional[float] = ..., rev: Optional[float] = ..., duration: Optional[float] = ..., tolerance: float = ..., threads: int = ..., instruction_set: str = ...) -> ZigzagBatch:
+    """zigzag_batch(*args, **kwargs)
+    
+    The zigzag of every ship, in calm water, over packs and all cores.
+    
+    ships: of the model mmg, without effects. rudder, heading: angles [rad]. first: side turned to first. reversals: after whose overshoots a ship ends, 255 at most. speed: of the approach [m/s], of each ship her service speed unless given. rev: shaft speed [1/s], that of self-propulsion unless given. duration [s]: 200 L/U unless given. tolerance: error of an integration step. threads: 0 for one on each core. instruction_set: best, numbers, baseline, avx2 or avx512.
+    
+    Raises Refusal for another model or an effect; ValueError for angles that are not positive or beyond the largest of a ship, or an instruction set that is not there.
+    
+    The same for one ship with other values of her numbers.
+    
+    ship: of the model mmg, without effects. values: arrays by name, one value for each ship, in the units of the ship file: {"N_v": -0.14 * numpy.ones(1000), …}. Raises besides ValueError for a value that her file would refuse."""
+
+def zigzag_order(run: Recording) -> Optional[ZigzagOrder]:
+    """Rudder, heading and first side of the zigzag that a run says it is; None for other runs.
+    
+    run: its `manoeuvre` is read."""
 
 def zigzag_slopes(ship: Ship, rudder: float, heading: float, parameters: List[str], first: str = ..., *, speed: Optional[float] = ...) -> dict:
-    """Exact derivatives of the indices of a zigzag (SI) by parameters of the ship, in the units of her file: a dictionary from index to an array in the order of the names, None for an index that does not exist. Raises Refusal for a ship in wind or with effects other than a current."""
+    """Exact derivatives of the indices of a zigzag (SI) by parameters of the ship, in the units of her file: a dictionary from index to an array in the order of the names, None for an index that does not exist. Raises Refusal for a ship in wind or with effects other than a current.
+    
+    ship: of any nonlinear model. rudder, heading: angles [rad], positive. parameters: names. first: side turned to first. speed: of the approach [m/s], the service speed unless given."""

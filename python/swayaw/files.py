@@ -32,12 +32,20 @@ def read_csv(file: Union[str, os.PathLike], rudder_positive: Optional[str] = Non
 def parse_csv(
     text: str, name: Union[str, os.PathLike] = "text", rudder_positive: Optional[str] = None
 ) -> _swayaw.Recording:
-    """The same from text; `name` stands for the file in messages."""
+    """A recording from text as `read_csv` reads it.
+
+    text: of a recording file. name: stands for the file in messages. rudder_positive: side to which the rudder column is
+    positive, whatever the text says. Raises FileError "NAME:LINE:COLUMN: what is wrong".
+    """
     return _told(_swayaw._parse_csv(text, os.fspath(name), rudder_positive))
 
 
 def load_ship(ship: Union[str, os.PathLike]) -> Union[_swayaw.Ship, _swayaw.LinearShip]:
-    """A ship of any model from a ship file, or where no such file is there, the published ship of that bare name."""
+    """A ship of any model, nonlinear (Ship) or linear (LinearShip).
+
+    ship: a ship file, or where no such file is there, the bare name of a published ship. Raises FileError
+    "FILE:LINE:COLUMN: what is wrong", Refusal for a name that is not published.
+    """
     file = pathlib.Path(ship)
     if file.exists() or file.parent != pathlib.Path(".") or file.suffix:
         if not file.exists():

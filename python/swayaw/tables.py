@@ -132,7 +132,10 @@ def from_dataframe(
 
 def frame_of(records):
     """Values of one type, such as `diagnosis.candidates` or `zigzag.reversals`, as a pandas.DataFrame: a row for each, a
-    column for each field."""
+    column for each field.
+
+    records: a list of values of one type.
+    """
     return _pandas().DataFrame([record._asdict() for record in records])
 
 

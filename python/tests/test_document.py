@@ -41,4 +41,4 @@ def test_the_esso_osaka_in_wind(source):
     files = sorted(folder.glob("turn_14-Sep-2020_15_47_33.csv"))
     if not files:
         pytest.skip("the recordings of the Esso Osaka are not there")
-    assert "as measured" in run(source, "esso_osaka_wind.py", *files)
+    assert "measured 2.03 m/s from 148 deg" in run(source, "esso_osaka_wind.py", *files)

@@ -89,6 +89,9 @@ def test_states_are_those_that_were_sailed(noisy):
     assert numpy.sqrt(numpy.mean(error**2)) < 5e-4 < 1e-3
     deviation = numpy.sqrt(estimate.covariances[:, 2, 2])
     assert numpy.mean(numpy.abs(error) < 3.0 * deviation) > 0.95
+    again = pickle.loads(pickle.dumps(estimate))
+    assert again == estimate and again.states.tobytes() == estimate.states.tobytes()
+    assert again.recording(runs[1]) == estimate.recording(runs[1])
     assert estimate.recording(runs[1])["psi_rad"] == pytest.approx(estimate.states[:, 2], abs=1e-12)
     with pytest.raises(ValueError, match='"yaw" is none of x, y, psi'):
         swayaw.estimate_states(ship, runs[1], noise={"yaw": 1e-3})
@@ -103,6 +106,13 @@ def test_forces_tell_coefficients(noisy):
         assert c.estimate.verdict == "determined"
         assert fit.ship.parameters[name].value == pytest.approx(c.estimate.value)
     assert fit.range.rudder == pytest.approx(math.radians(20), rel=1e-6)
+    again = pickle.loads(pickle.dumps(fit))
+    assert again == fit and again.stability == fit.stability
+    assert again.equations[0].fit.covariance.tobytes() == fit.equations[0].fit.covariance.tobytes()
+    some = {r.runs: r.values for r in swayaw.resample(ship, runs, fit, ["N_v", "N_r"])}
+    assert some["all runs"] == pytest.approx([fit.coefficients[n].estimate.value for n in ("N_v", "N_r")], rel=1e-12)
+    assert some["all but zz10"] != some["all but zz20"]
+    assert some["all but zz10"] == pytest.approx(some["all but zz20"], rel=1e-2)
     with pytest.raises(swayaw.Refusal, match="N_w"):
         swayaw.fit_forces(ship, runs, ["N_w"])
 
@@ -119,6 +129,9 @@ def test_trajectories_tell_coefficients_and_their_progress(noisy):
         truth = ship.parameters[p.name].value_si
         assert p.estimate.value == pytest.approx(truth, abs=4.0 * p.estimate.standard_error)
     assert fit.covariance.shape == (2, 2)
+    again = pickle.loads(pickle.dumps(fit))
+    assert again == fit and again.covariance.tobytes() == fit.covariance.tobytes()
+    assert again.noise == fit.noise and again.ship == fit.ship
 
 
 def test_a_listener_can_end_a_fit_and_may_fail(noisy):
@@ -145,4 +158,32 @@ def test_a_linear_ship_tells_her_coefficients():
         told = getattr(fit.coefficients, name)
         assert told.value == pytest.approx(getattr(ship.coefficients, name), rel=0.01)
     assert fit.stable and fit.scale.L == ship.length
+    again = pickle.loads(pickle.dumps(fit))
+    assert again == fit and again.covariance.tobytes() == fit.covariance.tobytes()
     assert swayaw.nomoto_zigzag(run).K < 0.0
+
+
+def test_forces_of_a_run_are_those_of_the_ship(noisy):
+    ship, runs = noisy
+    estimate = swayaw.estimate_states(ship, runs[1])
+    forces = swayaw.inverse_dynamics(ship, runs[1], estimate)
+    assert [f.time for f in forces] == list(estimate.time)
+    (middle,) = [f for f in forces if f.time == 20.0]
+    at = numpy.searchsorted(estimate.time, 20.0)
+    _, _, _, u, v, r, *_ = estimate.states[at]
+    state = swayaw.ShipState(0.0, 0.0, 0.0, swayaw.PlanarMotion(u, v, r))
+    controls = swayaw.Controls(delta=runs[1]["delta_rad"][at], rev=runs[1]["rev_s"][at])
+    total = swayaw.force_breakdown(ship, state, controls).total
+    error = math.sqrt(middle.damping.covariance[2, 2])
+    assert middle.damping.force.N == pytest.approx(total.N, abs=5.0 * error)
+    assert pickle.loads(pickle.dumps(middle)) == middle
+
+
+def test_overshoots_are_those_that_were_sailed(noisy):
+    ship, runs = noisy
+    order = swayaw.zigzag_order(runs[0])
+    assert order == swayaw.ZigzagOrder(math.radians(10), math.radians(10), "starboard")
+    peaks = swayaw.recorded_overshoots(runs[0], order)
+    truth = [r.overshoot for r in swayaw.zigzag(ship, order.rudder, order.heading).reversals]
+    assert peaks[:3] == pytest.approx(truth[:3], abs=5e-3)
+    assert swayaw.simulated_overshoots(ship, runs[0], order, 3) == pytest.approx(truth[:3], abs=5e-3)
