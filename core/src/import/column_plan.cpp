@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "characters.hpp"
 #include "position_cell.hpp"
 #include "swayaw/core/channel.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
@@ -239,7 +240,6 @@ namespace {
 
 /// "S 10.5", "10.5 stbd", "P10": starboard positive.
 std::optional<double> sided_value(std::string_view cell, const NumberRules& rules) {
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const auto first = std::ranges::find_if(cell, is_digit);
   const auto last = std::find_if(cell.rbegin(), cell.rend(), is_digit);
   if (first == cell.end()) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "characters.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
 
 namespace swayaw::inline core::detail {
@@ -20,7 +21,6 @@ constexpr std::array letters = std::to_array<std::pair<std::string_view, std::st
 
 constexpr bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 constexpr bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Bars at the borders of "RudderAngle" and "Rudder1", special letters as plain ones.
 std::string plain_letters(std::string_view name) {

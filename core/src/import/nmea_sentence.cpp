@@ -7,12 +7,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "characters.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
 
 namespace swayaw::inline core::detail {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 bool is_capital_or_digit(char c) { return (c >= 'A' && c <= 'Z') || is_digit(c); }
 

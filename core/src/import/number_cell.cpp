@@ -4,12 +4,11 @@
 #include <charconv>
 #include <cmath>
 
+#include "characters.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
 
 namespace swayaw::inline core::detail {
 namespace {
-
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 constexpr std::array<std::string_view, 22> missing_marks{
     "nan", "-nan", "nan(ind)", "n/a",  "na",   "#n/a", "#nv", "#value!", "#wert!", "#div/0!",      "-",

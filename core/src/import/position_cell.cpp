@@ -4,12 +4,11 @@
 #include <charconv>
 #include <cmath>
 
+#include "characters.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
 
 namespace swayaw::inline core::detail {
 namespace {
-
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// N, S, E, W or the German O for east, or nothing.
 char side_of(char c) {

@@ -9,12 +9,12 @@
 #include <tuple>
 #include <utility>
 
+#include "characters.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
 
 namespace swayaw::inline core::detail {
 namespace {
 
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c & 0x80) != 0; }
 
 /// Months by their first letters in English, German, Norwegian, Danish, Dutch and Spanish.

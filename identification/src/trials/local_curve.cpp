@@ -18,7 +18,7 @@ constexpr double agreement = 0.7;
 // rudder stops: over the same cases by this factor.
 constexpr double slope_bias = 2.6;
 
-constexpr std::size_t fewest = 5, most = 400;  // samples of a cubic
+constexpr std::size_t fewest_samples = 5, most_samples = 400;  // of a cubic
 
 /// Smallest step between two different values, 0 for one value alone.
 double smallest_step(std::vector<double> values) {
@@ -158,12 +158,12 @@ double LocalCubic::curvature(double t) const { return (2.0 * c[2] + 6.0 * c[3] *
 
 std::optional<LocalCubic> local_cubic(const Samples& s, double at, double from, double to) {
   const auto all = between(s, from, to);
-  if (all.size() < fewest) return std::nullopt;
-  auto best = fitted(s, at, nearest(s, at, fewest, all));
+  if (all.size() < fewest_samples) return std::nullopt;
+  auto best = fitted(s, at, nearest(s, at, fewest_samples, all));
   Agreement value, slope;
   value.takes(best.value(at));
   slope.takes(best.slope(at));
-  for (std::size_t n = larger(fewest); n <= std::min(most, all.size()); n = larger(n)) {
+  for (std::size_t n = larger(fewest_samples); n <= std::min(most_samples, all.size()); n = larger(n)) {
     const auto wider = fitted(s, at, nearest(s, at, n, all));
     if (!value.takes(wider.value(at)) || !slope.takes(wider.slope(at))) break;
     best = wider;
@@ -217,7 +217,7 @@ MaybeTold passage(const Samples& s, double level, double sign, double from, doub
 
 std::optional<Peak> peak(const Samples& s, double sign, double from, double to) {
   const auto all = between(s, from, to);
-  if (all.size() < fewest) return std::nullopt;
+  if (all.size() < fewest_samples) return std::nullopt;
   std::size_t top = all.first;
   for (std::size_t i = all.first; i < all.last; ++i)
     if (sign * s.value[i] > sign * s.value[top]) top = i;
