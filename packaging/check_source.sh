@@ -11,7 +11,7 @@ trap 'rm -rf "$scratch"' EXIT
 tar -x -C "$scratch" --strip-components 1 -f "$tarball"
 (cd "$scratch/app/report/plotly" && sha256sum --quiet --check plotly-basic.min.js.sha256)
 
-unshare -rn cmake -S "$scratch" -B "$scratch/build" -G Ninja -D BUILD_TESTING=OFF -D SWAYAW_BUILD_EXAMPLES=OFF \
+unshare -rn cmake --no-warn-unused-cli -S "$scratch" -B "$scratch/build" -G Ninja -D BUILD_TESTING=OFF -D SWAYAW_BUILD_EXAMPLES=OFF \
   -D SWAYAW_BUILD_BENCH=OFF -D SWAYAW_BUILD_PYTHON=OFF -D NPM_EXECUTABLE=/absent >/dev/null
 unshare -rn cmake --build "$scratch/build" --target swayaw_report >/dev/null
 grep -q 'plotly.js (basic - minified)' "$scratch/build/app/report/libswayaw_report.a" ||

@@ -1,7 +1,8 @@
 #!/bin/bash
 # How far the library compiles for Windows, by Debian's mingw-w64 and the header packages of this machine: each floor, how many
 # of its files compile, and what stops the others.
-#   packaging/try_windows.sh [FOLDER] [FLOOR…]      apt-get install g++-mingw-w64-x86-64-posix; xsimd, GeographicLib, libmatio are left out
+#   packaging/try_windows.sh [FOLDER] [FLOOR…]
+# apt-get install g++-mingw-w64-x86-64-posix; xsimd, GeographicLib, libmatio are left out
 set -euo pipefail
 sources=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 scratch=${1:-$(mktemp -d)}
@@ -40,18 +41,39 @@ foreach(what LIBRARY INCLUDE PACKAGE)
 endforeach()
 END
 
-# Strict C++20 hides the Bessel functions that ceres/jet.h asks of mingw's <cmath>.
+# mingw hides the Bessel functions, which ceres/jet.h asks for, from strict C++20.
+echo '#ifdef __cplusplus
+extern "C" { double j0(double); double j1(double); double jn(int, double); }
+#endif' >"$scratch/bessel.h"
+
 cmake -S "$sources" -B "$scratch/build" -G Ninja -D CMAKE_TOOLCHAIN_FILE="$scratch/windows.cmake" \
-  -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS=-U__STRICT_ANSI__ -D CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" -D SWAYAW_CERES_INCLUDE="$scratch/include" \
+  -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS="-include $scratch/bessel.h" -D CMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" \
+  -D SWAYAW_CERES_INCLUDE="$scratch/include" \
   -D Eigen3_DIR="$scratch/cmake" -D Boost_DIR="$scratch/cmake" -D fmt_DIR="$scratch/cmake" -D tomlplusplus_DIR="$scratch/cmake" \
   -D SWAYAW_WITH_XSIMD=OFF -D SWAYAW_WITH_GEOGRAPHICLIB=OFF -D SWAYAW_WITH_MATIO=OFF -D SWAYAW_BUILD_PROGRAM=OFF \
   -D SWAYAW_BUILD_PYTHON=OFF -D SWAYAW_BUILD_EXAMPLES=OFF -D SWAYAW_BUILD_BENCH=OFF -D BUILD_TESTING=OFF \
   >"$scratch/configured" 2>&1 || { cat "$scratch/configured" >&2; exit 1; }
 
-for floor in "${floors[@]}"; do
-  files=$(ninja -C "$scratch/build" -t targets all | grep -c "^$floor/.*\.obj: ")
-  cmake --build "$scratch/build" --target "swayaw_$floor" -- -k 0 >"$scratch/$floor.log" 2>&1 || true
-  failed=$(grep -c "^FAILED: $floor/.*\.obj" "$scratch/$floor.log" || true)
-  echo "$floor: $((files - failed)) of $files files compile"
-  { grep -E '(fatal )?error: ' "$scratch/$floor.log" || true; } | sed "s|$sources/||" | awk '!seen[$0]++' | head -20
-done
+cmake -D FOLDER="$sources/ships" -D OUTPUT="$scratch/build/nonlinear/published_ship_texts.cpp" -P "$sources/cmake/EmbedShips.cmake"
+
+# Each file by itself: ninja would not begin a floor when a file of the one below does not compile.
+python3 - "$scratch/build/compile_commands.json" "$sources" "${floors[@]}" <<'END'
+import concurrent.futures, json, os, re, subprocess, sys
+
+commands, sources, *floors = sys.argv[1:]
+with open(commands, encoding="utf-8") as file:
+    files = json.load(file)
+
+
+def compiled(one):
+    os.makedirs(os.path.dirname(os.path.join(one["directory"], re.search(r" -o (\S+)", one["command"])[1])), exist_ok=True)
+    return subprocess.run(one["command"], shell=True, cwd=one["directory"], capture_output=True, text=True)
+
+
+with concurrent.futures.ThreadPoolExecutor(int(os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", os.cpu_count()))) as pool:
+    for floor in floors:
+        runs = list(pool.map(compiled, [one for one in files if f"swayaw_{floor}.dir/" in one["command"]]))
+        print(f"{floor}: {sum(run.returncode == 0 for run in runs)} of {len(runs)} files compile", flush=True)
+        errors = [line for run in runs for line in run.stderr.splitlines() if "error: " in line]
+        print("\n".join(dict.fromkeys(line.replace(sources + "/", "") for line in errors[:20])), end="\n" if errors else "")
+END
