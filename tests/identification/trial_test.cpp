@@ -14,6 +14,7 @@
 #include "swayaw/nonlinear/manoeuvres/pull_out.hpp"
 #include "swayaw/nonlinear/manoeuvres/spiral.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
+#include "swayaw/nonlinear/simulator.hpp"
 
 namespace swayaw {
 namespace {
@@ -99,6 +100,55 @@ TEST_CASE("a wrong sign of the rudder leaves the overshoots, turns K and is said
   const auto turn = turning_circle(tanker(), {radians(35.0)}, {.step = 0.2}).run;
   CHECK_FALSE(judge_trial(turn, {.L = 7.0}).against_rudder);
   CHECK(judge_trial(reversed(turn, Channel::delta), {.L = 7.0}).against_rudder);
+}
+
+/// A zigzag 10/10 of so many reversals, after which the helmsman brings her back to her course with another rudder.
+Recording zigzag_and_back(Side first, std::size_t reversals, double back) {
+  const auto ship = tanker();
+  const double dt = 0.1, degree = radians(1.0);
+  Simulator sim(ship);
+  Recording run;
+  run.facts.execute = 6.0;
+  std::vector<double> heading, rudder;
+  double side = yaw_sign(first);
+  std::size_t reversed = 0;
+  bool home = false;
+  while (sim.time() < 400.0) {
+    const auto& state = sim.state();
+    if (!home && sim.time() >= *run.facts.execute && side * state.psi >= 10.0 * degree) {
+      if (reversed < reversals) ++reversed, side = -side;
+      else if (sim.state().motion.r * side > 0.0) home = true, side = -side;
+    }
+    if (sim.time() >= *run.facts.execute) sim.order_rudder(-side * (home ? back : 10.0) * degree);
+    if (home && std::abs(state.psi) < 3.0 * degree) sim.order_rudder(0.0), side = 0.0;
+    run.time.push_back(sim.time()), heading.push_back(state.psi), rudder.push_back(sim.rudder());
+    sim.step(dt);
+  }
+  std::ranges::copy(heading, run.fill(Channel::psi).begin());
+  std::ranges::copy(rudder, run.fill(Channel::delta).begin());
+  return run;
+}
+
+TEST_CASE("a zigzag is read alike whatever rudder brings the ship back to her course",
+          "[identification][second-route]") {
+  for (const Side first : {Side::port, Side::starboard})
+    for (const std::string said : {"zigzag 10/10", ""}) {
+      const auto exact = zigzag(tanker(), {radians(10.0), radians(10.0), first});
+      for (const double back : {10.0, 20.0, 35.0}) {
+        INFO(name_of(first) << ", back with " << back << " deg, said \"" << said << '"');
+        auto run = zigzag_and_back(first, 2, back);
+        run.facts.manoeuvre = said;
+        const auto trial = judge_trial(run, {.L = 7.0});
+        REQUIRE(trial.zigzag);
+        CHECK(trial.zigzag->first == first);
+        REQUIRE(trial.zigzag->reversals.size() >= 2);
+        for (std::size_t k = 0; k < 2; ++k) {
+          REQUIRE(trial.zigzag->reversals[k].overshoot);
+          CHECK_THAT(degrees(trial.zigzag->reversals[k].overshoot->value),
+                     WithinAbs(degrees(*exact.reversals[k].overshoot), 0.4));  // he reverses up to 0.1 s late
+        }
+      }
+    }
 }
 
 TEST_CASE("the mirrored run has the same indices to the other side", "[identification][symmetry]") {

@@ -125,6 +125,13 @@ TrialManoeuvre manoeuvre_named(const TrialRun& run, const Words& words, bool sai
 
 }  // namespace
 
+std::optional<double> zigzag_rudder(const Recording& run) {
+  auto words = words_of(run.facts.manoeuvre);
+  if (!words || (words->kind == TrialKind::zigzag && !words->complete())) words = found_in(run);
+  if (!words || words->kind != TrialKind::zigzag || !words->complete()) return std::nullopt;
+  return radians(words->angles[0]);
+}
+
 TrialManoeuvre manoeuvre_of(const TrialRun& run) {
   const auto told = words_of(run.recording->facts.manoeuvre);
   const bool steered = !told || told->kind == TrialKind::zigzag || told->kind == TrialKind::turn;

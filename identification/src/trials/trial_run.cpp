@@ -193,6 +193,20 @@ std::vector<RudderLeg> without_approach(std::vector<RudderLeg> legs, const Sampl
   return legs;
 }
 
+/// A rudder of a zigzag this much further over than ordered is no leg of it: then the helmsman brings her back to her
+/// course. A helmsman misses his order by a few degrees; the next usual order, 20 for 10 deg, is twice as far.
+constexpr double beyond_order = 1.5;
+
+/// Without the legs from the first one that goes beyond the order. @return when that one begins; infinite: never
+double cut_after_manoeuvre(std::vector<RudderLeg>& legs, double before, double ordered) {
+  const auto is_beyond = [&](const RudderLeg& leg) { return std::abs(leg.level - before) > beyond_order * ordered; };
+  const auto first = std::ranges::find_if(legs, is_beyond);
+  if (first == legs.end()) return HUGE_VAL;
+  const double from = first->from;
+  legs.erase(first, legs.end());
+  return from;
+}
+
 MaybeTold first_move(const Samples& delta, const std::vector<RudderLeg>& legs) {
   if (legs.size() < 2) return std::nullopt;
   return move_between(delta, legs[0], legs[1]).start;
@@ -218,6 +232,7 @@ TrialRun prepared(const Recording& run) {
              .rudder_before = 0.0,
              .largest = 0.0,
              .legs = {},
+             .steered_until = 0.0,
              .execute = {run.time.front(), 0.0},
              .execute_said = run.facts.execute.has_value()};
   if (t.psi.size() < 10 || t.delta.size() < 10)
@@ -229,7 +244,9 @@ TrialRun prepared(const Recording& run) {
   t.rudder_before = median_between(t.delta, start, first > start ? first : still_until(t.delta));
   if (std::abs(t.rudder_before) > 0.3 * largest_off(t.delta, 0.0)) t.rudder_before = 0.0;
   t.largest = largest_off(t.delta, t.rudder_before);
-  t.legs = without_approach(legs_of(t.delta, t.rudder_before, t.largest), t.psi, run.facts.execute);
+  const double ordered = std::min(t.largest, zigzag_rudder(run).value_or(t.largest));
+  t.legs = without_approach(legs_of(t.delta, t.rudder_before, ordered), t.psi, run.facts.execute);
+  t.steered_until = std::min(t.end(), cut_after_manoeuvre(t.legs, t.rudder_before, ordered));
   if (run.facts.execute) t.execute = {*run.facts.execute, 0.0};
   else if (const auto moved = first_move(t.delta, t.legs)) t.execute = *moved;
   return t;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace swayaw::inline identification::detail {
 /// A time during which the rudder stays on one side.
 struct RudderLeg {
   double sign;      ///< +1 port, −1 starboard, 0 amidships
-  double from, to;  ///< passages through half the largest angle (a quarter to amidships) [s]
+  double from, to;  ///< passages through half the angle of the manoeuvre (a quarter to amidships) [s]
   double level;     ///< median angle [rad]
 };
 
@@ -23,6 +24,7 @@ struct TrialRun {
   double rudder_before;  ///< angle before the manoeuvre [rad]
   double largest;        ///< largest angle off that [rad]
   std::vector<RudderLeg> legs;
+  double steered_until;  ///< when the rudder goes further than the manoeuvre has it; else the end [s]
   Told execute;
   bool execute_said;
 
@@ -40,6 +42,9 @@ Approach approach_of(const TrialRun& run, const TrialOptions& options);
 
 /// Way made between two times [m]: the integral of the speed, else the length of the track.
 MaybeTold way_between(const TrialRun& run, const Told& from, const Told& to);
+
+/// Rudder angle of the zigzag that the recording says it is, or that is found in it [rad]; nothing where it is none.
+std::optional<double> zigzag_rudder(const Recording& run);
 
 /// @throws Refusal  where no manoeuvre can be told
 TrialManoeuvre manoeuvre_of(const TrialRun& run);

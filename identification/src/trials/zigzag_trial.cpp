@@ -22,7 +22,7 @@ std::vector<Reverse> reversals_of(const TrialRun& run, const std::vector<RudderM
   for (std::size_t k = 2; k < run.legs.size(); ++k)
     if (run.legs[k].sign * run.legs[k - 1].sign < 0.0) result.push_back({&moves[k - 1], run.legs[k].from, 0.0});
   for (std::size_t k = 0; k < result.size(); ++k)
-    result[k].until = k + 1 < result.size() ? result[k + 1].middle : run.end();
+    result[k].until = k + 1 < result.size() ? result[k + 1].middle : run.steered_until;
   return result;
 }
 
@@ -92,8 +92,12 @@ MaybeTold period_of(const std::vector<TrialReversal>& reversals) {
 ZigzagTrial zigzag_trial(const TrialRun& run, const Approach& approach, const TrialManoeuvre& manoeuvre,
                          const std::vector<RudderMove>& moves) {
   const auto reversals = reversals_of(run, moves);
-  ZigzagTrial result{
-      .first = Side::starboard, .reversals = {}, .period = {}, .reach = {}, .initial_turning = {}, .end = run.end()};
+  ZigzagTrial result{.first = Side::starboard,
+                     .reversals = {},
+                     .period = {},
+                     .reach = {},
+                     .initial_turning = {},
+                     .end = run.steered_until};
   if (reversals.empty()) return result;
   const double psi0 = approach.heading.value;
   double sign = first_sign(run, psi0, reversals.front().middle), from = approach.execute.value;
