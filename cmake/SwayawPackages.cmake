@@ -46,6 +46,12 @@ foreach(component IN LISTS components)
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package_${component}} COMPONENT ${component})
 endforeach()
 
+# The C interface, whose folder installs it whole. (swayaw_fmu is made of static floors only: it is in no package.)
+if(TARGET swayaw_c)
+  install(TARGETS swayaw_c LIBRARY COMPONENT library NAMELINK_COMPONENT development)
+  install(FILES ${PROJECT_SOURCE_DIR}/c/include/swayaw.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+endif()
+
 # The manual and the completion, from the program's own words.
 set(manual ${made}/man)
 set(completion ${made}/completion)
