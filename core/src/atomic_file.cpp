@@ -56,19 +56,23 @@ std::string read_text(const fs::path& file) {
   return std::move(text).str();
 }
 
-void write_text(const fs::path& file, std::string_view text) {
+void write_draft(const fs::path& file, const std::function<bool(const fs::path&)>& write) {
   if (is_device(file)) {
-    if (!write_all(file, text)) fail({.file = file}, "cannot be written");
+    if (!write(file)) fail({.file = file}, "cannot be written");
     return;
   }
   const fs::path target = target_of(file);
   const fs::path draft = target.string() + ".part" + std::to_string(::getpid());
-  if (write_all(draft, text) && rename_to(draft, target)) return;
+  if (write(draft) && rename_to(draft, target)) return;
   const int reason = errno;
   std::error_code ignored;
   fs::remove(draft, ignored);
   errno = reason;
   fail({.file = file}, "cannot be written");
+}
+
+void write_text(const fs::path& file, std::string_view text) {
+  write_draft(file, [text](const fs::path& draft) { return write_all(draft, text); });
 }
 
 }  // namespace swayaw::core

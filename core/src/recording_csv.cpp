@@ -10,8 +10,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <sstream>
 
+#include "mat/recording_mat.hpp"
 #include "run_keys.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
@@ -332,14 +332,6 @@ class RecordingParser {
 
 using Text = fmt::memory_buffer;
 
-/// A TOML text on one line.
-std::string in_quotes(const std::string& text) {
-  const toml::value<std::string> value(text);
-  std::ostringstream quoted;
-  quoted << toml::toml_formatter(value, toml::format_flags::allow_unicode_strings);
-  return std::move(quoted).str();
-}
-
 void write_facts(Text& out, const RunFacts& facts) {
   auto to = fmt::appender(out);
   fmt::format_to(to, "# rudder_positive = \"port\"\n");
@@ -386,7 +378,8 @@ RecordingFile parse_recording(std::string_view text, const std::filesystem::path
 }
 
 RecordingFile read_recording(const std::filesystem::path& file, std::optional<Side> rudder_positive) {
-  return parse_recording(read_text(file), file, rudder_positive);
+  return is_mat(file) ? read_recording_mat(file, rudder_positive)
+                      : parse_recording(read_text(file), file, rudder_positive);
 }
 
 std::string recording_text(const Recording& recording) {
@@ -398,7 +391,8 @@ std::string recording_text(const Recording& recording) {
 }
 
 void write_recording(const Recording& recording, const std::filesystem::path& file) {
-  write_text(file, recording_text(recording));
+  if (is_mat(file)) write_mat(file, mat_of(recording));
+  else write_text(file, recording_text(recording));
 }
 
 }  // namespace swayaw::core

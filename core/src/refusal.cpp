@@ -10,10 +10,16 @@ std::string text_of(const FilePlace& place, std::string_view what_is_wrong) {
   return fmt::format("{}:{}:{}: {}", place.file.string(), place.line, place.column, what_is_wrong);
 }
 
+/// A MATLAB file has no lines, though what stands in it may have been read as text.
+FilePlace place_in(const FilePlace& place) {
+  if (place.line == 0 || place.file.extension() != ".mat") return place;
+  return {place.file, 1, 1};
+}
+
 }  // namespace
 
 FileError::FileError(const FilePlace& place, std::string_view what_is_wrong)
-    : Refusal(text_of(place, what_is_wrong)), place_(place) {}
+    : Refusal(text_of(place_in(place), what_is_wrong)), place_(place_in(place)) {}
 
 double require_positive(double value, std::string_view quantity) {
   if (value > 0.0) return value;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,14 @@ struct Convention {
 
 inline constexpr std::array<std::string_view, 5> run_keys{"rudder_positive", "reference_x_m", "water_depth_m",
                                                           "execute_s", "manoeuvre"};
+
+/// A TOML text on one line.
+inline std::string in_quotes(const std::string& text) {
+  const toml::value<std::string> value(text);
+  std::ostringstream quoted;
+  quoted << toml::toml_formatter(value, toml::format_flags::allow_unicode_strings);
+  return std::move(quoted).str();
+}
 
 /// The run key that was perhaps meant: one that begins alike.
 inline std::string_view similar_run_key(std::string_view key) {

@@ -9,9 +9,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/parts_writer.hpp"
+#include "swayaw/core/ship_text.hpp"
 
 namespace swayaw::inline linear {
 namespace {
@@ -128,7 +128,11 @@ std::string ship_text(const LinearShip& ship, std::string_view remark) {
 }
 
 void write_linear_ship(const std::filesystem::path& file, const LinearShip& ship, std::string_view remark) {
-  write_text(file, ship_text(ship, remark));
+  const auto units = [&](const auto& form) {
+    auto model = file_of(ship, form);
+    return units_of({file_parameters(model), {}, {}});
+  };
+  write_ship_text(file, ship_text(ship, remark), std::visit(units, ship.form));
 }
 
 LinearShip parse_linear_ship(std::string_view text, const std::filesystem::path& name) {
@@ -141,6 +145,6 @@ LinearShip parse_linear_ship(std::string_view text, const std::filesystem::path&
   return read_indices(reader);
 }
 
-LinearShip read_linear_ship(const std::filesystem::path& file) { return parse_linear_ship(read_text(file), file); }
+LinearShip read_linear_ship(const std::filesystem::path& file) { return parse_linear_ship(read_ship_text(file), file); }
 
 }  // namespace swayaw::linear

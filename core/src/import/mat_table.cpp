@@ -5,16 +5,12 @@
 
 #ifdef SWAYAW_MATIO
 #include <fmt/format.h>
-#include <matio.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
-#include <memory>
-#include <optional>
-#include <span>
 
+#include "../mat/mat_variable.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
 #endif
 
@@ -41,81 +37,6 @@ struct MatColumn {
   std::vector<double> time = {};  ///< of its own, in place of a column of the file
 };
 
-// ---------------------------------------------------------------- numbers and texts of a variable
-
-template <class Number>
-void append(const matvar_t& variable, std::size_t count, std::vector<double>& values) {
-  const auto* data = static_cast<const Number*>(variable.data);
-  for (std::size_t i = 0; i < count; ++i) values.push_back(static_cast<double>(data[i]));
-}
-
-std::size_t count_of(const matvar_t& variable) {
-  std::size_t count = 1;
-  for (int i = 0; i < variable.rank; ++i) count *= variable.dims[i];
-  return variable.rank > 0 ? count : 0;
-}
-
-/// Real numbers in the order of MATLAB, column by column; none for anything else.
-std::vector<double> numbers_of(const matvar_t& variable) {
-  std::vector<double> values;
-  const auto count = count_of(variable);
-  if (variable.data == nullptr || variable.isComplex != 0 || count == 0) return values;
-  if (variable.nbytes < count * static_cast<std::size_t>(variable.data_size)) return values;
-  switch (variable.class_type) {
-    case MAT_C_DOUBLE: append<double>(variable, count, values); break;
-    case MAT_C_SINGLE: append<float>(variable, count, values); break;
-    case MAT_C_INT8: append<std::int8_t>(variable, count, values); break;
-    case MAT_C_UINT8: append<std::uint8_t>(variable, count, values); break;
-    case MAT_C_INT16: append<std::int16_t>(variable, count, values); break;
-    case MAT_C_UINT16: append<std::uint16_t>(variable, count, values); break;
-    case MAT_C_INT32: append<std::int32_t>(variable, count, values); break;
-    case MAT_C_UINT32: append<std::uint32_t>(variable, count, values); break;
-    case MAT_C_INT64: append<std::int64_t>(variable, count, values); break;
-    case MAT_C_UINT64: append<std::uint64_t>(variable, count, values); break;
-    default: break;
-  }
-  return values;
-}
-
-/// One text for each row of a matrix of characters; those beyond ASCII become '?' unless they are bytes of UTF-8.
-std::vector<std::string> rows_of_text(const matvar_t& variable) {
-  if (variable.class_type != MAT_C_CHAR || variable.data == nullptr || variable.rank != 2) return {};
-  const std::size_t rows = variable.dims[0], length = variable.dims[1];
-  const auto size = static_cast<std::size_t>(variable.data_size);
-  if (variable.nbytes < rows * length * size || (size != 1 && size != 2)) return {};
-  const auto* bytes = static_cast<const unsigned char*>(variable.data);
-  std::vector<std::string> texts(rows);
-  for (std::size_t i = 0; i < rows * length; ++i) {
-    std::uint16_t wide = 0;
-    if (size == 2) std::memcpy(&wide, bytes + 2 * i, 2);
-    const unsigned code = size == 2 ? wide : bytes[i];
-    texts[i % rows] += size == 2 && code > 0x7F ? (code == 0xB0 ? "°" : "?") : std::string(1, static_cast<char>(code));
-  }
-  for (auto& text : texts) text = std::string(trimmed(text.substr(0, text.find('\0'))));
-  return texts;
-}
-
-std::string text_of(const matvar_t* variable) {
-  const auto rows = variable == nullptr ? std::vector<std::string>{} : rows_of_text(*variable);
-  return rows.size() == 1 ? rows.front() : std::string{};
-}
-
-/// Texts of a cell array, or the rows of a matrix of characters.
-std::vector<std::string> names_in(const matvar_t& variable) {
-  if (variable.class_type != MAT_C_CELL || variable.data == nullptr) return rows_of_text(variable);
-  std::vector<std::string> names;
-  const auto* cells = static_cast<matvar_t* const*>(variable.data);
-  for (std::size_t i = 0; i < count_of(variable); ++i) names.push_back(text_of(cells[i]));
-  const bool all = std::ranges::none_of(names, [](const auto& name) { return name.empty(); });
-  return all ? names : std::vector<std::string>{};
-}
-
-bool is_vector(const matvar_t& variable) {
-  return variable.rank == 2 && (variable.dims[0] == 1 || variable.dims[1] == 1) && count_of(variable) > 1;
-}
-
-bool is_matrix(const matvar_t& variable) { return variable.rank == 2 && variable.dims[0] > 1 && variable.dims[1] > 1; }
-
 // ---------------------------------------------------------------- the file
 
 class MatReader {
@@ -141,12 +62,7 @@ class MatReader {
   [[noreturn]] void refuse(std::string_view what) const { throw FileError({file_, 1, 1}, what); }
 
   void read_variables() {
-    Mat_LogInitFunc("swayaw", [](int, char*) {});  // what is wrong is said by what could not be read
-    const std::unique_ptr<mat_t, int (*)(mat_t*)> mat(Mat_Open(file_.c_str(), MAT_ACC_RDONLY), &Mat_Close);
-    if (!mat) refuse("not a MATLAB file of version 4 to 7.3, or it cannot be read");
-    using Variable = std::unique_ptr<matvar_t, void (*)(matvar_t*)>;
-    while (const auto variable = Variable(Mat_VarReadNext(mat.get()), &Mat_VarFree))
-      if (variable->name != nullptr) add(*variable, variable->name);
+    for_each_variable(file_, [&](const matvar_t& variable) { add(variable, variable.name); });
   }
 
   void add(const matvar_t& variable, const std::string& name) {
@@ -161,18 +77,11 @@ class MatReader {
 
   // -------------------------------------------------------------- structs
 
-  static const matvar_t* field(const matvar_t& variable, const char* name, std::size_t element = 0) {
-    return Mat_VarGetStructFieldByName(const_cast<matvar_t*>(&variable), name, element);
-  }
-
   void add_struct(const matvar_t& variable, const std::string& name) {
-    const auto fields = Mat_VarGetNumberOfFields(const_cast<matvar_t*>(&variable));
-    char* const* field_names = Mat_VarGetStructFieldnames(&variable);
-    if (field_names == nullptr || variable.data == nullptr) return;
     if (count_of(variable) == 1 && add_timeseries(variable, name)) return;
-    for (unsigned i = 0; i < fields; ++i) {
-      if (count_of(variable) > 1) add_field_of_array(variable, field_names[i]);
-      else if (const auto* value = field(variable, field_names[i])) add(*value, field_names[i]);
+    for (const auto& each : field_names(variable)) {
+      if (count_of(variable) > 1) add_field_of_array(variable, each.c_str());
+      else if (const auto* value = field(variable, each.c_str())) add(*value, each);
     }
   }
 

@@ -8,11 +8,11 @@
 #include <stdexcept>
 
 #include "swayaw/core/angle.hpp"
-#include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/detail/spelling.hpp"
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/parts_writer.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/core/ship_text.hpp"
 #include "swayaw/nonlinear/effects.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/models/mmg/mmg_labels.hpp"
@@ -301,9 +301,10 @@ std::string ship_text(const Ship& ship, std::string_view remark) {
 }
 
 void write_ship(const std::filesystem::path& file, const Ship& ship, std::string_view remark) {
-  write_text(file, ship_text(ship, remark));
+  const auto units = [](auto model) { return units_of(file_keys(model)); };
+  write_ship_text(file, ship_text(ship, remark), std::visit(units, ship.model));
 }
 
-Ship read_ship(const std::filesystem::path& file) { return parse_ship(read_text(file), file); }
+Ship read_ship(const std::filesystem::path& file) { return parse_ship(read_ship_text(file), file); }
 
 }  // namespace swayaw::nonlinear

@@ -17,7 +17,8 @@ struct RecordingFile {
   std::vector<std::string> warnings;  ///< one line each, beginning with the file's name
 };
 
-/// Reads a recording from comma-separated text (docs/formats.md).
+/// Reads a recording from comma-separated text (docs/formats.md), or from a file that ends in .mat, whose variables or
+/// whose struct of vectors have the names of columns and run keys (docs/matlab.md).
 ///
 /// Every unit becomes SI, the rudder positive to port, latitude and longitude a north–east plane
 /// about the first fix, heading unwrapped. Position and velocity move from the reported point, reference_x_m
@@ -35,7 +36,7 @@ RecordingFile parse_recording(std::string_view text, const std::filesystem::path
 /// Comma-separated text of a recording: SI columns, rudder positive to port, full precision.
 std::string recording_text(const Recording& recording);
 
-/// Writes `recording_text`, all of it or nothing.
+/// Writes `recording_text`, or variables with its names if the file ends in .mat; all of it or nothing.
 /// @throws FileError  if the file cannot be written
 void write_recording(const Recording& recording, const std::filesystem::path& file);
 
