@@ -79,5 +79,6 @@ PYBIND11_MODULE(_swayaw, m) {
   add_comparison(m);
   add_findings(m);
   add_budget(m);
+  add_diagnosis_result(m);
   add_diagnosis(m);
 }

@@ -26,6 +26,7 @@ void add_estimation(pybind11::module_& m);
 void add_comparison(pybind11::module_& m);
 void add_findings(pybind11::module_& m);
 void add_budget(pybind11::module_& m);
+void add_diagnosis_result(pybind11::module_& m);
 void add_diagnosis(pybind11::module_& m);
 
 }  // namespace swayaw::python
