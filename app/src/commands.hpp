@@ -99,6 +99,7 @@ struct LinearizeArguments {
   std::optional<double> thrust;  ///< [N]
   std::optional<double> rudder;  ///< [deg], positive to port; nothing: straight ahead
   std::string side;              ///< turned to, where the forces have a kink; empty: mean and both
+  std::filesystem::path out;     ///< linear model; empty: none
   bool json = false;
 };
 void linearize(const LinearizeArguments& arguments);
@@ -108,9 +109,17 @@ struct IndicesArguments {
   std::optional<double> speed;  ///< [m/s]
   std::filesystem::path svg;    ///< empty: no plot
   ReportArguments report{};
+  std::filesystem::path out;  ///< linear model; empty: none
   bool json = false;
 };
 void indices(const IndicesArguments& arguments);
+
+struct ShipArguments {
+  std::filesystem::path ship;
+  std::filesystem::path out;  ///< ship file; empty: none
+  bool json = false;
+};
+void describe_ship(const ShipArguments& arguments);
 
 struct InvertArguments {
   std::filesystem::path ship;

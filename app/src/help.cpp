@@ -37,6 +37,7 @@ constexpr std::array examples{
     Example{"linearize", "swayaw linearize kvlcc2 --rudder 10"},
     Example{"loop", "swayaw loop tanker97 --zigzag 10/10 --report page.html"},
     Example{"replay", "swayaw replay kvlcc2_l7 run.csv --out simulated.csv"},
+    Example{"ship", "swayaw ship kvlcc2 --out my_ship.toml"},
     Example{"simulate",
             "swayaw simulate kvlcc2 --zigzag 20/20\n  swayaw simulate kvlcc2 --turn 35 --first port --out turn.csv\n  "
             "swayaw simulate kvlcc2 --imo --report page.html"},
@@ -98,7 +99,7 @@ std::string completion_script(const CLI::App& app) {
 }
 
 std::string with_caret(const FilePlace& place) {
-  if (place.line == 0 || place.column == 0) return {};
+  if (place.line == 0 || place.column == 0 || place.file.extension() == ".mat") return {};
   std::ifstream file(place.file);
   std::string line;
   for (std::size_t i = 0; i < place.line; ++i)

@@ -11,6 +11,7 @@
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/import.hpp"
 #include "swayaw/core/manoeuvres_in.hpp"
+#include "swayaw/core/mat_file.hpp"
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/version.hpp"
@@ -88,6 +89,11 @@ std::string grouped(std::size_t count) {
   return count < 1000 ? std::to_string(count) : fmt::format("{},{:03}", grouped(count / 1000), count % 1000);
 }
 
+void write_import(const fs::path& file, const Import& import) {
+  if (is_mat(file)) write_recording(parse_recording(import.text, file).recording, file);
+  else write_text(file, import.text);
+}
+
 // ---------------------------------------------------------------- manoeuvres
 
 /// A manoeuvre with the file it was written to.
@@ -159,7 +165,7 @@ void print_text(const ImportArguments& a, const Import& import) {
 void import_run(const ImportArguments& a) {
   require_other_file(a);
   const auto import = imported(a);
-  write_text(a.out, import.text);
+  write_import(a.out, import);
   const auto pieces = write_pieces(a, import);
   if (a.json) {
     fmt::print("{}\n", document_of(a, import, pieces).dump(2));

@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "indices_page.hpp"
 #include "input.hpp"
+#include "linear_model_mat.hpp"
 #include "linear_output.hpp"
 #include "page_writing.hpp"
 #include "plot.hpp"
@@ -289,6 +290,7 @@ void indices(const IndicesArguments& a) {
   const double speed = speed_of(sides.mean, a.speed);
   if (!a.svg.empty()) write_text(a.svg, svg_of(bode_plot(sides.mean, transfer_functions(sides.mean), speed)));
   if (a.report.wanted()) write_page(a.report.file, html(indices_page(sides, a.ship.string(), speed, a.report.si)));
+  if (!a.out.empty()) write_linear_model(a.out, sides, speed);
   if (a.json) fmt::print("{}\n", document_of(sides, speed).dump(2));
   else print_sides(sides, speed);
 }

@@ -16,6 +16,7 @@
 #include "swayaw/core/parts_reader.hpp"
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/core/ship_text.hpp"
 #include "swayaw/core/side.hpp"
 #include "swayaw/linear/linear_ship_file.hpp"
 #include "swayaw/nonlinear/linearization.hpp"
@@ -50,7 +51,7 @@ using AnyShip = std::variant<LinearShip, Ship>;
 
 /// The text of a ship file. Where no such file is there, a bare name means the published ship, which is told on stderr.
 inline std::string ship_text(const std::filesystem::path& file) {
-  if (std::filesystem::exists(file) || file.has_parent_path() || file.has_extension()) return read_text(file);
+  if (std::filesystem::exists(file) || file.has_parent_path() || file.has_extension()) return read_ship_text(file);
   const auto text = published_text(file.string());
   if (!text) refuse_ship_name(file.string());
   fmt::print(stderr, "swayaw: {}: no such file here; the published ship of that name is used\n", file.string());

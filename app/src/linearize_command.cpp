@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "input.hpp"
+#include "linear_model_mat.hpp"
 #include "linear_output.hpp"
 #include "swayaw/nonlinear/equilibria.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
@@ -92,6 +93,11 @@ void add_sides(Json& json, const Ship& ship, const OperatingPoint& point) {
     json[std::string(name_of(side))] = document_of(ship, linearize_transient(ship, point, side));
 }
 
+LinearizedSides both_sides(const Ship& ship, const Linearization& mean) {
+  const auto on = [&](Side side) { return linearize_transient(ship, mean.point, side); };
+  return {mean, on(Side::port), on(Side::starboard)};
+}
+
 // ---------------------------------------------------------------- text
 
 void print_parts(const Linearization& linear) {
@@ -120,6 +126,8 @@ void linearize(const LinearizeArguments& a) {
   const bool kink = a.side.empty() && has_kink(ship, point);
   const auto side = a.side.empty() ? std::nullopt : std::optional(side_named(a.side));
   const auto linear = is_transient(a) ? linearize_transient(ship, point, side) : linearize(ship, point, side);
+  if (!a.out.empty())
+    write_linear_model(a.out, ship, kink ? both_sides(ship, linear) : LinearizedSides{linear, {}, {}});
   if (a.json) {
     Json json{{"schema", "swayaw.linearization/1"}};
     json.update(document_of(ship, linear));

@@ -21,9 +21,9 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 16> commands{
-    "check",   "compare", "completion", "diagnose", "estimate", "forces",   "identify", "import",
-    "indices", "invert",  "linearize",  "loop",     "replay",   "simulate", "trial",    "tune"};
+constexpr std::array<std::string_view, 17> commands{
+    "check",  "compare",   "completion", "diagnose", "estimate", "forces",   "identify", "import", "indices",
+    "invert", "linearize", "loop",       "replay",   "ship",     "simulate", "trial",    "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -38,7 +38,8 @@ const CLI::Validator zigzag_form(
 const CLI::Validator side_name = CLI::IsMember({"port", "starboard"});
 
 void add_ship(CLI::App& command, std::filesystem::path& ship) {
-  command.add_option("SHIP", ship, "ship file (TOML), or the name of a published ship, such as kvlcc2")->required();
+  command.add_option("SHIP", ship, "ship file (TOML or .mat), or the name of a published ship, such as kvlcc2")
+      ->required();
 }
 
 CLI::Option& add_svg(CLI::App& command, std::filesystem::path& svg, const std::string& what) {
@@ -119,7 +120,7 @@ void add_simulate(CLI::App& app, SimulateArguments& a) {
   command.add_option("--tolerance", a.tolerance, "error of an integration step, relative to ship length and speed")
       ->check(CLI::Range(1e-13, 1e-2))
       ->capture_default_str();
-  auto* out = command.add_option("--out", a.out, "time series to this file (CSV)")
+  auto* out = command.add_option("--out", a.out, "time series to this file (CSV or .mat)")
                   ->excludes(reverse_spiral)
                   ->excludes(imo)
                   ->excludes(straight);
@@ -150,9 +151,9 @@ void add_ignored(CLI::App& command, Ignored& ignored) {
 void add_replay(CLI::App& app, ReplayArguments& a) {
   auto& command = *app.add_subcommand("replay", "simulate a recorded run with its rudder and shaft speed");
   add_ship(command, a.ship);
-  command.add_option("RUN", a.run, "recording (CSV)")->required();
+  command.add_option("RUN", a.run, "recording (CSV or .mat)")->required();
   add_shaft(command, a.shaft);
-  command.add_option("--out", a.out, "time series to this file (CSV)")->required();
+  command.add_option("--out", a.out, "time series to this file (CSV or .mat)")->required();
   command.add_flag("--forces", a.forces, "forces by part in the time series");
   add_rudder_positive(command, a.rudder_positive);
   add_ignored(command, a.ignored);
@@ -171,10 +172,11 @@ void add_check(CLI::App& app, CheckArguments& a) {
   auto& command = *app.add_subcommand(
       "check",
       "signs, units, clocks, zeros, scales and axes of recorded channels, by kinematics alone: no ship needed");
-  command.add_option("runs", a.runs, "recordings (CSV)")->required();
+  command.add_option("runs", a.runs, "recordings (CSV or .mat)")->required();
   add_rudder_positive(command, a.rudder_positive);
   add_report(command, a.report);
-  command.add_option("--out", a.out, "the recording without the errors that were told (CSV); of one recording only");
+  command.add_option("--out", a.out,
+                     "the recording without the errors that were told (CSV or .mat); of one recording only");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] {
     if (!a.out.empty() && a.runs.size() > 1) throw CLI::ValidationError("--out", "goes with one recording");
@@ -185,7 +187,7 @@ void add_check(CLI::App& app, CheckArguments& a) {
 void add_compare(CLI::App& app, CompareArguments& a) {
   auto& command = *app.add_subcommand("compare", "say where simulation and recordings differ");
   add_ship(command, a.ship);
-  command.add_option("RUN", a.runs, "recordings (CSV)")->required();
+  command.add_option("RUN", a.runs, "recordings (CSV or .mat)")->required();
   add_shaft(command, a.shaft);
   command.add_option("--window", a.window_lengths, "ship lengths of way between restarts from the recorded state")
       ->check(CLI::PositiveNumber)
@@ -209,6 +211,17 @@ void add_forces(CLI::App& app, ForcesArguments& a) {
   command.callback([&a] { forces(a); });
 }
 
+const CLI::Validator mat_ending(
+    [](std::string& file) {
+      return file.ends_with(".mat") ? std::string{} : "\"" + file + "\" must end in .mat, as MATLAB files do";
+    },
+    "");
+
+void add_linear_model(CLI::App& command, std::filesystem::path& out) {
+  command.add_option("--out", out, "matrices A, B, C, D and Nomoto's transfer function to this file (.mat)")
+      ->check(mat_ending);
+}
+
 void add_linearize(CLI::App& app, LinearizeArguments& a) {
   auto& command = *app.add_subcommand("linearize", "linear coefficients of a nonlinear ship by part, and her indices");
   add_ship(command, a.ship);
@@ -226,6 +239,7 @@ void add_linearize(CLI::App& app, LinearizeArguments& a) {
   command.add_option("--side", a.side, "side turned to, where the forces have a kink (default: mean, and both)")
       ->check(side_name);
   command.add_flag("--json", a.json, "print one JSON document");
+  add_linear_model(command, a.out);
   command.callback([&a] { linearize(a); });
 }
 
@@ -237,7 +251,16 @@ void add_indices(CLI::App& app, IndicesArguments& a) {
   add_svg(command, a.svg, "Bode diagram of drift and yaw");
   add_report(command, a.report);
   command.add_flag("--json", a.json, "print one JSON document");
+  add_linear_model(command, a.out);
   command.callback([&a] { indices(a); });
+}
+
+void add_ship_command(CLI::App& app, ShipArguments& a) {
+  auto& command = *app.add_subcommand("ship", "parameters of a ship: value, unit, range, how far they are trusted");
+  add_ship(command, a.ship);
+  command.add_option("--out", a.out, "ship file (TOML, or .mat: a struct for each table)");
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { describe_ship(a); });
 }
 
 void add_invert(CLI::App& app, InvertArguments& a) {
@@ -261,7 +284,7 @@ void add_loop(CLI::App& app, LoopArguments& a) {
           "--speed", a.speed,
           "speed in m/s, which turns the rate of the steering gear into one per ship length (default: service speed)")
       ->check(CLI::PositiveNumber);
-  command.add_option("--out", a.out, "time series to this file (CSV)");
+  command.add_option("--out", a.out, "time series to this file (CSV or .mat)");
   add_report(command, a.report);
   add_svg(command, a.svg, "drift angle and yaw rate, with the line of a first-order ship");
   command.add_flag("--json", a.json, "print one JSON document");
@@ -271,7 +294,7 @@ void add_loop(CLI::App& app, LoopArguments& a) {
 void add_trial(CLI::App& app, TrialArguments& a) {
   auto& command =
       *app.add_subcommand("trial", "judge recorded manoeuvres: overshoots, K and T, turning circle, MSC.137(76)");
-  command.add_option("RUN", a.runs, "recordings (CSV), one manoeuvre each")->required();
+  command.add_option("RUN", a.runs, "recordings (CSV or .mat), one manoeuvre each")->required();
   command.add_option(
       "--ship", a.ship,
       "ship file (TOML), or the name of a published ship: the same manoeuvre simulated beside each number");
@@ -301,7 +324,7 @@ void add_tune(CLI::App& app, TuneArguments& a) {
   command.add_option("--turns", a.most_turns, "turning circles to be sailed at most")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  command.add_option("--out", a.out, "ship file of the tuned ship (TOML)")->required();
+  command.add_option("--out", a.out, "ship file of the tuned ship (TOML or .mat)")->required();
   add_report(command, a.report);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { tune(a); });
@@ -309,7 +332,7 @@ void add_tune(CLI::App& app, TuneArguments& a) {
 
 void add_identify(CLI::App& app, IdentifyArguments& a) {
   auto& command = *app.add_subcommand("identify", "coefficients of a ship from recordings");
-  command.add_option("runs", a.runs, "recordings (CSV)")->required();
+  command.add_option("runs", a.runs, "recordings (CSV or .mat)")->required();
   command.add_option("--ship", a.ship, "ship file to begin with (TOML), or the name of a published ship")->required();
   command.add_option("--model", a.model, "model of the ship to be found")
       ->required()
@@ -334,7 +357,7 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--resample", a.resample,
                    "the same from other choices of runs: one left out, one alone, one rudder amplitude alone");
-  command.add_option("--out", a.out, "ship file of the identified ship (TOML)")->required();
+  command.add_option("--out", a.out, "ship file of the identified ship (TOML or .mat)")->required();
   add_reading(command, a.rudder_positive, a.no_check, a.ignored);
   add_report(command, a.report);
   command.add_flag("--json", a.json, "print one JSON document");
@@ -344,11 +367,11 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
 void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
   auto& command = *app.add_subcommand("diagnose", "say what a model leaves out, and whether held-out runs gain by it");
   add_ship(command, a.ship);
-  command.add_option("runs", a.runs, "recordings (CSV)")->required();
+  command.add_option("runs", a.runs, "recordings (CSV or .mat)")->required();
   command.add_option("--reference", a.reference,
                      "recordings in which nothing is hidden: they calibrate the model first");
   command.add_option("--holdout", a.holdout, "recordings that are not used but predicted");
-  command.add_option("--save-model", a.save_model, "ship file with the effects found (TOML)");
+  command.add_option("--save-model", a.save_model, "ship file with the effects found (TOML or .mat)");
   add_report(command, a.report);
   add_reading(command, a.rudder_positive, a.no_check, a.ignored);
   command.add_flag("--json", a.json, "print one JSON document");
@@ -399,7 +422,7 @@ void add_estimate(CLI::App& app, EstimateArguments& a) {
   positive_number("--superstructure-height", a.superstructure_height, "its height above the deck in m")->needs(depth);
   command.add_option("--superstructure-x", a.superstructure_x, "its middle forward of midship in m")->needs(depth);
   command.add_option("--name", a.name, "name of the ship")->capture_default_str();
-  command.add_option("--out", a.out, "ship file to be written (TOML); needed");
+  command.add_option("--out", a.out, "ship file to be written (TOML or .mat); needed");
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] {
     if (!a.azimuth && !names_steered_thrust(a.ship_type)) require_dimensions(a);
@@ -413,7 +436,7 @@ void add_import(CLI::App& app, ImportArguments& a) {
       .add_option("FILE", a.files,
                   "tables of text, logs of NMEA 0183, or a MATLAB file; several of a kind are joined by time")
       ->required();
-  command.add_option("--out", a.out, "recording (CSV)")->required();
+  command.add_option("--out", a.out, "recording (CSV or .mat)")->required();
   command.add_flag("--split", a.split, "also a recording for each manoeuvre that is found in it");
   command.add_option("--columns", a.columns, "what the files do not say themselves: names, units, zone, signs (TOML)");
   command.add_flag("--json", a.json, "print one JSON document");
@@ -446,6 +469,7 @@ int run(int count, char** words) {
   ForcesArguments forces_arguments;
   LinearizeArguments linearize_arguments;
   IndicesArguments indices_arguments;
+  ShipArguments ship_arguments;
   InvertArguments invert_arguments;
   LoopArguments loop_arguments;
   TrialArguments trial_arguments;
@@ -461,6 +485,7 @@ int run(int count, char** words) {
   add_forces(app, forces_arguments);
   add_linearize(app, linearize_arguments);
   add_indices(app, indices_arguments);
+  add_ship_command(app, ship_arguments);
   add_invert(app, invert_arguments);
   add_loop(app, loop_arguments);
   add_trial(app, trial_arguments);

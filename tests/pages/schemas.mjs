@@ -96,7 +96,7 @@ const MANOEUVRES = ['--zigzag 10/10', '--zigzag 20/20', '--turn 20', '--turn 35 
 
 // Ships of every model: what one of them does not have is refused.
 for (const file of ships) {
-  for (const command of ['indices', 'invert', 'linearize']) judged([command, file], true);
+  for (const command of ['indices', 'invert', 'linearize', 'ship']) judged([command, file], true);
   judged(['loop', file, '--zigzag', '10/10'], true);
   judged(['forces', file, '--state', STATE], true);
   for (const manoeuvre of MANOEUVRES) judged(['simulate', file, ...manoeuvre], true);
