@@ -158,6 +158,23 @@ TEST_CASE("structs of Time and Data come to all their times", "[core][import]") 
   }
 }
 
+TEST_CASE("run keys stand above the columns, so that the side of the rudder is not lost", "[core][import]") {
+  const test::Scratch scratch;
+  {
+    MatFile file(scratch / "run.mat", MAT_FT_MAT5);
+    file.write(MatFile::column("time_s", time));
+    file.write(MatFile::column("psi_rad", psi));
+    file.write(MatFile::column("delta_deg", delta));
+    file.write(MatFile::text("rudder_positive", "starboard"));
+    file.write(MatFile::column("execute_s", {0.5}));
+    file.write(MatFile::text("ship", "KCS"));
+  }
+  CHECK(table_of_mat(scratch / "run.mat")
+            .starts_with("# rudder_positive = \"starboard\"\n# execute_s = 0.5\ntime_s,psi_rad,delta_deg\n"));
+  const auto text = import_mat(scratch / "run.mat", {}).text;
+  CHECK(text.find("# rudder_positive = \"starboard\"") != std::string::npos);
+}
+
 TEST_CASE("variables of another length are left out", "[core][import]") {
   const test::Scratch scratch;
   {

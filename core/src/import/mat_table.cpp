@@ -11,6 +11,7 @@
 #include <map>
 
 #include "../mat/mat_variable.hpp"
+#include "../run_keys.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
 #endif
 
@@ -67,12 +68,22 @@ class MatReader {
 
   void add(const matvar_t& variable, const std::string& name) {
     if (variable.class_type == MAT_C_STRUCT) return add_struct(variable, name);
+    if (std::ranges::count(run_keys, name) > 0 && add_fact(variable, name)) return;
     if (auto names = names_in(variable); names.size() > 1) return names_.push_back(std::move(names));
     if (!is_vector(variable) && !is_matrix(variable)) return;
     auto values = numbers_of(variable);
     if (values.empty()) notes_.push_back(fmt::format("variable {} holds no real numbers; left out", shown(name)));
     else if (is_vector(variable)) columns_.push_back({name, std::move(values)});
     else matrices_.push_back({name, variable.dims[0], variable.dims[1], std::move(values)});
+  }
+
+  /// What recordings say above their columns. @return whether it is one text or number
+  bool add_fact(const matvar_t& variable, const std::string& name) {
+    const auto text = text_of(&variable);
+    const auto numbers = text.empty() ? numbers_of(variable) : std::vector<double>{};
+    if (text.empty() && numbers.size() != 1) return false;
+    facts_ += fmt::format("# {} = {}\n", name, text.empty() ? fmt::format("{}", numbers.front()) : in_quotes(text));
+    return true;
   }
 
   // -------------------------------------------------------------- structs
@@ -173,6 +184,7 @@ class MatReader {
   std::string table() const {
     fmt::memory_buffer out;
     auto to = fmt::appender(out);
+    fmt::format_to(to, "{}", facts_);
     std::map<std::string, int> met;
     for (const auto& column : columns_) {
       const int before = met[column.name]++;
@@ -191,6 +203,7 @@ class MatReader {
   }
 
   std::filesystem::path file_;
+  std::string facts_;
   std::vector<MatColumn> columns_;
   std::vector<Matrix> matrices_;
   std::vector<std::vector<std::string>> names_;  ///< lists of names met
