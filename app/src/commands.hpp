@@ -165,6 +165,16 @@ struct TuneArguments {
 };
 void tune(const TuneArguments& arguments);
 
+struct SweepArguments {
+  std::filesystem::path plan;
+  std::filesystem::path out;  ///< folder of the results
+  std::filesystem::path csv;  ///< every item; empty: none
+  unsigned threads = 0;       ///< 0: one on each core
+  ReportArguments report{};
+  bool json = false;
+};
+void sweep(const SweepArguments& arguments);
+
 struct EstimateArguments {
   std::optional<double> length, beam, draught;  ///< between perpendiculars, moulded, mean [m]
   std::optional<double> block;                  ///< block coefficient

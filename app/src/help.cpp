@@ -42,6 +42,7 @@ constexpr std::array examples{
             "swayaw simulate kvlcc2 --zigzag 20/20\n  swayaw simulate kvlcc2 --turn 35 --first port --out turn.csv\n  "
             "swayaw simulate kvlcc2 --imo --report page.html"},
     Example{"trial", "swayaw trial zz10.csv turn35.csv --length 320 --report page.html"},
+    Example{"sweep", "swayaw sweep plan.toml --out results --report page.html"},
     Example{"tune",
             "swayaw tune nawigator_ym --indices examples/indices/nawigator.toml \\\n    --prior 1 --bound 1 --out "
             "tuned.toml"}};

@@ -21,9 +21,9 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 17> commands{
+constexpr std::array<std::string_view, 18> commands{
     "check",  "compare",   "completion", "diagnose", "estimate", "forces",   "identify", "import", "indices",
-    "invert", "linearize", "loop",       "replay",   "ship",     "simulate", "trial",    "tune"};
+    "invert", "linearize", "loop",       "replay",   "ship",     "simulate", "sweep",    "trial",  "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -364,6 +364,20 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   command.callback([&a] { identify(a); });
 }
 
+void add_sweep(CLI::App& app, SweepArguments& a) {
+  auto& command =
+      *app.add_subcommand("sweep", "manoeuvres of many ships: draws, grids and sensitivities of a plan; resumable");
+  command.add_option("PLAN", a.plan, "what varies and what is done (TOML, docs/sweep.md)")->required();
+  command.add_option("--out", a.out, "folder of the results; those that are there already are not made again")
+      ->required();
+  command.add_option("--csv", a.csv, "every item in a line, to this file (CSV)");
+  command.add_option("--threads", a.threads, "how many work at once (default: one on each core)")
+      ->check(CLI::Range(1, 4096));
+  add_report(command, a.report);
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { sweep(a); });
+}
+
 void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
   auto& command = *app.add_subcommand("diagnose", "say what a model leaves out, and whether held-out runs gain by it");
   add_ship(command, a.ship);
@@ -477,6 +491,7 @@ int run(int count, char** words) {
   EstimateArguments estimate_arguments;
   IdentifyArguments identify_arguments;
   DiagnoseArguments diagnose_arguments;
+  SweepArguments sweep_arguments;
   ImportArguments import_arguments;
   add_simulate(app, simulate_arguments);
   add_replay(app, replay_arguments);
@@ -493,6 +508,7 @@ int run(int count, char** words) {
   add_estimate(app, estimate_arguments);
   add_identify(app, identify_arguments);
   add_diagnose(app, diagnose_arguments);
+  add_sweep(app, sweep_arguments);
   add_import(app, import_arguments);
   add_examples(app);
   app.add_subcommand("completion",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <string>
@@ -37,7 +38,8 @@ class Progress {
   Clock::time_point next_;  ///< when the line is written next
 };
 
-/// While it lives, the first Ctrl-C asks the work to end with what it has; a second one ends the program at once.
+/// While it lives, the first Ctrl-C, or SIGTERM, asks the work to end with what it has; a second one ends the program
+/// at once.
 class Interrupt {
  public:
   Interrupt();
@@ -45,11 +47,13 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  /// Whether Ctrl-C was pressed.
+  /// Whether the work is to end.
   bool asked() const;
 
  private:
-  struct sigaction before_;
+  static constexpr std::array<int, 2> signals{SIGINT, SIGTERM};
+
+  std::array<struct sigaction, signals.size()> before_;
 };
 
 }  // namespace swayaw::app

@@ -147,6 +147,17 @@ judged([...estimated, '--trim', '0.5', '--rudder-area', '40', '--depth', '19', '
 judged(['diagnose', ship('kvlcc2_l7'), zigzag, '--holdout', turn]);
 judged(['diagnose', ship('kvlcc2'), inWind, drift]);
 
+// Sweeps: draws, a grid of which a part cannot be sailed, pairs.
+const laws = { draws: 'draws = 20\nconfidence = true\n',
+  grid: 'design = "grid"\n[vary]\nmax_angle_deg = { values = [35.0, 5.0] }\n',
+  sobol: 'design = "sobol"\npairs = 20\n[vary]\nN_v = { relative_sd = 0.05 }\nY_v = { relative_sd = 0.05 }\n' };
+for (const [design, law] of Object.entries(laws))
+  for (const task of ['zigzag 10/10', 'turn 35', 'indices']) {
+    const name = `${design}_${task.replace(/\W/g, '_')}`;
+    const plan = written(`${name}.toml`, `task = "${task}"\nships = ["kvlcc2"]\n${law}`);
+    judged(['sweep', plan, '--out', join(folder, name)]);
+  }
+
 for (const id of fileOf.keys()) check(seen.has(id), `a document of ${id} was printed`);
 console.log(failures ? `${failures} failures` : `documents of ${seen.size} kinds fit their schemas`);
 process.exit(failures ? 1 : 0);

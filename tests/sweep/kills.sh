@@ -19,17 +19,24 @@ start=()
 ((ranks == 0)) || start=(mpirun --allow-run-as-root --oversubscribe -n "$ranks")
 "$program" sweep plan.toml --out undisturbed --csv undisturbed.csv > /dev/null 2>&1
 
+# one of the processes of a sweep, any: the program, mpirun, a rank
+one_of() { pgrep -f "sweep plan.toml --out $1 " | shuf -n 1; }
+
 killed=0 round=0
 while ((killed < kills)); do
-  round=$((round + 1))
+  round=$((round + 1)) ended=1
   rm -rf "round$((round - 1))"
-  while true; do
-    "${start[@]}" "$program" sweep plan.toml --out "round$round" --csv "round$round.csv" > /dev/null 2>&1 &
+  while ((ended != 0)); do
+    (exec "${start[@]}" "$program" sweep plan.toml --out "round$round" --csv "round$round.csv") > /dev/null 2>&1 &
     process=$!
-    sleep "0.$(printf '%03d' $((RANDOM % 350 + 5)))"
-    if kill -9 "$process" 2> /dev/null; then killed=$((killed + 1)); fi
-    if wait "$process" 2> /dev/null; then break; fi
-    ((killed < kills)) || { "$program" sweep plan.toml --out "round$round" --csv "round$round.csv" > /dev/null 2>&1; break; }
+    if ((killed < kills)); then
+      sleep "$(awk -v u=$RANDOM -v begin=$((ranks > 0 ? 250 : 5)) 'BEGIN { print (begin + u / 32768 * 350) / 1000 }')"
+      if kill -9 "$(one_of "round$round")" 2> /dev/null; then killed=$((killed + 1)); fi
+    fi
+    ended=0
+    wait "$process" 2> /dev/null || ended=$?
+    # ranks that mpirun left behind write on, and hold the folder
+    while ((ended != 0)) && [[ -n $(one_of "round$round") ]]; do sleep 0.05; done
   done
   cmp undisturbed.csv "round$round.csv"
 done
