@@ -7,7 +7,8 @@ As a compiler launcher it adds a line to compile_cost.csv in the build folder:
     cmake --build --preset dev
 
 Then `cmake/compile_cost.py --table build/dev/compile_cost.csv` prints a Markdown table, the dearest first, and
-`--limit 25 700` fails when an object needs more than 25 s or 700 MB.
+`--limit 25 700` fails when an object needs more than 25 s or 700 MB. With `--against OTHER.csv` it prints what each
+target took there and here.
 """
 
 import argparse
@@ -56,6 +57,28 @@ def print_table(costs, rows):
         print(f"| {short(built)} | {seconds:.1f} | {memory:.0f} |")
 
 
+def target(built):
+    """tests/app/CMakeFiles/swayaw_test_app.dir/tune_command_test.cpp.o belongs to tests/app"""
+    return built.split("/CMakeFiles/")[0]
+
+
+def by_target(costs):
+    sums = {}
+    for built, (seconds, _) in costs.items():
+        objects, total = sums.get(target(built), (0, 0.0))
+        sums[target(built)] = (objects + 1, total + seconds)
+    return sums
+
+
+def print_targets(before, after):
+    """Of the targets that both have."""
+    rows = [(name, *before[name], *after[name]) for name in sorted(before) if name in after]
+    rows.append(("all of these", *(sum(column) for column in list(zip(*rows))[1:])))
+    print("| target | objects | seconds | objects | seconds |\n| --- | ---: | ---: | ---: | ---: |")
+    for name, objects, seconds, objects_after, seconds_after in rows:
+        print(f"| {name} | {objects} | {seconds:.0f} | {objects_after} | {seconds_after:.0f} |")
+
+
 def above(costs, limit):
     return [built for built, (seconds, memory) in costs.items() if seconds > limit[0] or memory > limit[1]]
 
@@ -64,9 +87,13 @@ def report(arguments):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--table", required=True, metavar="CSV", help="what the launcher has written")
     parser.add_argument("--rows", type=int, default=30)
+    parser.add_argument("--against", metavar="CSV", help="what it has written of another build")
     parser.add_argument("--limit", type=float, nargs=2, metavar=("SECONDS", "MB"))
     options = parser.parse_args(arguments)
     costs = read(options.table)
+    if options.against:
+        print_targets(by_target(read(options.against)), by_target(costs))
+        return 0
     print_table(costs, options.rows)
     dear = above(costs, options.limit) if options.limit else []
     for built in dear:
