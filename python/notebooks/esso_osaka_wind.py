@@ -68,7 +68,7 @@ def without_wind(name):
     return run
 
 
-result = swayaw.diagnose(ship, [without_wind(name) for name in tables], most_effects=1)
+result = swayaw.diagnose(ship, [without_wind(name) for name in tables], most_effects=1, progress=False)
 print(result.words)
 
 # %%

@@ -66,8 +66,8 @@ print(f"{told} of {len(names)} combinations are told")
 
 # %%
 tunings = {
-    "on the turns": swayaw.tune(ship, turns, prior=1.0, most_change=1.0),
-    "on turns and zigzag": swayaw.tune(ship, turns_and_zigzag, prior=1.0, most_change=1.0),
+    "on the turns": swayaw.tune(ship, turns, prior=1.0, most_change=1.0, progress=False),
+    "on turns and zigzag": swayaw.tune(ship, turns_and_zigzag, prior=1.0, most_change=1.0, progress=False),
 }
 as_sailed = dict(speed=turns.speed, rev=turns.rev)  # of all measured runs
 ships = {"formulas": ship, **{name: t.ship for name, t in tunings.items()}}
