@@ -59,11 +59,11 @@ measured "\`apt install ./libswayaw-dev*.deb\`" install_packages /debs/libswayaw
 with_headers=$(megabytes)
 ship=/usr/share/swayaw/ships/kvlcc2_l7.toml
 measured "a program with CMake: configure, build, run" inside "
-  cmake -S /work/project -B /tmp/build -D CMAKE_BUILD_TYPE=Release && cmake --build /tmp/build
-  /tmp/build/first_overshoot $ship"
+  cmake -S /srv/project -B /srv/build -D CMAKE_BUILD_TYPE=Release && cmake --build /srv/build
+  /srv/build/first_overshoot $ship"
 measured "the same program with pkg-config" inside "
-  g++ -std=c++20 -O2 /work/project/main.cpp -o /tmp/first_overshoot \$(pkg-config --cflags --libs swayaw)
-  /tmp/first_overshoot $ship"
+  g++ -std=c++20 -O2 /srv/project/main.cpp -o /srv/first_overshoot \$(pkg-config --cflags --libs swayaw)
+  /srv/first_overshoot $ship"
 
 measured "all of it taken out again, nothing left" inside "
   apt-get -qq purge -y 'libswayaw*' swayaw python3-swayaw

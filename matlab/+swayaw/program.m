@@ -2,7 +2,7 @@ function path = program(new_path)
 %SWAYAW.PROGRAM  The program that the functions of this package run.
 %   PATH = swayaw.program tells it: "swayaw", which the system looks for, or what the environment variable
 %   SWAYAW_PROGRAM says.
-%   swayaw.program(PATH) sets it until the session ends.
+%   swayaw.program(PATH) sets it until MATLAB or Octave ends.
   persistent said
   if nargin > 0
     said = new_path;
