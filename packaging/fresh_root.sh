@@ -26,9 +26,9 @@ megabytes() { du -sx --block-size=1MB --exclude="$root/var" --exclude="$root/deb
 install_packages() { inside "apt-get -qq install -y --no-install-recommends $*"; }
 
 if [[ -n $base ]]; then cp -a "$base" "$root"; else debootstrap --variant=minbase bookworm "$root" >/dev/null; fi
-mkdir -p "$root/debs" "$root/work"
+mkdir -p "$root/debs" "$root/srv"
 cp "$debs"/*.deb "$root/debs"
-cp -r "$sources/tests/consumer/project" "$root/work"
+cp -r "$sources/tests/consumer/project" "$root/srv"
 measured "lists of packages, \`apt-get update\`" inside "apt-get -qq update"
 bare=$(megabytes)
 
@@ -37,7 +37,7 @@ with_program=$(megabytes)
 measured "\`swayaw --version\`" inside "swayaw --version"
 measured "\`swayaw simulate kvlcc2 --zigzag 10/10\`" inside "swayaw simulate kvlcc2 --zigzag 10/10 | grep overshoot"
 measured "\`swayaw diagnose … --report page.html\`, two example recordings" inside "
-  cd /work && swayaw diagnose kvlcc2_l7 /usr/share/doc/swayaw/examples/weak_rudder_*.csv --report page.html
+  cd /srv && swayaw diagnose kvlcc2_l7 /usr/share/doc/swayaw/examples/weak_rudder_*.csv --report page.html
   grep -q 'plotly.js (basic' page.html"
 measured "a ship file of the package, \`swayaw linearize /usr/share/swayaw/ships/kcs.toml\`" \
   inside "swayaw linearize /usr/share/swayaw/ships/kcs.toml"
