@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 
@@ -22,12 +23,16 @@ namespace {
 /// Notes that are told; the file has all.
 constexpr std::size_t most_notes = 10;
 
+/// Words and how often they come, most often first.
+using WordCounts = std::vector<std::pair<std::string, std::size_t>>;
+
 struct Swept {
   SweepSummary summary;
   SweepCount count;
   double seconds;
   std::vector<std::pair<std::size_t, std::string>> notes;
   std::size_t note_count;
+  WordCounts verdicts{}, first_effects{};  ///< of diagnoses
 };
 
 // ---------------------------------------------------------------- JSON
@@ -36,7 +41,15 @@ Json item_json(const SweepWork& work, const ItemValue& found) {
   Json parameters = Json::object();
   const auto values = work.parameters_of(found.item);
   for (std::size_t d = 0; d < values.size(); ++d) parameters[work.columns()[d].name] = number(values[d]);
-  return {{"item", found.item}, {"value", number(found.value)}, {"parameters", std::move(parameters)}};
+  Json json{{"item", found.item}, {"value", number(found.value)}, {"parameters", std::move(parameters)}};
+  if (const auto name = work.name_of(found.item); !name.empty()) json["name"] = name;
+  return json;
+}
+
+Json counts_json(const WordCounts& counts) {
+  Json json = Json::object();
+  for (const auto& [word, count] : counts) json[word] = count;
+  return json;
 }
 
 Json column_json(const SweepWork& work, const ColumnSummary& s) {
@@ -86,6 +99,8 @@ Json document_of(const SweepWork& work, const SweepStore& store, const Swept& sw
          {"parameter", work.columns()[s.parameter].name},
          {"first", {{"value", number(s.first)}, {"low", number(s.first_low)}, {"high", number(s.first_high)}}},
          {"total", {{"value", number(s.total)}, {"low", number(s.total_low)}, {"high", number(s.total_high)}}}});
+  if (work.plan().task == SweepTask::diagnose)
+    json.update({{"verdicts", counts_json(swept.verdicts)}, {"first_effects", counts_json(swept.first_effects)}});
   for (const auto& [item, text] : swept.notes) json["notes"]["first"].push_back({{"item", item}, {"text", text}});
   return json;
 }
@@ -107,31 +122,48 @@ void print_summary(const SweepWork& work, const SweepStore& store, const Swept& 
             s.quantile[5], s.high);
     }
   }
+  for (const auto& [title, counts] : std::array<std::pair<const char*, const WordCounts*>, 2>{
+           {{"verdicts", &swept.verdicts}, {"first effects", &swept.first_effects}}})
+    if (!counts->empty()) {
+      say("\n{}\n", title);
+      for (const auto& [word, count] : *counts) say("  {:<28}{:>6}\n", word, count);
+    }
   if (!swept.summary.sobol.empty()) say("\nshare of the variance, %, with its 95 % interval\n");
   for (const auto& s : swept.summary.sobol)
     say("  {:<22}{:<22}alone {:.1f} ({:.1f} to {:.1f}), with all others {:.1f} ({:.1f} to {:.1f})\n",
         work.columns()[s.result].name, work.columns()[s.parameter].name, 100.0 * s.first, 100.0 * s.first_low,
         100.0 * s.first_high, 100.0 * s.total, 100.0 * s.total_low, 100.0 * s.total_high);
   if (swept.note_count > 0) say("\n{} items without a result or with less\n", swept.note_count);
-  for (const auto& [item, text] : swept.notes) say("  item {:<12}{}\n", item, text);
+  for (const auto& [item, text] : swept.notes) say("  item {:<6}{}  {}\n", item, work.name_of(item), text);
   say("\nall items are in {}\n", store.file().string());
 }
 
 // ---------------------------------------------------------------- CSV
+
+/// A cell of a table, in quotes where a comma or a quote would end it.
+std::string cell(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
 
 /// Every item in a line, shortest digits that read back to the same number; nothing where there is no result.
 void write_table(const SweepWork& work, const SweepStore& store, const std::filesystem::path& file) {
   write_draft(file, [&](const std::filesystem::path& draft) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(draft.c_str(), "w"), std::fclose);
     if (!out) return false;
-    std::string text = "item,ship";
+    std::string text = of_recordings(work.plan().task) ? "item,case" : "item,ship";
     for (const auto& column : work.columns()) text += "," + column.name;
     text += "\n";
     for (std::size_t ship = 0; ship < work.subjects().size(); ++ship) {
       std::vector<std::vector<double>> columns;
       for (std::size_t c = 0; c < work.columns().size(); ++c) columns.push_back(store.column(ship, c));
       for (std::size_t i = 0; i < work.points(); ++i) {
-        fmt::format_to(std::back_inserter(text), "{},{}", ship * work.points() + i, ship);
+        const auto item = ship * work.points() + i;
+        if (of_recordings(work.plan().task))
+          fmt::format_to(std::back_inserter(text), "{},{}", item, cell(work.name_of(item)));
+        else fmt::format_to(std::back_inserter(text), "{},{}", item, ship);
         for (const auto& column : columns) {
           text += ",";
           if (std::isfinite(column[i])) fmt::format_to(std::back_inserter(text), "{}", column[i]);
@@ -176,6 +208,10 @@ void sweep_and_tell(const SweepArguments& a, const SweepWork& work, SweepStore& 
   swept.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   swept.notes = store.notes(most_notes);
   swept.note_count = store.note_count();
+  if (work.plan().task == SweepTask::diagnose) {
+    swept.verdicts = store.counts("$.verdict");
+    swept.first_effects = store.counts("$.effects[0].effect");
+  }
   if (swept.count.before > 0)
     fmt::print(stderr, "swayaw: {}: {} items were there already\n", store.file().string(), swept.count.before);
   if (!a.csv.empty()) write_table(work, store, a.csv);

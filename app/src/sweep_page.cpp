@@ -28,6 +28,7 @@ std::string range_text(const ColumnSummary& s, const SweepColumn& column) {
 
 /// Parameters of an item in words.
 std::string parameters_text(const SweepWork& work, std::size_t item) {
+  if (of_recordings(work.plan().task)) return work.name_of(item);
   const auto values = work.parameters_of(item);
   std::string words;
   for (std::size_t d = 0; d < values.size(); ++d)
@@ -144,6 +145,8 @@ std::string task_words(const SweepPlan& plan) {
     case SweepTask::zigzag: return fmt::format("zigzag {:.6g}/{:.6g}", degrees(plan.rudder), degrees(plan.heading));
     case SweepTask::turn: return fmt::format("turn {:.6g}", degrees(plan.rudder));
     case SweepTask::indices: return "indices";
+    case SweepTask::trial: return "trial";
+    case SweepTask::diagnose: return "diagnose";
   }
   return {};
 }

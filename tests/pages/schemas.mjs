@@ -158,6 +158,13 @@ for (const [design, law] of Object.entries(laws))
     judged(['sweep', plan, '--out', join(folder, name)]);
   }
 
+const trials = written('trials.toml', `task = "trial"\nruns = ["${join(project, 'examples/recordings')}/*.csv"]\n`);
+judged(['sweep', trials, '--out', join(folder, 'trials')]);
+mkdirSync(join(folder, 'cases/one/train'), { recursive: true });
+written('cases/one/train/zigzag.csv', readFileSync(zigzag));
+const cases = written('cases.toml', 'task = "diagnose"\ncases = ["cases/*"]\nship = "kvlcc2_l7"\n');
+judged(['sweep', cases, '--out', join(folder, 'diagnosed')]);
+
 for (const id of fileOf.keys()) check(seen.has(id), `a document of ${id} was printed`);
 console.log(failures ? `${failures} failures` : `documents of ${seen.size} kinds fit their schemas`);
 process.exit(failures ? 1 : 0);

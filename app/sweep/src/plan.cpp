@@ -33,6 +33,9 @@ class PlanText : core::detail::TomlText {
   PlanText(const toml::table& root, const std::filesystem::path& file) : TomlText(root, file), file_(file) {}
 
   SweepPlan read(const std::string& text_of_file) const {
+    if (const auto* task = root().get("task"))
+      if (const auto word = text(*task, "task"); word == "trial" || word == "diagnose")
+        return read_of_recordings(text_of_file, word == "trial" ? SweepTask::trial : SweepTask::diagnose);
     require_known(root(),
                   std::array<std::string_view, 12>{"task", "first", "overshoots", "tolerance", "speed_m_s", "ships",
                                                    "design", "draws", "pairs", "seed", "confidence", "vary"},
@@ -75,9 +78,83 @@ class PlanText : core::detail::TomlText {
     return static_cast<std::size_t>(*value);
   }
 
+  static std::string tasks() { return "\"zigzag 10/10\", \"turn 35\", \"indices\", \"trial\" or \"diagnose\""; }
+
+  // ---------------------------------------------------------------- recordings
+
+  SweepPlan read_of_recordings(const std::string& text_of_file, SweepTask task) const {
+    const bool trial = task == SweepTask::trial;
+    const auto* key = trial ? "runs" : "cases";
+    require_known(root(), std::array<std::string_view, 3>{"task", key, "ship"}, "a plan of recordings");
+    SweepPlan plan{.file = file_, .text = text_of_file, .task = task, .ships = {}};
+    const auto* list = root().get(key);
+    if (!list || !list->is_array() || list->as_array()->empty())
+      fail(root(), trial ? "runs is missing: a list of recordings, \"trials/*.csv\""
+                         : "cases is missing: a list of folders, \"cases/*\"");
+    std::string ship;
+    if (const auto* node = root().get("ship")) ship = beside(text(*node, "ship"));
+    for (const auto& element : *list->as_array())
+      for (const auto& found : matches(element, text(element, key)))
+        plan.cases.push_back(trial ? SweepCase{found.filename().string(), ship, {found.string()}, {}, {}}
+                                   : case_in(element, found, ship));
+    return plan;
+  }
+
+  /// A file of the plan as seen from the working folder; where none is there, the name of a published ship.
+  std::string beside(const std::filesystem::path& name) const {
+    const auto file = file_.parent_path() / name;
+    return std::filesystem::exists(file) ? file.string() : name.string();
+  }
+
+  /// Files or folders of that name, whose last part may have one *, in the order of their names.
+  std::vector<std::filesystem::path> matches(const toml::node& node, const std::string& pattern) const {
+    const auto whole = file_.parent_path() / pattern;
+    const auto last = whole.filename().string();
+    const auto star = last.find('*');
+    std::vector<std::filesystem::path> found;
+    if (star == std::string::npos) {
+      if (std::filesystem::exists(whole)) found.push_back(whole);
+    } else if (std::filesystem::is_directory(whole.parent_path())) {
+      const auto begin = last.substr(0, star), end = last.substr(star + 1);
+      for (const auto& entry : std::filesystem::directory_iterator(whole.parent_path())) {
+        const auto name = entry.path().filename().string();
+        if (name.size() >= begin.size() + end.size() && name.starts_with(begin) && name.ends_with(end))
+          found.push_back(entry.path());
+      }
+      std::ranges::sort(found);
+    }
+    if (found.empty()) fail(node, fmt::format("\"{}\": there is no such file or folder", pattern));
+    return found;
+  }
+
+  /// Recordings of a folder; none where it is not there.
+  static std::vector<std::string> recordings_in(const std::filesystem::path& folder) {
+    std::vector<std::string> runs;
+    if (!std::filesystem::is_directory(folder)) return runs;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
+      if (entry.path().extension() == ".csv") runs.push_back(entry.path().string());
+    std::ranges::sort(runs);
+    return runs;
+  }
+
+  /// @param ship  of all cases; empty: ship.toml of the folder
+  SweepCase case_in(const toml::node& node, const std::filesystem::path& folder, const std::string& ship) const {
+    SweepCase found{.name = folder.filename().string(),
+                    .ship = ship.empty() ? (folder / "ship.toml").string() : ship,
+                    .runs = recordings_in(folder / "train"),
+                    .reference = recordings_in(folder / "reference"),
+                    .holdout = recordings_in(folder / "holdout")};
+    if (ship.empty() && !std::filesystem::exists(found.ship))
+      fail(node, fmt::format("{}: there is no ship.toml, and the plan has no ship", folder.string()));
+    if (found.runs.empty()) fail(node, fmt::format("{}: there is no recording in train/", folder.string()));
+    return found;
+  }
+
+  // ---------------------------------------------------------------- ships
+
   void read_task(SweepPlan& plan) const {
     const auto* node = root().get("task");
-    if (!node) fail(root(), "task is missing: \"zigzag 10/10\", \"turn 35\" or \"indices\"");
+    if (!node) fail(root(), "task is missing: " + tasks());
     const std::string whole = text(*node, "task");
     std::string_view rest = whole;
     const auto take = [&](std::string_view word) {
@@ -102,7 +179,7 @@ class PlanText : core::detail::TomlText {
     } else if (take("indices")) {
       plan.task = SweepTask::indices;
     } else {
-      fail(*node, fmt::format("\"{}\" is no task: \"zigzag 10/10\", \"turn 35\" or \"indices\"", whole));
+      fail(*node, fmt::format("\"{}\" is no task: {}", whole, tasks()));
     }
     if (!rest.empty()) fail(*node, fmt::format("\"{}\": \"{}\" is too much", whole, rest));
     if (const auto* first = root().get("first")) {
@@ -122,9 +199,7 @@ class PlanText : core::detail::TomlText {
     const auto* list = node->as_array();
     if (!list || list->empty()) fail(*node, "ships must be a list of texts in quotes");
     for (const auto& element : *list) {
-      const std::filesystem::path ship = text(element, "a ship");
-      const auto beside = file_.parent_path() / ship;
-      plan.ships.push_back(std::filesystem::exists(beside) ? beside.string() : ship.string());
+      plan.ships.push_back(beside(text(element, "a ship")));
     }
     plan.ships_place = place(*node);
   }

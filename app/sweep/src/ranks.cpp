@@ -66,10 +66,12 @@ std::vector<char> message_of(const SweepBlock& block) {
   auto bytes = message(Kind::block);
   put(bytes, block.place), put(bytes, block.first), put(bytes, block.count), put(bytes, block.values.size());
   put(bytes, block.values.data(), block.values.size() * sizeof(double));
-  put(bytes, block.notes.size());
-  for (const auto& [item, text] : block.notes) {
-    put(bytes, item), put(bytes, text.size());
-    put(bytes, text.data(), text.size());
+  for (const auto* texts : {&block.notes, &block.documents}) {
+    put(bytes, texts->size());
+    for (const auto& [item, text] : *texts) {
+      put(bytes, item), put(bytes, text.size());
+      put(bytes, text.data(), text.size());
+    }
   }
   return bytes;
 }
@@ -81,10 +83,12 @@ SweepBlock block_of(Reader& reader) {
   block.count = reader.number<std::size_t>();
   block.values.resize(reader.number<std::size_t>());
   reader.take(block.values.data(), block.values.size() * sizeof(double));
-  const auto notes = reader.number<std::size_t>();
-  for (std::size_t i = 0; i < notes; ++i) {
-    const auto item = reader.number<std::size_t>();
-    block.notes.emplace_back(item, reader.text());
+  for (auto* texts : {&block.notes, &block.documents}) {
+    const auto count = reader.number<std::size_t>();
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto item = reader.number<std::size_t>();
+      texts->emplace_back(item, reader.text());
+    }
   }
   return block;
 }

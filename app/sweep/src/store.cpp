@@ -86,7 +86,9 @@ constexpr const char* tables =
     "CREATE TABLE column_ (place INTEGER PRIMARY KEY, name TEXT, unit TEXT, varied INTEGER);"
     "CREATE TABLE ship (place INTEGER PRIMARY KEY, name TEXT, file TEXT);"
     "CREATE TABLE block (place INTEGER PRIMARY KEY, first INTEGER, count INTEGER, numbers BLOB);"
-    "CREATE TABLE note (item INTEGER, text TEXT);";
+    "CREATE TABLE note (item INTEGER, text TEXT);"
+    "CREATE TABLE case_ (item INTEGER PRIMARY KEY, name TEXT);"
+    "CREATE TABLE document (item INTEGER PRIMARY KEY, json TEXT);";
 
 /// A folder in which no other sweep works as long as this program lives. @return its lock
 int locked(const std::filesystem::path& folder) {
@@ -144,8 +146,11 @@ SweepStore::SweepStore(const std::filesystem::path& folder, const SweepWork& wor
     column.bind(1, static_cast<std::int64_t>(i)).bind(2, c.name).bind(3, c.unit).bind(4, std::int64_t{c.varied});
     column.insert(database);
   }
+  Statement named(database, "INSERT INTO case_ VALUES (?, ?)");
+  for (std::size_t i = 0; i < work.plan().cases.size(); ++i)
+    named.bind(1, static_cast<std::int64_t>(i)).bind(2, work.plan().cases[i].name).insert(database);
   Statement ship(database, "INSERT INTO ship VALUES (?, ?, ?)");
-  for (std::size_t i = 0; i < work.subjects().size(); ++i) {
+  for (std::size_t i = 0; i < work.plan().ships.size(); ++i) {
     ship.bind(1, static_cast<std::int64_t>(i)).bind(2, work.subjects()[i]).bind(3, work.plan().ships[i]);
     ship.insert(database);
   }
@@ -163,11 +168,14 @@ void SweepStore::write(std::span<const SweepBlock> blocks) {
   try {
     Statement block(database, "INSERT INTO block VALUES (?, ?, ?, ?)");
     Statement note(database, "INSERT INTO note VALUES (?, ?)");
+    Statement document(database, "INSERT INTO document VALUES (?, ?)");
     for (const auto& b : blocks) {
       block.bind(1, static_cast<std::int64_t>(b.place)).bind(2, static_cast<std::int64_t>(b.first));
       block.bind(3, static_cast<std::int64_t>(b.count)).bind(4, std::span<const double>(b.values)).insert(database);
       for (const auto& [item, text] : b.notes)
         note.bind(1, static_cast<std::int64_t>(item)).bind(2, text).insert(database);
+      for (const auto& [item, json] : b.documents)
+        document.bind(1, static_cast<std::int64_t>(item)).bind(2, json).insert(database);
     }
     database.run("COMMIT");
   } catch (...) {
@@ -199,6 +207,17 @@ std::vector<std::pair<std::size_t, std::string>> SweepStore::notes(std::size_t m
   all.bind(1, static_cast<std::int64_t>(most));
   while (all.step(database)) notes.emplace_back(static_cast<std::size_t>(all.number(0)), all.text(1));
   return notes;
+}
+
+std::vector<std::pair<std::string, std::size_t>> SweepStore::counts(const std::string& path) const {
+  const auto& database = *database_;
+  std::vector<std::pair<std::string, std::size_t>> counts;
+  Statement all(database,
+                "SELECT coalesce(json_extract(json, ?), '-') AS word, count(*) FROM document GROUP BY word ORDER BY 2 "
+                "DESC, 1");
+  all.bind(1, path);
+  while (all.step(database)) counts.emplace_back(all.text(0), static_cast<std::size_t>(all.number(1)));
+  return counts;
 }
 
 std::size_t SweepStore::note_count() const {

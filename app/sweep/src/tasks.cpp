@@ -251,6 +251,8 @@ std::vector<SweepColumn> results_of(const SweepPlan& plan) {
       for (const char* name : {"T1T2", "T1_plus_T2", "T1", "T2", "T3b", "T3w", "Kb", "Kw", "T_b", "T_w", "stable"})
         add(name, "-");
       break;
+    case SweepTask::trial:
+    case SweepTask::diagnose: break;
   }
   return columns;
 }
@@ -268,6 +270,8 @@ void fill_results(const SweepPlan& plan, const VariedShip& ship, SweepBlock& blo
     case SweepTask::zigzag: return zigzags(plan, ship, block, results);
     case SweepTask::turn: return turns(plan, ship, block, results);
     case SweepTask::indices: return indices_of(ship, block, results);
+    case SweepTask::trial:
+    case SweepTask::diagnose: break;  // of recordings: case_tasks.hpp
   }
 }
 

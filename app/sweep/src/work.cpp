@@ -6,7 +6,9 @@
 #include <limits>
 #include <span>
 
+#include "case_tasks.hpp"
 #include "swayaw/app/sweep/points.hpp"
+#include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/version.hpp"
 #include "tasks.hpp"
 #include "varied_ship.hpp"
@@ -32,6 +34,18 @@ struct SweepWork::Subject {
 
 SweepWork::SweepWork(const SweepPlan& plan) : plan_(plan) {
   std::uint64_t hash = hash_of(version(), hash_of(plan.text, 0xcbf29ce484222325));
+  if (of_recordings(plan.task)) {
+    for (const auto& c : plan.cases) {
+      if (!c.ship.empty()) hash = hash_of(ship_text(c.ship), hash);
+      for (const auto* runs : {&c.runs, &c.reference, &c.holdout})
+        for (const auto& run : *runs) hash = hash_of(read_text(run), hash);
+    }
+    subjects_ = {"cases"};
+    columns_ = results_of_case(plan);
+    points_ = blocks_of_subject_ = plan.cases.size();
+    fingerprint_ = fmt::format("{:016x}", hash);
+    return;
+  }
   for (const auto& file : plan.ships) {
     auto subject = std::make_unique<Subject>(Subject{VariedShip(plan, file)});
     const auto& ship = subject->ship;
@@ -65,6 +79,7 @@ std::size_t SweepWork::block_size(std::size_t place) const {
 }
 
 SweepBlock SweepWork::block(std::size_t place) const {
+  if (of_recordings(plan_.task)) return block_of_case(plan_, place);
   const auto subject = place / blocks_of_subject_, first = place % blocks_of_subject_ * most_;
   const auto& ship = ships_[subject]->ship;
   SweepBlock block{.place = place, .first = subject * points_ + first, .count = block_size(place)};
@@ -79,8 +94,13 @@ SweepBlock SweepWork::block(std::size_t place) const {
 
 std::vector<double> SweepWork::parameters_of(std::size_t item) const {
   std::vector<double> values(varied_);
+  if (varied_ == 0) return values;
   values_of_point(plan_.design, plan_.seed, ships_[item / points_]->ship.laws(), item % points_, values);
   return values;
+}
+
+std::string SweepWork::name_of(std::size_t item) const {
+  return of_recordings(plan_.task) ? plan_.cases[item].name : std::string();
 }
 
 }  // namespace swayaw::app

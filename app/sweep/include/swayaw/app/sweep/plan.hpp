@@ -13,8 +13,15 @@
 /// The plan of a sweep, as its file says (docs/sweep.md).
 namespace swayaw::app {
 
-/// What is done with every ship of a sweep.
-enum class SweepTask { zigzag, turn, indices };
+/// What is done with every ship of a sweep, or with recordings.
+enum class SweepTask { zigzag, turn, indices, trial, diagnose };
+
+/// Recordings that are worked on together; of a trial one, without a ship unless the plan has one.
+struct SweepCase {
+  std::string name;
+  std::string ship;
+  std::vector<std::string> runs, reference, holdout;
+};
 
 /// Which points are taken where parameters vary.
 enum class SweepDesign {
@@ -46,6 +53,7 @@ struct SweepPlan {
   std::optional<double> speed{};   ///< approach speed [m/s]; the service speed unless given
   std::vector<std::string> ships;  ///< files as seen from the working folder, or names of published ships
   FilePlace ships_place{};
+  std::vector<SweepCase> cases{};  ///< of trial and diagnose
   SweepDesign design = SweepDesign::draws;
   std::size_t size = 1;     ///< draws, or pairs of them, for each ship
   std::uint64_t seed = 1;   ///< of the draws
@@ -55,6 +63,9 @@ struct SweepPlan {
 
 /// @throws FileError  "FILE:LINE:COLUMN: what is wrong"
 SweepPlan read_sweep_plan(const std::filesystem::path& file);
+
+/// Whether the items are recordings rather than points of ships.
+inline bool of_recordings(SweepTask task) { return task == SweepTask::trial || task == SweepTask::diagnose; }
 
 /// The same from text; `name` stands for the file in messages, and ships are sought beside it.
 SweepPlan parse_sweep_plan(const std::string& text, const std::filesystem::path& name);

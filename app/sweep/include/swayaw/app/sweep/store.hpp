@@ -35,6 +35,9 @@ class SweepStore {
   /// A column of every item of a ship that is there, in the order of the items; not a number where there is none.
   std::vector<double> column(std::size_t subject, std::size_t column) const;
 
+  /// How often each word stands at that path of the documents, "$.verdict", most often first; "-" where there is none.
+  std::vector<std::pair<std::string, std::size_t>> counts(const std::string& path) const;
+
   /// Notes by item, the first so many.
   std::vector<std::pair<std::size_t, std::string>> notes(std::size_t most) const;
   std::size_t note_count() const;

@@ -23,8 +23,9 @@ struct SweepBlock {
   std::size_t place = 0;  ///< among the blocks
   std::size_t first = 0;  ///< item
   std::size_t count = 0;
-  std::vector<double> values{};                              ///< [column · count + item]
-  std::vector<std::pair<std::size_t, std::string>> notes{};  ///< why an item has no result
+  std::vector<double> values{};                                  ///< [column · count + item]
+  std::vector<std::pair<std::size_t, std::string>> notes{};      ///< why an item has no result
+  std::vector<std::pair<std::size_t, std::string>> documents{};  ///< JSON of an item, of recordings
 
   double& at(std::size_t column, std::size_t item) { return values[column * count + item]; }
 };
@@ -40,7 +41,7 @@ class SweepWork {
   SweepWork& operator=(const SweepWork&) = delete;
 
   const SweepPlan& plan() const { return plan_; }
-  const std::vector<std::string>& subjects() const { return subjects_; }  ///< names of the ships
+  const std::vector<std::string>& subjects() const { return subjects_; }  ///< names of the ships; "cases" of recordings
   const std::vector<SweepColumn>& columns() const { return columns_; }    ///< those that vary come first
   std::size_t points() const { return points_; }                          ///< of each ship
   std::size_t varied() const { return varied_; }                          ///< how many columns vary
@@ -48,7 +49,10 @@ class SweepWork {
   std::size_t blocks() const { return blocks_of_subject_ * subjects_.size(); }
   std::size_t block_size(std::size_t block) const;
 
-  /// Changes with the plan, the ships and the version of the program.
+  /// The name of an item of recordings; empty of others.
+  std::string name_of(std::size_t item) const;
+
+  /// Changes with the plan, the ships, the recordings and the version of the program.
   const std::string& fingerprint() const { return fingerprint_; }
 
   SweepBlock block(std::size_t place) const;

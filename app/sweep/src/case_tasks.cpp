@@ -1,0 +1,105 @@
+#include "case_tasks.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "child_process.hpp"
+
+namespace swayaw::app {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A column and where the document of the command has it.
+struct Place {
+  const char* column;
+  const char* unit;
+  const char* pointer;
+};
+
+constexpr std::array trial_places{
+    Place{"approach_speed_m_s", "m/s", "/runs/0/approach_speed_m_s/value"},
+    Place{"overshoot_1_deg", "deg", "/runs/0/overshoot_deg/0/value"},
+    Place{"overshoot_1_error_deg", "deg", "/runs/0/overshoot_deg/0/standard_error"},
+    Place{"overshoot_2_deg", "deg", "/runs/0/overshoot_deg/1/value"},
+    Place{"overshoot_2_error_deg", "deg", "/runs/0/overshoot_deg/1/standard_error"},
+    Place{"period_s", "s", "/runs/0/period_s/value"},
+    Place{"advance_m", "m", "/runs/0/advance_m/value"},
+    Place{"tactical_diameter_m", "m", "/runs/0/tactical_diameter_m/value"},
+    Place{"K_1_s", "1/s", "/runs/0/nomoto/least_squares/K_1_s/value"},
+    Place{"T_s", "s", "/runs/0/nomoto/least_squares/T_s/value"},
+};
+
+constexpr std::array diagnosis_places{
+    Place{"probability_1", "-", "/effects/0/probability"},
+    Place{"probability_2", "-", "/effects/1/probability"},
+    Place{"yaw_rate_error_given", "-", "/discrepancy/given"},
+    Place{"yaw_rate_error_refitted", "-", "/discrepancy/refitted"},
+    Place{"yaw_rate_error_after", "-", "/discrepancy/after"},
+    Place{"process_noise", "-", "/process_noise"},
+};
+
+std::span<const Place> places_of(SweepTask task) {
+  if (task == SweepTask::trial) return trial_places;
+  return diagnosis_places;
+}
+
+std::vector<std::string> words_of(const SweepPlan& plan, const SweepCase& c) {
+  std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string()};
+  const auto add = [&](const char* option, const std::vector<std::string>& values) {
+    if (!values.empty() && *option) words.emplace_back(option);
+    words.insert(words.end(), values.begin(), values.end());
+  };
+  if (plan.task == SweepTask::trial) {
+    words.insert(words.end(), {"trial", "--json"});
+    add("--ship", c.ship.empty() ? std::vector<std::string>{} : std::vector{c.ship});
+    add("", c.runs);
+  } else {
+    words.insert(words.end(), {"diagnose", "--json", c.ship});
+    add("", c.runs);
+    add("--reference", c.reference);
+    add("--holdout", c.holdout);
+  }
+  return words;
+}
+
+/// The last line that the program said, without its own name.
+std::string last_line(std::string text) {
+  while (text.ends_with('\n')) text.pop_back();
+  text.erase(0, text.rfind('\n') + 1);
+  return text.empty() ? "it said nothing" : text;
+}
+
+}  // namespace
+
+std::vector<SweepColumn> results_of_case(const SweepPlan& plan) {
+  std::vector<SweepColumn> columns;
+  for (const auto& place : places_of(plan.task)) columns.push_back({place.column, place.unit, false});
+  return columns;
+}
+
+SweepBlock block_of_case(const SweepPlan& plan, std::size_t place) {
+  const auto places = places_of(plan.task);
+  SweepBlock block{.place = place, .first = place, .count = 1};
+  block.values.assign(places.size(), std::numeric_limits<double>::quiet_NaN());
+  const auto end = run_program(words_of(plan, plan.cases[place]), {});
+  const auto document = end ? Json::parse(end->out, nullptr, false) : Json();
+  if (!end || end->code != 0 || document.is_discarded() || !document.is_object()) {
+    block.notes.emplace_back(
+        place, end ? fmt::format("exit code {}: {}", end->code, last_line(end->err)) : "the program cannot be started");
+    return block;
+  }
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Json::json_pointer pointer(places[k].pointer);
+    if (document.contains(pointer) && document[pointer].is_number()) block.values[k] = document[pointer].get<double>();
+  }
+  block.documents.emplace_back(place, document.dump());
+  return block;
+}
+
+}  // namespace swayaw::app
