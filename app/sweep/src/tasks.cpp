@@ -18,6 +18,9 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+/// Ship lengths after which a zigzag is given up, as in `swayaw simulate`.
+constexpr double longest_zigzag = 200.0;
+
 double or_none(const std::optional<double>& value) { return value.value_or(none); }
 
 /// Columns of the results of a block, after those that vary.
@@ -73,7 +76,7 @@ LinearZigzagOrder linear_order(const SweepPlan& plan, const LinearShip& ship, do
           .rate = ship.steering_gear.rate * ship.particulars.L / speed,
           .first = plan.first,
           .reversals = plan.overshoots,
-          .longest = 200.0};
+          .longest = longest_zigzag};
 }
 
 void linear_zigzag_of(const SweepPlan& plan, const LinearShip& ship, const std::optional<double>& speed, std::size_t i,
@@ -155,7 +158,7 @@ void zigzag_of(const SweepPlan& plan, const Ship& ship, const std::optional<doub
                Results& results) {
   auto options = options_of(plan, speed);
   if (plan.overshoots > 4)  // it ends after the fourth unless told how long it lasts
-    options.duration = 200.0 * length(ship) / speed.value_or(service_speed(ship));
+    options.duration = longest_zigzag * length(ship) / speed.value_or(service_speed(ship));
   const auto found = zigzag(ship, {.rudder = plan.rudder, .heading = plan.heading, .first = plan.first}, options);
   for (std::size_t k = 0; k < std::min(plan.overshoots, found.reversals.size()); ++k) {
     const auto& reversal = found.reversals[k];
