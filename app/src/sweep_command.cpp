@@ -23,18 +23,6 @@ namespace {
 /// Notes that are told; the file has all.
 constexpr std::size_t most_notes = 10;
 
-/// Words and how often they come, most often first.
-using WordCounts = std::vector<std::pair<std::string, std::size_t>>;
-
-struct Swept {
-  SweepSummary summary;
-  SweepCount count;
-  double seconds;
-  std::vector<std::pair<std::size_t, std::string>> notes;
-  std::size_t note_count;
-  WordCounts verdicts{}, first_effects{};  ///< of diagnoses
-};
-
 // ---------------------------------------------------------------- JSON
 
 Json item_json(const SweepWork& work, const ItemValue& found) {
@@ -216,8 +204,7 @@ void sweep_and_tell(const SweepArguments& a, const SweepWork& work, SweepStore& 
     fmt::print(stderr, "swayaw: {}: {} items were there already\n", store.file().string(), swept.count.before);
   if (!a.csv.empty()) write_table(work, store, a.csv);
   if (a.report.wanted())
-    write_page(a.report.file, html(sweep_page(work, swept.summary, swept.count, swept.seconds, store.file(),
-                                              UserUnits(a.report.si, 0.0))));
+    write_page(a.report.file, html(sweep_page(work, swept, store.file(), UserUnits(a.report.si, 0.0))));
   if (a.json) fmt::print("{}\n", document_of(work, store, swept).dump(2));
   else print_summary(work, store, swept);
 }

@@ -128,6 +128,22 @@ std::string matters_text(const SweepWork& work, const SweepSummary& summary, con
                      100.0 * most->total_high, spoken(work.columns()[first.column]));
 }
 
+/// "nothing_missing 5, missing_physics 3"
+std::string counts_text(const WordCounts& counts) {
+  std::string words;
+  for (const auto& [word, count] : counts)
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", word == "-" ? "nothing" : word, count);
+  return words;
+}
+
+PageTable notes_table(const SweepWork& work, const Swept& swept) {
+  PageTable table{
+      .caption = "The first items that have no result, or less", .columns = {"Item", "Name", "Why"}, .rows = {}};
+  for (const auto& [item, text] : swept.notes)
+    table.rows.push_back({fmt::format("{}", item), work.name_of(item), text});
+  return table;
+}
+
 }  // namespace
 
 std::string spoken(const SweepColumn& column) {
@@ -151,28 +167,38 @@ std::string task_words(const SweepPlan& plan) {
   return {};
 }
 
-Page sweep_page(const SweepWork& work, const SweepSummary& summary, const SweepCount& count, double seconds,
-                const std::filesystem::path& results, const UserUnits& units) {
+Page sweep_page(const SweepWork& work, const Swept& swept, const std::filesystem::path& results,
+                const UserUnits& units) {
   const auto& plan = work.plan();
+  const auto& summary = swept.summary;
+  const bool recordings = of_recordings(plan.task);
   Page page{.kicker = "Sweep", .title = plan.file.filename().string(), .headline = {}};
   const auto* first = first_result(work, summary);
-  if (!first) {
-    page.headline = fmt::format("None of {} items has a result.", count.done);
-    page.tone = Tone::bad;
+  if (!swept.verdicts.empty()) {
+    page.headline = fmt::format("{} diagnoses: {}.", swept.count.done, counts_text(swept.verdicts));
+    page.answers.push_back({"What is named first?", counts_text(swept.first_effects) + "."});
+  } else if (first) {
+    page.headline = fmt::format("{}, {} items: in nine of ten the {} {} {}.", task_words(plan), swept.count.done,
+                                spoken(work.columns()[first->column]),
+                                recordings ? "is" : "of " + work.subjects()[first->subject] + " is",
+                                range_text(*first, work.columns()[first->column]));
   } else {
-    const auto& column = work.columns()[first->column];
-    page.headline = fmt::format("{}, {} items: in nine of ten the {} of {} is {}.", task_words(plan), count.done,
-                                spoken(column), work.subjects()[first->subject], range_text(*first, column));
-    const auto& worst = first->highest.front();
-    page.answers.push_back({"What is the largest?", fmt::format("{}, item {}: {}.", value_text(worst.value, column),
-                                                                worst.item, parameters_text(work, worst.item))});
-    page.answers.push_back({"What matters most?", matters_text(work, summary, *first)});
+    page.headline = fmt::format("None of {} items has a result.", swept.count.done);
+    page.tone = Tone::bad;
   }
-  const auto missing = std::ranges::max(summary.columns, {}, &ColumnSummary::missing).missing;
-  page.answers.push_back({"Is anything left out?", missing == 0 ? "No, every item has every result."
-                                                                : fmt::format("Up to {} items lack a result; the notes "
-                                                                              "below say why.",
-                                                                              missing)});
+  if (first) {
+    const auto& column = work.columns()[first->column];
+    const auto& worst = first->highest.front();
+    page.answers.push_back({fmt::format("Where is the {} largest?", spoken(column)),
+                            fmt::format("{}, item {}: {}.", value_text(worst.value, column), worst.item,
+                                        parameters_text(work, worst.item))});
+    if (!recordings) page.answers.push_back({"What matters most?", matters_text(work, summary, *first)});
+  }
+  page.answers.push_back({"Is anything left out?",
+                          swept.note_count == 0 ? "No item failed."
+                                                : fmt::format("{} items have no result, or less; the first are told "
+                                                              "below.",
+                                                              swept.note_count)});
   page.answers.push_back(
       {"What next?", fmt::format("All items are in {}: docs/sweep.md shows how to read them.", results.string())});
   page.picture = picture(work, summary, units);
@@ -180,10 +206,15 @@ Page sweep_page(const SweepWork& work, const SweepSummary& summary, const SweepC
   if (!summary.sobol.empty())
     page.sections.push_back({.title = "What matters", .tables = {sobol_table(work, summary)}});
   page.sections.push_back({.title = "The extremes", .tables = {extremes_table(work, summary)}});
+  if (!swept.notes.empty())
+    page.sections.push_back({.title = "Without a result", .tables = {notes_table(work, swept)}});
   page.sections.push_back({.title = "The plan", .words = {plan.text}});
-  page.assumed.push_back("Parameters that vary are drawn independently of each other.");
-  page.assumed.push_back("Every ship gets the same draws, so that ships can be compared item by item.");
-  page.footnotes.push_back(fmt::format("{} of {} items, {:.3g} s. {}", count.done, count.all, seconds, made_by()));
+  if (!recordings) {
+    page.assumed.push_back("Parameters that vary are drawn independently of each other.");
+    page.assumed.push_back("Every ship gets the same draws, so that ships can be compared item by item.");
+  }
+  page.footnotes.push_back(
+      fmt::format("{} of {} items, {:.3g} s. {}", swept.count.done, swept.count.all, swept.seconds, made_by()));
   return page;
 }
 

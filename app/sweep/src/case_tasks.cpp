@@ -41,7 +41,6 @@ constexpr std::array diagnosis_places{
     Place{"yaw_rate_error_given", "-", "/discrepancy/given"},
     Place{"yaw_rate_error_refitted", "-", "/discrepancy/refitted"},
     Place{"yaw_rate_error_after", "-", "/discrepancy/after"},
-    Place{"process_noise", "-", "/process_noise"},
 };
 
 std::span<const Place> places_of(SweepTask task) {
