@@ -19,8 +19,6 @@ using namespace std::chrono_literals;
 /// How long rank 0 sleeps where nothing has come; a block takes some milliseconds.
 constexpr auto pause = 200us;
 
-constexpr auto commit_after = 200ms;
-
 // ---------------------------------------------------------------- messages
 
 /// What a message begins with.
@@ -161,10 +159,7 @@ std::unique_ptr<Ranks> ranks_of_this_program() {
 
 SweepCount run_sweep_with_ranks(const SweepWork& work, SweepStore& store, Ranks& ranks,
                                 const std::function<bool(const SweepCount&)>& go_on) {
-  SweepCount count{.all = work.items()};
-  for (std::size_t b = 0; b < work.blocks(); ++b)
-    if (store.done()[b]) count.before += work.block_size(b);
-  count.done = count.before;
+  auto count = counted(work, store);
   Pending pending(work, store);
   std::vector<SweepBlock> waiting;
   auto written = std::chrono::steady_clock::now();

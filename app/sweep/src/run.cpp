@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -13,11 +12,6 @@
 
 namespace swayaw::app {
 namespace {
-
-using namespace std::chrono_literals;
-
-/// What is done goes to the file that often; a commit waits for the disk, about 5 ms.
-constexpr auto commit_after = 200ms;
 
 /// Blocks that wait to be written, so that memory does not grow where the disk is slow.
 constexpr std::size_t most_waiting = 64;
@@ -60,15 +54,20 @@ class Finished {
 
 }  // namespace
 
+SweepCount counted(const SweepWork& work, const SweepStore& store) {
+  SweepCount count{.all = work.items()};
+  for (std::size_t b = 0; b < work.blocks(); ++b)
+    if (store.done()[b]) count.before += work.block_size(b);
+  count.done = count.before;
+  return count;
+}
+
 SweepCount run_sweep(const SweepWork& work, SweepStore& store, unsigned threads,
                      const std::function<bool(const SweepCount&)>& go_on) {
+  auto count = counted(work, store);
   std::vector<std::size_t> pending;
-  SweepCount count{.all = work.items()};
-  for (std::size_t b = 0; b < work.blocks(); ++b) {
-    if (store.done()[b]) count.before += work.block_size(b);
-    else pending.push_back(b);
-  }
-  count.done = count.before;
+  for (std::size_t b = 0; b < work.blocks(); ++b)
+    if (!store.done()[b]) pending.push_back(b);
 
   Finished finished;
   std::atomic<std::size_t> next = 0;

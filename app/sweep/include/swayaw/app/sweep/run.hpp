@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 
@@ -13,6 +14,12 @@ struct SweepCount {
   std::size_t done = 0;    ///< items that are there now
   std::size_t all = 0;
 };
+
+/// Items that are there before a sweep begins.
+SweepCount counted(const SweepWork& work, const SweepStore& store);
+
+/// What is done goes to the file that often; a commit waits for the disk, about 5 ms.
+inline constexpr std::chrono::milliseconds commit_after{200};
 
 /// Works on the blocks that are not there yet and writes them as they come, until all are there or it is told to end.
 /// Which thread works on a block, and when, changes nothing in it.
