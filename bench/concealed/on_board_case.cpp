@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "day.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/mismatch/compare.hpp"
@@ -23,28 +24,7 @@ constexpr double largest_level = 2.5;            ///< of what is hidden: winds o
 constexpr std::size_t tries_for_strong = 3;      ///< effects that are tried before a moderate one is taken instead
 constexpr double error_of_sense = radians(8.0);  ///< in heading over two lengths: a file that is worse is not used
 
-// ---------------------------------------------------------------- air and runs
-
-/// Air and stream of a day, below the practical floors.
-struct Day {
-  double wind_speed, wind_from, turbulence, gust_memory, current_speed, current_to;
-
-  Concealment calm() const {
-    return {.wind_speed = wind_speed, .wind_from = wind_from, .current_speed = current_speed, .current_to = current_to};
-  }
-};
-
-/// Turbulence with a length of 150 m, at most ten ship lengths of way long.
-Day day_by_chance(RandomSource& random, const TrueShip& s) {
-  Day day{.wind_speed = s.U_0 * random.uniform(0.04, 0.14),
-          .wind_from = random.uniform(0.0, 2.0 * pi),
-          .turbulence = random.uniform(0.15, 0.35),
-          .gust_memory = 0.0,
-          .current_speed = s.U_0 * random.uniform(0.002, 0.015),
-          .current_to = random.uniform(0.0, 2.0 * pi)};
-  day.gust_memory = std::min(10.0, 150.0 / day.wind_speed / s.time_unit());
-  return day;
-}
+// ---------------------------------------------------------------- runs
 
 Manoeuvre numbered(Manoeuvre m, std::size_t number, const char* name = nullptr) {
   m.name = fmt::format("{}_{}", number, name ? name : m.name);

@@ -8,9 +8,7 @@
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline mismatch::detail {
-namespace {
 
-/// Coefficients in their deviations from the ship file; what is ordinary about its mean.
 void put_prior(Trial& trial) {
   const auto size = trial.baseline_size();
   trial.mean = Eigen::VectorXd::Zero(size);
@@ -23,8 +21,6 @@ void put_prior(Trial& trial) {
       ++at;
     }
 }
-
-}  // namespace
 
 double heel_of(std::span<const PreparedRun> runs) {
   double squares = 0.0, time = 0.0;

@@ -33,6 +33,9 @@ struct Trial {
   }
 };
 
+/// The prior of a trial anew: coefficients in their deviations from the ship file, what is ordinary about its mean.
+void put_prior(Trial& trial);
+
 /// Effects that act together.
 using Hypothesis = std::vector<const EffectForm*>;
 

@@ -1,26 +1,14 @@
 #include <algorithm>
 
+#include "swayaw/core/run_remark.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
 
 namespace swayaw::inline identification {
-namespace {
-
-/// The text of a run key, without the quotes of TOML; empty if the run has none.
-std::string text_of(const Recording& run, std::string_view key) {
-  const auto found = std::ranges::find(run.facts.remarks, key, &RunRemark::key);
-  if (found == run.facts.remarks.end()) return "";
-  auto text = found->value;
-  if (text.size() >= 2 && text.front() == text.back() && (text.front() == '"' || text.front() == '\''))
-    text = text.substr(1, text.size() - 2);
-  return text;
-}
-
-}  // namespace
 
 std::string group_of(const Recording& run) {
   constexpr std::size_t day = 10;  // characters of 2022-10-27T09:30:00Z
-  const auto group = text_of(run, "group");
-  return group.empty() ? text_of(run, "start_utc").substr(0, day) : group;
+  const auto group = remark_of(run, "group");
+  return group.empty() ? remark_of(run, "start_utc").substr(0, day) : group;
 }
 
 std::vector<GroupCheck> grouped(std::span<const RunCheck> runs) {
