@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "swayaw/core/detail/printable.hpp"
+
 namespace swayaw::inline core {
 namespace {
 
@@ -26,7 +28,8 @@ std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
-    if (static_cast<unsigned char>(c) < 0x20) result += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    const auto code = static_cast<unsigned char>(c);
+    if (code < 0x20 || code == 0x7F) result += fmt::format("\\u{:04x}", static_cast<unsigned>(code));
     else result += c;
   }
   return result + '"';
@@ -109,7 +112,7 @@ std::string remark_text(std::string_view remark) {
   std::string text;
   while (!remark.empty()) {
     const auto line = remark.substr(0, remark.find('\n'));
-    text += line.empty() ? "#\n" : fmt::format("# {}\n", line);
+    text += line.empty() ? "#\n" : fmt::format("# {}\n", detail::printable(line));
     remark.remove_prefix(std::min(remark.size(), line.size() + 1));
   }
   return text.empty() ? text : text + '\n';

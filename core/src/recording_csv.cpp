@@ -16,6 +16,7 @@
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
+#include "swayaw/core/detail/printable.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline core {
@@ -94,6 +95,8 @@ class RecordingParser {
   void read_names() {
     header_line_ = line_number_;
     const auto cells = cells_of(line_);
+    if (cells.size() > most_columns)
+      fail(line_, fmt::format("{} columns; recordings of up to {} are read", cells.size(), most_columns));
     if (std::ranges::all_of(cells, [](auto cell) { return number_in(cell).has_value(); }))
       fail(line_, "no header row above the numbers; a line that starts with # is not one");
     for (const auto cell : cells) add_column(cell);
@@ -214,7 +217,7 @@ class RecordingParser {
   // -------------------------------------------------------------- to midship, SI, inside signs
 
   void fill_recording() {
-    recording_.name = file_.filename().string();
+    recording_.name = printable(file_.filename().string());
     for (auto& column : columns_) store(column);
     require_samples();
     project_position();

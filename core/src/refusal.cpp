@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "swayaw/core/detail/printable.hpp"
+
 namespace swayaw::inline core {
 namespace {
 
 std::string text_of(const FilePlace& place, std::string_view what_is_wrong) {
-  if (place.line == 0) return fmt::format("{}: {}", place.file.string(), what_is_wrong);
-  return fmt::format("{}:{}:{}: {}", place.file.string(), place.line, place.column, what_is_wrong);
+  const auto file = detail::printable(place.file.string()), what = detail::printable(what_is_wrong);
+  if (place.line == 0) return fmt::format("{}: {}", file, what);
+  return fmt::format("{}:{}:{}: {}", file, place.line, place.column, what);
 }
 
 /// A MATLAB file has no lines, though what stands in it may have been read as text.

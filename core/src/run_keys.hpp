@@ -35,7 +35,10 @@ inline std::string in_quotes(const std::string& text) {
   const toml::value<std::string> value(text);
   std::ostringstream quoted;
   quoted << toml::toml_formatter(value, toml::format_flags::allow_unicode_strings);
-  return std::move(quoted).str();
+  auto line = std::move(quoted).str();
+  for (auto at = line.find('\x7F'); at != std::string::npos; at = line.find('\x7F', at))
+    line.replace(at, 1, "\\u007F");  // which TOML does not allow as it is, and toml++ 3.3 writes
+  return line;
 }
 
 /// The run key that was perhaps meant: one that begins alike.

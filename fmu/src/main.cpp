@@ -20,7 +20,7 @@ using namespace swayaw::fmu;
 /// Text of a ship file, or where no such file is there, of the published ship of that name.
 std::string text_of(const std::filesystem::path& ship) {
   const auto published = std::filesystem::exists(ship) ? std::nullopt : published_text(ship.string());
-  return published ? std::string(*published) : read_text(ship);
+  return published ? std::string(*published) : read_text(ship, FileUse::description);
 }
 
 std::size_t count_of(const std::vector<Variable>& variables, Causality causality) {

@@ -1,6 +1,9 @@
+#include <matio.h>
+
 #include <catch.hpp>
 #include <cmath>
 #include <fstream>
+#include <memory>
 
 #include "files.hpp"
 #include "recording_text.hpp"
@@ -140,6 +143,32 @@ TEST_CASE("a MATLAB file that cannot be written leaves the old one", "[core][ref
   std::filesystem::create_directory(scratch / "a.mat");
   CHECK_THROWS_AS(write_mat(scratch / "a.mat", {time}), FileError);
   CHECK(std::filesystem::is_directory(scratch / "a.mat"));
+}
+
+/// Zeros as MATLAB saves them: compressed to a thousandth, in a struct or by themselves.
+void write_zeros(const std::filesystem::path& file, std::size_t count, bool in_struct) {
+  std::vector<double> zeros(count, 0.0);
+  std::size_t dims[2] = {count, 1}, one[2] = {1, 1};
+  const std::unique_ptr<mat_t, int (*)(mat_t*)> mat(Mat_CreateVer(file.c_str(), nullptr, MAT_FT_MAT5), &Mat_Close);
+  auto* values = Mat_VarCreate("time_s", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims, zeros.data(), 0);
+  matvar_t* fields[] = {values, nullptr};
+  auto* whole = in_struct ? Mat_VarCreate("run", MAT_C_STRUCT, MAT_T_STRUCT, 2, one, fields, 0) : values;
+  Mat_VarWrite(mat.get(), whole, MAT_COMPRESSION_ZLIB);
+  Mat_VarFree(whole);
+}
+
+TEST_CASE("what is compressed counts as it will be when it is read", "[core][refusal]") {
+  const test::Scratch scratch;
+  for (const bool in_struct : {false, true}) {
+    const auto file = scratch / "zeros.mat";
+    write_zeros(file, 1'000'000, in_struct);
+    CHECK(std::filesystem::file_size(file) < 20'000);
+    CHECK(read_mat(file).size() == 1);
+    set_largest_file(1'000'000);
+    CHECK_THROWS_WITH(read_mat(file), ContainsSubstring("its variables have 8 MB, and up to 1 MB are read here; "
+                                                        "--max-file-size "));
+    set_largest_file(0);
+  }
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ class ColumnMapReader {
 
   ColumnMap read() {
     try {
-      const auto text = read_text(file_);
+      const auto text = read_text(file_, FileUse::description);
       for (auto&& [key, value] : toml::parse(text, file_.string())) take(key.str(), key.source(), value);
     } catch (const toml::parse_error& error) {
       throw FileError(at(error.source()), error.description());

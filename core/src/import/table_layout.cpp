@@ -207,6 +207,9 @@ RawTable read_table(const std::filesystem::path& file, const NumberRules& rules)
   auto [text, encoding] = decoded(read_text(file), file);
   auto table = table_of(std::move(text), file, rules);
   table.encoding = encoding;
+  if (table.header.size() > most_columns)
+    throw FileError({.file = file},
+                    fmt::format("{} columns; tables of up to {} are read", table.header.size(), most_columns));
   return table;
 }
 

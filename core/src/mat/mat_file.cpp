@@ -35,7 +35,7 @@ bool is_mat(const std::filesystem::path& file) { return file.extension() == ".ma
 
 #ifndef SWAYAW_MATIO
 
-std::vector<MatVariable> read_mat(const std::filesystem::path& file) {
+std::vector<MatVariable> read_mat(const std::filesystem::path& file, FileUse) {
   throw FileError({file, 1, 1}, "MATLAB files need a swayaw built with libmatio");
 }
 
@@ -171,9 +171,14 @@ bool write_variable(mat_t& mat, const MatVariable& variable) {
 
 }  // namespace
 
-std::vector<MatVariable> read_mat(const std::filesystem::path& file) {
+std::vector<MatVariable> read_mat(const std::filesystem::path& file, FileUse use) {
   std::vector<MatVariable> variables;
-  for_each_variable(file, [&](const matvar_t& each) { variables.push_back({each.name, value_of(each)}); });
+  for_each_variable(
+      file,
+      [&](const matvar_t& each) {
+        variables.push_back({each.name, value_of(each)});
+      },
+      use);
   return variables;
 }
 

@@ -1,13 +1,17 @@
 #include "mat_variable.hpp"
 
 #ifdef SWAYAW_MATIO
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <memory>
 #include <string_view>
 
+#include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
 #include "swayaw/core/refusal.hpp"
 
@@ -39,15 +43,49 @@ std::string_view what_else_it_is(const std::filesystem::path& file) {
                                         : "not a MATLAB file of version 4 to 7.3, or it cannot be read";
 }
 
+/// Bytes of the data of a variable whose description was read; a number, for a file may claim any dimensions.
+double bytes_of(const matvar_t& variable) {
+  double count = 1.0;
+  for (int i = 0; i < variable.rank; ++i) count *= static_cast<double>(variable.dims[i]);
+  const bool has_parts = variable.class_type == MAT_C_STRUCT || variable.class_type == MAT_C_CELL;
+  if (!has_parts) return count * static_cast<double>(Mat_SizeOfClass(variable.class_type));
+  double bytes = static_cast<double>(variable.nbytes);
+  const auto* parts = static_cast<matvar_t* const*>(variable.data);
+  for (std::size_t i = 0; parts != nullptr && i < variable.nbytes / sizeof(matvar_t*); ++i)
+    if (parts[i] != nullptr) bytes += bytes_of(*parts[i]);
+  return bytes;
+}
+
+/// What MATLAB compressed may be a thousand times as large when it is read.
+void require_size(const std::filesystem::path& file, double bytes, FileUse use) {
+  if (const auto most = static_cast<double>(largest_file(use)); bytes > most)
+    throw FileError({.file = file}, fmt::format("its variables have {:.4g} MB, and up to {:.4g} MB are read here; "
+                                                "--max-file-size {:.0f}MB reads it",
+                                                1e-6 * bytes, 1e-6 * most, std::ceil(1e-6 * bytes)));
+}
+
+/// Whether there are numbers, texts or parts in it.
+bool has_values(const matvar_t& variable) {
+  return variable.class_type != MAT_C_SPARSE && variable.class_type != MAT_C_FUNCTION &&
+         variable.class_type != MAT_C_OBJECT && variable.class_type != MAT_C_OPAQUE;
+}
+
 }  // namespace
 
-void for_each_variable(const std::filesystem::path& file, const std::function<void(const matvar_t&)>& f) {
+void for_each_variable(const std::filesystem::path& file, const std::function<void(const matvar_t&)>& f, FileUse use) {
+  require_regular_file(file, use);
   Mat_LogInitFunc("swayaw", [](int, char*) {});  // what is wrong is said by what could not be read
   const std::unique_ptr<mat_t, int (*)(mat_t*)> mat(Mat_Open(file.c_str(), MAT_ACC_RDONLY), &Mat_Close);
   if (!mat) throw FileError({file, 1, 1}, what_else_it_is(file));
   using Variable = std::unique_ptr<matvar_t, void (*)(matvar_t*)>;
-  while (const auto variable = Variable(Mat_VarReadNext(mat.get()), &Mat_VarFree))
+  double bytes = 0.0;
+  while (const auto variable = Variable(Mat_VarReadNextInfo(mat.get()), &Mat_VarFree)) {
+    if (has_values(*variable)) {
+      require_size(file, bytes += bytes_of(*variable), use);
+      Mat_VarReadDataAll(mat.get(), variable.get());
+    }
     if (variable->name != nullptr) f(*variable);
+  }
 }
 
 std::size_t count_of(const matvar_t& variable) {

@@ -9,12 +9,15 @@
 #include <string>
 #include <vector>
 
+#include "swayaw/core/file_limits.hpp"
+
 /// What libmatio reads, as numbers and texts. Not installed.
 namespace swayaw::inline core::detail {
 
 /// f(variable) for each variable of a file that has a name.
-/// @throws FileError  if it is no MATLAB file
-void for_each_variable(const std::filesystem::path& file, const std::function<void(const matvar_t&)>& f);
+/// @throws FileError  if it is no MATLAB file, or larger than files of that use may be, compressed or not
+void for_each_variable(const std::filesystem::path& file, const std::function<void(const matvar_t&)>& f,
+                       FileUse use = FileUse::samples);
 
 std::size_t count_of(const matvar_t& variable);
 

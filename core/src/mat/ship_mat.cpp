@@ -153,7 +153,8 @@ std::vector<ShipFileUnit> units_of(const FileKeys& keys) {
 }
 
 std::string read_ship_text(const std::filesystem::path& file) {
-  return is_mat(file) ? ShipText(file).of(ship_in(read_mat(file))) : read_text(file);
+  if (!is_mat(file)) return read_text(file, FileUse::description);
+  return ShipText(file).of(ship_in(read_mat(file, FileUse::description)));
 }
 
 void write_ship_text(const std::filesystem::path& file, std::string_view text, const std::vector<ShipFileUnit>& units) {

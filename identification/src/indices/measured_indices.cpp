@@ -213,7 +213,7 @@ MeasuredIndices parse_indices(std::string_view text, const std::filesystem::path
 }
 
 MeasuredIndices read_indices(const std::filesystem::path& file, double L) {
-  return parse_indices(read_text(file), file, L);
+  return parse_indices(read_text(file, FileUse::description), file, L);
 }
 
 }  // namespace swayaw::identification

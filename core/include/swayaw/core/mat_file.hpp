@@ -7,6 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "swayaw/core/file_limits.hpp"
+
 /// Variables of MATLAB files as values, for recordings, ships and linear models (docs/matlab.md).
 namespace swayaw::inline core {
 
@@ -59,8 +61,8 @@ std::string mat_name(std::string_view name);
 bool is_mat(const std::filesystem::path& file);
 
 /// All variables of a file, versions 4 to 7.3.
-/// @throws FileError  if it is none, or swayaw was built without libmatio
-std::vector<MatVariable> read_mat(const std::filesystem::path& file);
+/// @throws FileError  if it is none, too large (`largest_file`), or swayaw was built without libmatio
+std::vector<MatVariable> read_mat(const std::filesystem::path& file, FileUse use = FileUse::samples);
 
 /// Writes them, all or nothing, in version 5, which MATLAB and Octave load.
 /// @throws FileError  if the file cannot be written, or swayaw was built without libmatio
