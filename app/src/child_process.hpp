@@ -14,13 +14,21 @@ struct ProgramEnd {
   std::string err;
 };
 
-/// Runs a program of the PATH with those words and that text on its input, without a shell, and waits for its end.
+/// Runs a program with those words and that text on its input, without a shell, and waits for its end.
 ///
-/// Input and output are nameless temporary files: neither side ever waits for the other to read.
+/// A bare name is looked for in the folders of PATH that are told from the root: an empty entry or "." of PATH, which
+/// mean the current folder, find nothing. Of the environment the program gets what it needs (`child_variables`), of the
+/// open files its input and its two outputs, which are in memory: neither side ever waits for the other to read, and
+/// nobody else can read them.
 ///
 /// @param words  the program's name, then its arguments
 /// @return nothing when there is no such program
 /// @throws Refusal  if it cannot be started for another reason
 std::optional<ProgramEnd> run_program(std::vector<std::string> words, std::string_view input);
+
+/// "NAME=value" of each variable that a program which is started may see: the folders of PATH that are told from the
+/// root; language, zone, folder of temporary files; where libraries are; what sanitizers and coverage of a build of
+/// swayaw are told. All else stays here: tokens, keys, passwords.
+std::vector<std::string> child_variables();
 
 }  // namespace swayaw::app
