@@ -20,8 +20,9 @@ inline constexpr std::uint64_t usual_samples_size = 1'000'000'000;
 /// Bytes of a description. The largest ship file of the project has 3 kB; TOML of 9 MB takes 190 MB of memory.
 inline constexpr std::uint64_t usual_description_size = 10'000'000;
 
-/// Bytes of a line of text. A row of a thousand numbers has some 20 kB; a file without ends of lines is no table.
-inline constexpr std::size_t longest_line = 1'000'000;
+/// Bytes of a line of text. A row of a thousand numbers has some 20 kB; a description may stand on one line. A larger
+/// file without ends of lines is no table.
+inline constexpr std::size_t longest_line = usual_description_size;
 
 /// Columns of a recording. Alarm and monitoring systems of ships log a few thousand; each name is compared with all
 /// others, which takes 0.1 s here.
