@@ -70,14 +70,14 @@ function groups(runs) {
 
 function drawGroup(group, pooledError, node) {
   const { unit, scale } = shownIn(group[0]);
-  const names = group.map((e) => e.run);
+  const names = group.map((e) => e.run);  // a text of Plotly may hold elements, which a name does not
   const shapes = pooledError ? [{
     type: 'rect', xref: 'x', yref: 'paper', y0: 0, y1: 1, line: { width: 0 }, fillcolor: WORST_FILL, layer: 'below',
     x0: scale * (pooledError.value - 1.96 * pooledError.standard_error),
     x1: scale * (pooledError.value + 1.96 * pooledError.standard_error),
   }] : [];
   plot(node, [{
-    type: 'scatter', mode: 'markers', x: group.map((e) => scale * e.value), y: names, customdata: names,
+    type: 'scatter', mode: 'markers', x: group.map((e) => scale * e.value), y: names.map(plotText), customdata: names,
     error_x: { type: 'data', array: group.map((e) => 1.96 * scale * e.standard_error), thickness: 1.4, width: 3, color: '#5a6470' },
     marker: { size: 8, color: group.map((e) => (e.told ? '#e07b00' : '#0072b2')) },
     hovertemplate: `%{y}<br>%{x:.3~g} ${unit}<extra></extra>`,

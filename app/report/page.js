@@ -68,6 +68,9 @@ function shaded(fraction, content = percent(fraction)) {
   return el('td', { style: `background:${shade(fraction)}` }, content);
 }
 
+// Plotly takes some elements of HTML in a text for its looks, links among them; in a name they are what they look like.
+const plotText = (words) => words.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
+
 // ---- channels ----------------------------------------------------------------------------
 
 const has = (values) => Array.isArray(values) && values.some(isNumber);

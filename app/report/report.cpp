@@ -9,6 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base64.hpp"
+#include "script_hashes.hpp"
+
 extern "C" {
 extern const char swayaw_report_page_html[];
 extern const char swayaw_report_page_html_end[];
@@ -184,10 +187,23 @@ constexpr std::string_view drawn_details =
     "<noscript><p class=\"note\">The plots further down are drawn with JavaScript, which is switched off "
     "here.</p></noscript>\n<div id=\"report\"></div>";
 
-std::string filled(const Page& page, std::string_view details, std::string_view scripts) {
+/// How a Content-Security-Policy names a script by its hash, which is told in hexadecimal digits.
+std::string by_hash(std::string_view digits) {
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
+    unsigned char byte = 0;
+    std::from_chars(digits.data() + i, digits.data() + i + 2, byte, 16);
+    bytes += static_cast<char>(byte);
+  }
+  return "'sha256-" + base64(bytes) + "'";
+}
+
+/// @param allowed  scripts that the browser may run; no other, whatever a text of a file might smuggle in
+std::string filled(const Page& page, std::string_view details, std::string_view scripts, std::string_view allowed) {
   const auto title = escaped(page.title + ": " + page.kicker), description = escaped(page.headline),
              first = first_screen_html(page), sections = sections_html(page);
-  return fill(skeleton(), {{"title", title},
+  return fill(skeleton(), {{"allowed", allowed},
+                           {"title", title},
                            {"description", description},
                            {"style", between(swayaw_report_page_css, swayaw_report_page_css_end)},
                            {"first", first},
@@ -196,32 +212,35 @@ std::string filled(const Page& page, std::string_view details, std::string_view 
                            {"scripts", scripts}});
 }
 
-std::string with_plots(const Page& page, std::string_view script, const json& data) {
-  return filled(page, drawn_details, scripts_html(script, data_text(data)));
+std::string with_plots(const Page& page, std::string_view script, std::string_view hash, const json& data) {
+  return filled(page, drawn_details, scripts_html(script, data_text(data)),
+                by_hash(hash) + " " + by_hash(script_hash::plotly));
 }
 
 }  // namespace
 
-std::string html(const Page& page) { return filled(page, {}, {}); }
+std::string html(const Page& page) { return filled(page, {}, {}, "'none'"); }
 
 std::string check_page(const Page& page, const json& data) {
-  return with_plots(page, between(swayaw_report_check_js, swayaw_report_check_js_end), data);
+  return with_plots(page, between(swayaw_report_check_js, swayaw_report_check_js_end), script_hash::check, data);
 }
 
 std::string comparison_page(const Page& page, const json& data) {
-  return with_plots(page, between(swayaw_report_compare_js, swayaw_report_compare_js_end), compact(data));
+  return with_plots(page, between(swayaw_report_compare_js, swayaw_report_compare_js_end), script_hash::compare,
+                    compact(data));
 }
 
 std::string loop_page(const Page& page, const json& data) {
-  return with_plots(page, between(swayaw_report_loop_js, swayaw_report_loop_js_end), data);
+  return with_plots(page, between(swayaw_report_loop_js, swayaw_report_loop_js_end), script_hash::loop, data);
 }
 
 std::string diagnosis_page(const Page& page, const json& data) {
-  return with_plots(page, between(swayaw_report_diagnose_js, swayaw_report_diagnose_js_end), compact(data));
+  return with_plots(page, between(swayaw_report_diagnose_js, swayaw_report_diagnose_js_end), script_hash::diagnose,
+                    compact(data));
 }
 
 std::string trial_page(const Page& page, const json& data) {
-  return with_plots(page, between(swayaw_report_trial_js, swayaw_report_trial_js_end), data);
+  return with_plots(page, between(swayaw_report_trial_js, swayaw_report_trial_js_end), script_hash::trial, data);
 }
 
 }  // namespace swayaw

@@ -151,14 +151,14 @@ void check(const CheckArguments& a) {
   const auto one_clock = log ? std::optional(check_run(*log)) : std::nullopt;
   if (!a.out.empty()) {
     write_recording(repaired(runs.front(), checks.front()), a.out);
-    fmt::print(stderr, "swayaw: repaired recording written to {}\n", a.out.string());
+    say_aside("swayaw: repaired recording written to {}\n", a.out.string());
   }
   if (a.report.wanted())
     write_page(a.report.file,
                check_page(first_screen(checks, one_clock, a.report.si),
                           for_page(only(document_of(checks, one_clock), {"version", "runs", "all_runs"}))));
   if (a.json) {
-    fmt::print("{}\n", document_of(checks, one_clock).dump(2));
+    print_document(document_of(checks, one_clock));
     return;
   }
   std::ranges::for_each(checks, print);

@@ -7,6 +7,7 @@
 #include "measured_surroundings.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -25,7 +26,7 @@ void tell(const RunCheck& check) {
   std::vector<std::string> told;
   for (const auto& e : check.errors)
     if (e.told) told.push_back(words_for(e));
-  if (!told.empty()) fmt::print(stderr, "swayaw: {}: {}\n", check.run, fmt::join(told, "; "));
+  if (!told.empty()) say_aside("swayaw: {}: {}\n", check.run, fmt::join(told, "; "));
 }
 
 }  // namespace

@@ -299,7 +299,18 @@ void print_run(const Comparison& c) {
 
 // ---------------------------------------------------------------- Markdown
 
-void print_markdown_row(const std::vector<std::string>& cells) { fmt::print("| {} |\n", fmt::join(cells, " | ")); }
+/// A text that ends no cell and is no element of HTML, which Markdown may hold.
+std::string in_markdown(const std::string& text) {
+  std::string safe;
+  for (const char c : core::detail::printable(text))
+    safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '|' ? "\\|" : std::string(1, c);
+  return safe;
+}
+
+void print_markdown_row(std::vector<std::string> cells) {
+  for (auto& cell : cells) cell = in_markdown(cell);
+  fmt::print("| {} |\n", fmt::join(cells, " | "));
+}
 
 void print_markdown_head(std::vector<std::string> names, std::size_t left) {
   print_markdown_row(names);
@@ -346,7 +357,7 @@ void print_markdown(const std::vector<Comparison>& comparisons) {
   print_markdown_runs(comparisons);
   fmt::print("\n");
   print_markdown_regions(comparisons);
-  fmt::print("\n{}\n", verdict(comparisons));
+  fmt::print("\n{}\n", in_markdown(verdict(comparisons)));
 }
 
 void print_text(const Ship& ship, const CompareArguments& a, const std::vector<Comparison>& comparisons) {
@@ -376,7 +387,7 @@ void compare(const CompareArguments& a) {
   }
   const Json document = document_of(ship, a, comparisons);
   if (a.report.wanted()) write_report(document, ship, a, comparisons);
-  if (a.json) fmt::print("{}\n", document.dump(2));
+  if (a.json) print_document(document);
   else if (a.markdown) print_markdown(comparisons);
   else print_text(ship, a, comparisons);
 }

@@ -30,7 +30,7 @@ int main(int count, char** words) {
     swayaw::app::compare({.ship = words[1], .runs = {words + 3, words + count}, .report = {.file = words[2]}});
     return 0;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    swayaw::app::say_aside("{}\n", error.what());
     return 1;
   }
 }

@@ -336,7 +336,7 @@ void diagnose(const DiagnoseArguments& a) {
              holdout = sailable(ship, checked_runs(a.holdout, reading), aside);
   for (const auto& some : {runs, reference, holdout}) tell_in_vain(ship, some);
   auto diagnosis = swayaw::diagnose(ship, runs, reference, holdout, options);
-  for (const auto& trouble : diagnosis.troubles) fmt::print(stderr, "swayaw: {}\n", trouble);
+  for (const auto& trouble : diagnosis.troubles) say_aside("swayaw: {}\n", trouble);
   const auto kept = writable(diagnosis.improved, ship);
   std::vector<std::string> unsaved;
   if (!a.save_model.empty())
@@ -347,7 +347,7 @@ void diagnose(const DiagnoseArguments& a) {
   if (a.report.wanted())
     attempt(unsaved, a.report.file.string(),
             [&] { write_diagnosis_report(document, ship, diagnosis, options.detection, a); });
-  if (a.json) fmt::print("{}\n", document.dump(2));
+  if (a.json) print_document(document);
   else print_diagnosis(ship, diagnosis, document, UserUnits(a.report.si, length(ship)));
   if (!unsaved.empty()) throw Refusal(fmt::format("not everything was written: {}", fmt::join(unsaved, "; ")));
 }

@@ -354,11 +354,11 @@ void estimate(const EstimateArguments& a) {
   refuse_other_craft(a);
   (void)drag_type(a.ship_type);
   const auto result = estimate_for(a);
-  for (const auto& warning : result.guess.warnings) fmt::print(stderr, "swayaw: {}\n", warning);
+  for (const auto& warning : result.guess.warnings) say_aside("swayaw: {}\n", warning);
   write_ship(a.out, result.ship, remark_of(result));
-  if (a.json) fmt::print("{}\n", document_of(result, a).dump(2));
+  if (a.json) print_document(document_of(result, a));
   else print_text(result, a);
-  fmt::print(stderr, "swayaw: ship file written to {}\n", a.out.string());
+  say_aside("swayaw: ship file written to {}\n", a.out.string());
 }
 
 }  // namespace swayaw::app

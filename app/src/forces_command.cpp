@@ -98,7 +98,7 @@ void forces(const ForcesArguments& a) {
   const ShipState<double> state{
       0.0, 0.0, value_of_key(n, "psi"), {value_of_key(n, "u"), value_of_key(n, "v"), value_of_key(n, "r")}};
   const auto split = force_breakdown(ship, state, controls_of(ship, n));
-  if (a.json) fmt::print("{}\n", document_of(split).dump(2));
+  if (a.json) print_document(document_of(split));
   else print_text(ship, split);
 }
 

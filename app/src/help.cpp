@@ -5,11 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
 #include <vector>
 
+#include "swayaw/core/detail/printable.hpp"
 #include "terminal.hpp"
 
 namespace swayaw::app {
@@ -101,13 +103,15 @@ std::string completion_script(const CLI::App& app) {
 
 std::string with_caret(const FilePlace& place) {
   if (place.line == 0 || place.column == 0 || place.file.extension() == ".mat") return {};
+  if (std::error_code ignored; !std::filesystem::is_regular_file(place.file, ignored)) return {};
   std::ifstream file(place.file);
   std::string line;
   for (std::size_t i = 0; i < place.line; ++i)
     if (!std::getline(file, line)) return {};
   constexpr std::size_t longest = 200;
-  if (line.size() > longest || line.find_first_of("\t\x1b") != std::string::npos) return {};
+  if (line.size() > longest || line.find('\t') != std::string::npos) return {};
   if (line.ends_with('\r')) line.pop_back();
+  if (core::detail::printable(line) != line) return {};  // the mark would not stand below its place
   const auto number = std::to_string(place.line);
   return fmt::format("{} | {}\n{} | {}^\n", number, line, std::string(number.size(), ' '),
                      std::string(place.column - 1, ' '));

@@ -55,8 +55,8 @@ std::vector<Channel> channels_named(const std::vector<std::string>& names) {
 Recording with_depth_in_coefficients(const Ship& ship, Recording run) {
   const auto depth = recorded_depth(run);
   if (in_depth(ship, depth))
-    fmt::print(stderr, "swayaw: {}: the coefficients will be those of water {:.4g} m deep, as it was measured\n",
-               run.name, *depth);
+    say_aside("swayaw: {}: the coefficients will be those of water {:.4g} m deep, as it was measured\n", run.name,
+              *depth);
   return without(std::move(run), {.depth = true});
 }
 
@@ -287,7 +287,7 @@ Answer answer_to(Question& q, const IdentifyArguments& a) {
     } catch (const std::exception& trouble) {
       if (answer.forces.equations.empty()) throw;
       if (a.fit == "trajectories") answer.failed = fmt::format("not fitted to trajectories: {}", trouble.what());
-      else fmt::print(stderr, "swayaw: not fitted to trajectories: {}\n", trouble.what());
+      else say_aside("swayaw: not fitted to trajectories: {}\n", trouble.what());
     }
   }
   choose(answer, a);
@@ -651,10 +651,10 @@ void identify(const IdentifyArguments& a) {
   const Predictions predictions{predictions_of(question.ship, answer.ship, question.runs),
                                 predictions_of(question.ship, answer.ship, question.holdout)};
   const auto document = document_of(question, answer, predictions, a, kept.changed);
-  if (a.json) fmt::print("{}\n", document.dump(2));
+  if (a.json) print_document(document);
   else print_answer(question, answer, document);
   if (a.report.wanted()) write_page(a.report.file, html(identify_page(question, answer, predictions, a)));
-  if (saved) fmt::print(stderr, "swayaw: ship file written to {}\n", a.out.string());
+  if (saved) say_aside("swayaw: ship file written to {}\n", a.out.string());
   else throw Refusal(fmt::format("{}: the ship file was not written", a.out.string()));
   require_success(answer, document);
 }

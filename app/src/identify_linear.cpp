@@ -99,11 +99,11 @@ Json document_of(const LinearFit& fit, const Particulars& p, const std::vector<R
 void identify_linear(const IdentifyArguments& a) {
   const auto p = particulars_of(load_ship(a.ship));
   if (!a.holdout.empty())
-    fmt::print(stderr, "swayaw: --holdout has no use with --model linear, whose standard errors hold by themselves\n");
+    say_aside("swayaw: --holdout has no use with --model linear, whose standard errors hold by themselves\n");
   const auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check, a.ignored});
   for (const auto& run : runs)
     if (run.has(Channel::wind_speed))
-      fmt::print(stderr, "swayaw: {}: the measured wind is not used: a linear ship has no place for it\n", run.name);
+      say_aside("swayaw: {}: the measured wind is not used: a linear ship has no place for it\n", run.name);
   const auto fit = fit_linear(runs, {.L = p.particulars.L});
   if (!std::isfinite(fit.coefficients.a1.value))
     throw Refusal(
@@ -112,7 +112,7 @@ void identify_linear(const IdentifyArguments& a) {
   write_linear_ship(a.out, ship_of(fit, p),
                     fmt::format("Identified by swayaw {}: {}.\n[confidence] holds the relative standard errors.",
                                 version(), verdict_of(fit)));
-  if (a.json) fmt::print("{}\n", document_of(fit, p, runs).dump(2));
+  if (a.json) print_document(document_of(fit, p, runs));
   else {
     say("{}\n  {:<12}{:>12}{:>12}\n", p.name, "", "found", "std error");
     for (const auto& [name, e] : rows_of(fit))
@@ -122,7 +122,7 @@ void identify_linear(const IdentifyArguments& a) {
   if (a.report.wanted())
     write_page(a.report.file,
                html(linear_page({p.name, fit, rows_of(fit), p.before, p.particulars.L, verdict_of(fit)}, runs, a)));
-  fmt::print(stderr, "swayaw: ship file written to {}\n", a.out.string());
+  say_aside("swayaw: ship file written to {}\n", a.out.string());
 }
 
 }  // namespace swayaw::app

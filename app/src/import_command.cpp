@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 enum class FileKind { table, nmea, matlab };
 
 std::string beginning_of(const fs::path& file) {
+  require_regular_file(file);  // it is read twice
   std::string bytes(4096, '\0');
   std::ifstream in(file, std::ios::binary);
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -157,7 +158,7 @@ void print_text(const ImportArguments& a, const Import& import) {
     else say("{} -> {}: {}{}\n", c.source, c.taken_for, c.why, samples);
   }
   for (const auto& note : import.notes) say("{}\n", note);
-  fmt::print(stderr, "swayaw: recording written to {}\n", a.out.string());
+  say_aside("swayaw: recording written to {}\n", a.out.string());
 }
 
 }  // namespace
@@ -168,7 +169,7 @@ void import_run(const ImportArguments& a) {
   write_import(a.out, import);
   const auto pieces = write_pieces(a, import);
   if (a.json) {
-    fmt::print("{}\n", document_of(a, import, pieces).dump(2));
+    print_document(document_of(a, import, pieces));
     return;
   }
   print_text(a, import);

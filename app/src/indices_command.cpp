@@ -145,7 +145,8 @@ void print_indices(const Findings& f, const PrimeScale& scale) {
 /// Six columns; a name that is longer than its column has a line of its own.
 void print_row(std::string_view name, const std::vector<std::string>& cells) {
   constexpr std::size_t width = 18;
-  say("  {:<{}}{}", name, width, name.size() > width ? fmt::format("\n{:{}}", "", 2 + width) : "");
+  say("  {:<{}}", name, width);
+  if (name.size() > width) say("\n{:{}}", "", 2 + width);
   for (const auto& cell : cells) say("{:>10}", cell);
   say("\n");
 }
@@ -256,7 +257,7 @@ Plot bode_plot(const LinearShip& ship, const SwayYawTransfer<double>& h, double 
 SteeringSides sides_of(AnyShip any, const std::optional<double>& speed) {
   if (auto* linear = std::get_if<LinearShip>(&any)) return {std::move(*linear), {}, {}};
   const auto& ship = std::get<Ship>(any);
-  fmt::print(stderr, "swayaw: {}: linearized about the straight course\n", ship.name);
+  say_aside("swayaw: {}: linearized about the straight course\n", ship.name);
   const auto point = straight_course(ship, speed.value_or(service_speed(ship)));
   const auto on = [&](std::optional<Side> side) { return linear_ship(ship, linearize(ship, point, side)); };
   if (!has_kink(ship, point)) return {on(std::nullopt), {}, {}};
@@ -291,7 +292,7 @@ void indices(const IndicesArguments& a) {
   if (!a.svg.empty()) write_text(a.svg, svg_of(bode_plot(sides.mean, transfer_functions(sides.mean), speed)));
   if (a.report.wanted()) write_page(a.report.file, html(indices_page(sides, a.ship.string(), speed, a.report.si)));
   if (!a.out.empty()) write_linear_model(a.out, sides, speed);
-  if (a.json) fmt::print("{}\n", document_of(sides, speed).dump(2));
+  if (a.json) print_document(document_of(sides, speed));
   else print_sides(sides, speed);
 }
 

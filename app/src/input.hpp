@@ -23,6 +23,7 @@
 #include "swayaw/nonlinear/published_ships.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 
@@ -34,7 +35,7 @@ inline Side side_named(std::string_view name) { return name == "port" ? Side::po
 inline Recording load_run(const std::filesystem::path& file, std::string_view rudder_positive = {}) {
   auto loaded =
       read_recording(file, rudder_positive.empty() ? std::nullopt : std::optional(side_named(rudder_positive)));
-  for (const auto& warning : loaded.warnings) fmt::print(stderr, "swayaw: {}\n", warning);
+  for (const auto& warning : loaded.warnings) say_aside("swayaw: {}\n", warning);
   return std::move(loaded.recording);
 }
 
@@ -54,7 +55,7 @@ inline std::string ship_text(const std::filesystem::path& file) {
   if (std::filesystem::exists(file) || file.has_parent_path() || file.has_extension()) return read_ship_text(file);
   const auto text = published_text(file.string());
   if (!text) refuse_ship_name(file.string());
-  fmt::print(stderr, "swayaw: {}: no such file here; the published ship of that name is used\n", file.string());
+  say_aside("swayaw: {}: no such file here; the published ship of that name is used\n", file.string());
   return std::string(*text);
 }
 
@@ -71,7 +72,7 @@ inline LinearShip load_linear_ship(const std::filesystem::path& file,
   auto any = load_ship(file);
   if (auto* linear = std::get_if<LinearShip>(&any)) return std::move(*linear);
   const auto& ship = std::get<Ship>(any);
-  fmt::print(stderr, "swayaw: {}: linearized about the straight course\n", ship.name);
+  say_aside("swayaw: {}: linearized about the straight course\n", ship.name);
   return linear_ship(ship, linearize(ship, straight_course(ship, speed.value_or(service_speed(ship)))));
 }
 
@@ -110,7 +111,7 @@ inline Shaft shaft_named(std::string_view name) {
 /// Says once on stderr where the shaft speed comes from when the run does not tell it.
 inline void tell_shaft(const Recording& run, Shaft shaft) {
   if (shaft == Shaft::recorded && !run.has(Channel::rev))
-    fmt::print(stderr, "swayaw: {}: no shaft speed recorded; the model's self-propulsion point is used\n", run.name);
+    say_aside("swayaw: {}: no shaft speed recorded; the model's self-propulsion point is used\n", run.name);
 }
 
 }  // namespace swayaw::app

@@ -234,8 +234,8 @@ void invert(const InvertArguments& a) {
   const auto formal = formal_parts(ship, a);
   const Question question{std::move(ship), formal, known_named(a.known)};
   const auto answer = answer_of(question);
-  for (const auto& warning : warnings_of(answer)) fmt::print(stderr, "swayaw: {}\n", warning);
-  if (a.json) fmt::print("{}\n", document_of(question, answer).dump(2));
+  for (const auto& warning : warnings_of(answer)) say_aside("swayaw: {}\n", warning);
+  if (a.json) print_document(document_of(question, answer));
   else print_text(question, answer);
 }
 

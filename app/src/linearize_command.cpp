@@ -132,12 +132,11 @@ void linearize(const LinearizeArguments& a) {
     Json json{{"schema", "swayaw.linearization/1"}};
     json.update(document_of(ship, linear));
     if (kink) add_sides(json, ship, point);
-    fmt::print("{}\n", json.dump(2));
+    print_document(json);
     return;
   }
   if (is_transient(a))
-    fmt::print(stderr, "swayaw: {}: about a speed that this propulsion does not keep; the numbers hold near it\n",
-               ship.name);
+    say_aside("swayaw: {}: about a speed that this propulsion does not keep; the numbers hold near it\n", ship.name);
   print_text(ship, linear, kink ? ", mean of turns to both sides" : "");
   if (!kink) return;
   for (const Side each : {Side::port, Side::starboard}) {

@@ -447,12 +447,12 @@ void loop(const LoopArguments& a) {
   const auto ship = load_linear_ship(a.ship, a.speed);
   const auto finding = finding_of(ship, a);
   const auto svg = a.svg.empty() ? std::string() : svg_of(loop_plot(ship, finding));  // before anything is written
-  for (const auto& warning : finding.warnings) fmt::print(stderr, "swayaw: {}\n", warning);
+  for (const auto& warning : finding.warnings) say_aside("swayaw: {}\n", warning);
   if (!a.out.empty())
     write_recording(zigzag_recording(ship, finding.cycle.zigzag, finding.order, finding.speed, {}), a.out);
   if (a.report.wanted()) write_report(ship, finding, a);
   if (!a.svg.empty()) write_text(a.svg, svg);
-  if (a.json) fmt::print("{}\n", document_of(ship, finding).dump(2));
+  if (a.json) print_document(document_of(ship, finding));
   else print_text(ship, finding);
 }
 

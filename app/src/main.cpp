@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <cstdint>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -12,9 +15,11 @@
 #include "commands.hpp"
 #include "help.hpp"
 #include "swayaw/core/detail/spelling.hpp"
+#include "swayaw/core/file_limits.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/steered_thrust.hpp"
 #include "swayaw/core/version.hpp"
+#include "terminal.hpp"
 
 /// The program. Exit code 0: done; 1: the data or the question is bad; 2: wrong usage.
 namespace swayaw::app {
@@ -34,6 +39,27 @@ const CLI::Validator zigzag_form(
       return two_numbers ? std::string{} : "\"" + text + "\" is not of the form D/H, two angles in degrees like 20/10";
     },
     "D/H");
+
+/// Bytes of a size like 4GB; 0 where the text is none.
+std::uint64_t bytes_in(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, double>, 6> units{
+      {{"", 1.0}, {"B", 1.0}, {"kB", 1e3}, {"MB", 1e6}, {"GB", 1e9}, {"TB", 1e12}}};
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const auto unit = std::ranges::find(units, text.substr(static_cast<std::size_t>(end - text.data())),
+                                      &std::pair<std::string_view, double>::first);
+  const double bytes = error == std::errc{} && unit != units.end() ? number * unit->second : 0.0;
+  return bytes >= 1.0 && bytes < 1e18 ? static_cast<std::uint64_t>(bytes) : 0;
+}
+
+const CLI::Validator file_size(
+    [](std::string& text) {
+      const auto bytes = bytes_in(text);
+      if (bytes == 0) return "\"" + text + "\" is not a size like 4GB, in B, kB, MB, GB or TB";
+      text = std::to_string(bytes);
+      return std::string{};
+    },
+    "");
 
 const CLI::Validator side_name = CLI::IsMember({"port", "starboard"});
 
@@ -457,13 +483,24 @@ void add_import(CLI::App& app, ImportArguments& a) {
   command.callback([&a] { import_run(a); });
 }
 
+/// How large files may be, of every command but the one that reads none.
+void add_file_limit(CLI::App& app) {
+  const auto words =
+      fmt::format("largest file that is read, like 4GB (default: {}GB of samples, {}MB of a ship or a plan)",
+                  usual_samples_size / 1'000'000'000, usual_description_size / 1'000'000);
+  for (auto* command : app.get_subcommands([](const CLI::App* one) { return one->get_name() != "estimate"; }))
+    command->add_option_function<std::uint64_t>("--max-file-size", set_largest_file, words)
+        ->transform(file_size)
+        ->type_name("SIZE");
+}
+
 /// Says what was probably meant by a command that does not exist. @return whether there was one
 bool refuse_unknown_command(int count, char** words) {
   if (count < 2 || words[1][0] == '-') return false;
   const std::string_view typed = words[1];
   if (std::ranges::count(commands, typed) > 0) return false;
   const auto hint = core::detail::did_you_mean(typed, commands);
-  fmt::print(stderr, "swayaw: there is no command \"{}\"{}\n", typed, hint.empty() ? "; try swayaw --help" : hint);
+  say_aside("swayaw: there is no command \"{}\"{}\n", typed, hint.empty() ? "; try swayaw --help" : hint);
   return true;
 }
 
@@ -510,6 +547,7 @@ int run(int count, char** words) {
   add_diagnose(app, diagnose_arguments);
   add_sweep(app, sweep_arguments);
   add_import(app, import_arguments);
+  add_file_limit(app);
   add_examples(app);
   app.add_subcommand("completion",
                      "a script that completes commands and options: eval \"$(swayaw completion)\" in bash")
@@ -520,8 +558,8 @@ int run(int count, char** words) {
   } catch (const CLI::Success& request) {
     return app.exit(request);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "swayaw: {}; try swayaw {}--help\n", error.what(),
-               count > 1 && words[1][0] != '-' ? std::string(words[1]) + " " : "");
+    say_aside("swayaw: {}; try swayaw {}--help\n", error.what(),
+              count > 1 && words[1][0] != '-' ? std::string(words[1]) + " " : "");
     return wrong_usage;
   }
 }
@@ -533,11 +571,11 @@ int main(int count, char** words) {
   try {
     return swayaw::app::run(count, words);
   } catch (const swayaw::FileError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "{}", swayaw::app::with_caret(error.place()));
+    swayaw::app::say_aside("{}\n", error.what());
+    if (::isatty(STDERR_FILENO) == 1) swayaw::app::print_aside(swayaw::app::with_caret(error.place()));
     return swayaw::app::bad_data;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "swayaw: {}\n", error.what());
+    swayaw::app::say_aside("swayaw: {}\n", error.what());
     return swayaw::app::bad_data;
   }
 }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "swayaw/nonlinear/surroundings/recorded_surroundings.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 
@@ -20,7 +21,7 @@ Recording without(Recording run, const Ignored& ignored) {
 
 void tell_in_vain(const Ship& ship, std::span<const Recording> runs) {
   for (const auto& run : runs)
-    for (const auto& words : measured_in_vain(ship, run)) fmt::print(stderr, "swayaw: {}: {}\n", run.name, words);
+    for (const auto& words : measured_in_vain(ship, run)) say_aside("swayaw: {}: {}\n", run.name, words);
 }
 
 }  // namespace swayaw::app

@@ -12,6 +12,7 @@
 #include "swayaw/core/channel_table.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/core/version.hpp"
+#include "terminal.hpp"
 #include "user_units.hpp"
 
 namespace swayaw::app {
@@ -152,7 +153,7 @@ PagePicture picture_of(Plot plot, std::string words, std::string caption, const 
   try {
     picture.svg = svg_of(plot);
   } catch (const Refusal& without) {
-    if (!std::exchange(said, true)) fmt::print(stderr, "swayaw: the page has no pictures: {}\n", without.what());
+    if (!std::exchange(said, true)) say_aside("swayaw: the page has no pictures: {}\n", without.what());
   }
   return picture;
 }
@@ -208,7 +209,7 @@ Curve over_time(const Recording& run, Channel channel, std::string name, Stroke 
 
 void write_page(const std::filesystem::path& file, const std::string& html) {
   write_text(file, html);
-  fmt::print(stderr, "swayaw: report written to {}\n", file.string());
+  say_aside("swayaw: report written to {}\n", file.string());
 }
 
 std::string made_by() { return fmt::format("Made by swayaw {}.", version()); }

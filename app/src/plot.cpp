@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "child_process.hpp"
+#include "swayaw/core/detail/printable.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::app {
@@ -23,7 +24,7 @@ bool is_plain(unsigned char code) {
 /// quotes in a row for the end.) Digits are parameters too, since gnuplot reads more than three of them as one.
 std::string literal(std::string_view text) {
   std::string result = "\"";
-  for (const char c : text) {
+  for (const char c : core::detail::printable(text, core::detail::Lines::many)) {
     const auto code = static_cast<unsigned char>(c);
     if (is_plain(code)) result += c;
     else result += code < 0x20 || code == 0x7f ? " " : fmt::format("\\{:03o}", code);

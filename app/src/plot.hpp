@@ -58,7 +58,7 @@ struct Plot {
 /// The plot as an SVG document.
 ///
 /// gnuplot is started without a shell and without the user's settings. Texts may hold anything: they are drawn as they
-/// are, and control characters as blanks. Parameters reach gnuplot with all their digits.
+/// are, line ends as blanks, and what would act written out. Parameters reach gnuplot with all their digits.
 ///
 /// @throws Refusal  if gnuplot is not installed, which says what to install, or if it fails
 std::string svg_of(const Plot& plot);

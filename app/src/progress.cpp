@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "swayaw/core/detail/printable.hpp"
+
 namespace swayaw::app {
 namespace {
 
@@ -40,7 +42,8 @@ Progress::~Progress() {
 void Progress::tell(std::string_view how_far) {
   const auto now = Clock::now();
   if (now < next_) return;
-  fmt::print(stderr, "{}swayaw: {}: {}{}", terminal_ ? wipe : "", work_, how_far, terminal_ ? "" : "\n");
+  fmt::print(stderr, "{}swayaw: {}: {}{}", terminal_ ? wipe : "", work_, core::detail::printable(how_far),
+             terminal_ ? "" : "\n");
   std::fflush(stderr);
   written_ = true;
   next_ = now + (terminal_ ? 100ms : 5000ms);

@@ -23,7 +23,7 @@ void replay(const ReplayArguments& a) {
   if (a.json) {
     const Json document{{"schema", "swayaw.replay/1"}, {"run", run.name}, {"out", a.out.string()},
                         {"samples", run.samples()},    {"from_s", begin}, {"to_s", end}};
-    fmt::print("{}\n", document.dump(2));
+    print_document(document);
     return;
   }
   say("{}: {} samples from {:.6g} to {:.6g} s written to {}\n", run.name, run.samples(), begin, end, a.out.string());

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "swayaw/core/refusal.hpp"
+#include "terminal.hpp"
 #include "way_ahead.hpp"
 
 namespace swayaw::app {
@@ -22,16 +23,16 @@ bool tells_speed(const Recording& run) {
 /// The service speed as the first reading of the log: how a manoeuvre begins, and nothing of how it goes on.
 void begin_at_service_speed(const Ship& ship, Recording& run) {
   run.fill(Channel::speed_through_water)[0] = service_speed(ship);
-  fmt::print(stderr,
-             "swayaw: {}: no channel tells her speed; the service speed of {:.4g} m/s is taken at the start. A column "
-             "stw_kn, sog_kn or a position tells it\n",
-             run.name, service_speed(ship));
+  say_aside(
+      "swayaw: {}: no channel tells her speed; the service speed of {:.4g} m/s is taken at the start. A column "
+      "stw_kn, sog_kn or a position tells it\n",
+      run.name, service_speed(ship));
 }
 
 }  // namespace
 
 void set_aside(std::vector<SetAside>& aside, const std::string& run, const std::string& why) {
-  fmt::print(stderr, "swayaw: {}: set aside: {}\n", run, why);
+  say_aside("swayaw: {}: set aside: {}\n", run, why);
   aside.push_back({run, why});
 }
 
@@ -59,7 +60,7 @@ void require_some(const std::vector<Recording>& runs, const std::vector<SetAside
 
 void tell_trouble(std::vector<std::string>& troubles, const std::string& what, const std::string& why) {
   troubles.push_back(fmt::format("{} could not be told: {}", what, why));
-  fmt::print(stderr, "swayaw: {}\n", troubles.back());
+  say_aside("swayaw: {}\n", troubles.back());
 }
 
 }  // namespace swayaw::app

@@ -101,7 +101,7 @@ void describe_ship(const ShipArguments& a) {
   const auto model = model_of(ship_text(a.ship), a.ship);
   const auto tell = [&](const auto& ship) {
     if (!a.out.empty()) write(a.out, ship);
-    if (a.json) fmt::print("{}\n", document_of(ship.name, model, rows_of(ship)).dump(2));
+    if (a.json) print_document(document_of(ship.name, model, rows_of(ship)));
     else print_text(ship.name, model, rows_of(ship));
   };
   std::visit(tell, load_ship(a.ship));

@@ -39,7 +39,7 @@ void run_zigzag(const Ship& ship, const SimulateArguments& a) {
   write_run(result.run, ship, a);
   write_page_of(ship, result.approach_speed, result.propulsion, a,
                 [&](const Sailed& s) { return zigzag_page(result, order, s); });
-  if (a.json) fmt::print("{}\n", zigzag_json(ship, result, order).dump(2));
+  if (a.json) print_document(zigzag_json(ship, result, order));
   else print_zigzag(ship, result);
   if (!a.json) print_criteria(criteria_of(result, order, length(ship)));
 }
@@ -71,7 +71,7 @@ void run_circle(const Ship& ship, const SimulateArguments& a) {
   write_run(result.run, ship, a);
   write_page_of(ship, result.approach_speed, result.propulsion, a,
                 [&](const Sailed& s) { return circle_page(ship, result, order, s); });
-  if (a.json) fmt::print("{}\n", circle_json(ship, result, order).dump(2));
+  if (a.json) print_document(circle_json(ship, result, order));
   else print_circle(ship, result);
   if (!a.json) print_criteria(criteria_of(result, order, length(ship), turning_rudder(ship)));
 }

@@ -19,10 +19,10 @@ namespace {
 
 void warn_of_drift(const LinearShip& ship, double drift) {
   if (std::abs(drift) <= largest_linear_drift) return;
-  fmt::print(stderr,
-             "swayaw: {}: she reaches a drift angle of {:.1f} deg; beyond {:.0f} deg linear equations mean nothing, as "
-             "the cubic forces that they leave out are as large as the rest. A nonlinear ship tells this manoeuvre\n",
-             ship.name, std::abs(degrees(drift)), degrees(largest_linear_drift));
+  say_aside(
+      "swayaw: {}: she reaches a drift angle of {:.1f} deg; beyond {:.0f} deg linear equations mean nothing, as "
+      "the cubic forces that they leave out are as large as the rest. A nonlinear ship tells this manoeuvre\n",
+      ship.name, std::abs(degrees(drift)), degrees(largest_linear_drift));
 }
 
 /// Largest drift angle of a zigzag; 0 for a ship whose drift is not known.
@@ -135,7 +135,7 @@ void simulate_zigzag(const LinearShip& ship, const SimulateArguments& a) {
     warn_of_drift(ship, largest_drift(zigzag_recording(ship, run.zigzag, run.order, run.scale.U, std::nullopt)));
   if (wants_files(a)) write_files(zigzag_recording(ship, run.zigzag, run.order, run.scale.U, a.step), a);
   if (a.report.wanted()) write_zigzag_page(ship, run, a);
-  if (a.json) fmt::print("{}\n", zigzag_json(run).dump(2));
+  if (a.json) print_document(zigzag_json(run));
   else print_zigzag(ship, run);
 }
 
@@ -199,7 +199,7 @@ void simulate_turn(const LinearShip& ship, const SimulateArguments& a) {
   warn_of_drift(ship, turn.drift);
   if (a.report.wanted()) write_page(a.report.file, html(turn_page(turn, a, sailed(ship, speed, a))));
   if (a.json) {
-    fmt::print("{}\n", turn_json(turn, a, speed).dump(2));
+    print_document(turn_json(turn, a, speed));
     return;
   }
   say("{}: turn {:.6g} to {}, {:.4g} m/s held, steady values of the linear equations\n", ship.name, *a.turn, a.first,

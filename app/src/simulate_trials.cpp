@@ -121,7 +121,7 @@ void run_spiral(const Ship& ship, const SimulateArguments& a) {
   write_run(result.run, ship, a);
   write_page_of(ship, result.approach_speed, result.propulsion, a,
                 [&](const Sailed& s) { return spiral_page(result, order, s); });
-  if (a.json) fmt::print("{}\n", spiral_json(ship, result, order).dump(2));
+  if (a.json) print_document(spiral_json(ship, result, order));
   else print_spiral(ship, result, order.step);
 }
 
@@ -147,7 +147,7 @@ void run_reverse_spiral(const Ship& ship, const SimulateArguments& a) {
   write_page_of(ship, result.approach_speed, result.propulsion, a,
                 [&](const Sailed& s) { return reverse_spiral_page(result, order, s); });
   if (a.json) {
-    fmt::print("{}\n", reverse_json(ship, result, order.largest).dump(2));
+    print_document(reverse_json(ship, result, order.largest));
     return;
   }
   print_head(ship, "reverse spiral", result.approach_speed, result.propulsion);
@@ -195,7 +195,7 @@ void run_pull_out(const Ship& ship, const SimulateArguments& a) {
               {"port", side_json(port)},
               {"starboard", side_json(starboard)}};
     add_propulsion(json, ship, result.propulsion);
-    fmt::print("{}\n", json.dump(2));
+    print_document(json);
   } else {
     print_head(ship, fmt::format("pullout {:.6g}", *a.pullout), result.approach_speed, result.propulsion);
     say("  {:<10}{:>14}{:>16}{:>12}{:>12}{:>12}\n", "from", "turning deg/s", "residual deg/s", "fall s", "decay s",
@@ -237,7 +237,7 @@ void run_williamson(const Ship& ship, const SimulateArguments& a) {
   write_page_of(ship, result.approach_speed, result.propulsion, a,
                 [&](const Sailed& s) { return williamson_page(result, order, s); });
   if (a.json) {
-    fmt::print("{}\n", williamson_json(ship, result, order).dump(2));
+    print_document(williamson_json(ship, result, order));
     return;
   }
   print_head(ship, result.run.facts.manoeuvre, result.approach_speed, result.propulsion);
@@ -279,7 +279,7 @@ void run_straight(const Ship& ship, const SimulateArguments& a) {
         fmt::format("no drift and helm keep the ship on course {:.6g} deg in this wind and current", *a.straight));
   write_page_of(ship, approach, driven, a, [&](const Sailed& s) { return straight_page(ship, *run, order, s); });
   if (a.json) {
-    fmt::print("{}\n", straight_json(ship, *run, driven).dump(2));
+    print_document(straight_json(ship, *run, driven));
     return;
   }
   print_head(ship, fmt::format("straight run, course {:.6g} deg", *a.straight), approach, driven);
@@ -308,7 +308,7 @@ void run_imo(const Ship& ship, const SimulateArguments& a) {
               {"criteria", criteria_json(result.criteria)},
               {"not_simulated", Json::array({"stopping"})}};
     add_propulsion(json, ship, result.propulsion);
-    fmt::print("{}\n", json.dump(2));
+    print_document(json);
     return;
   }
   print_head(ship, fmt::format("steering criteria, L/V {:.3g} s", result.L / result.speed), result.speed,

@@ -201,11 +201,11 @@ void sweep_and_tell(const SweepArguments& a, const SweepWork& work, SweepStore& 
     swept.first_effects = store.counts("$.effects[0].effect");
   }
   if (swept.count.before > 0)
-    fmt::print(stderr, "swayaw: {}: {} items were there already\n", store.file().string(), swept.count.before);
+    say_aside("swayaw: {}: {} items were there already\n", store.file().string(), swept.count.before);
   if (!a.csv.empty()) write_table(work, store, a.csv);
   if (a.report.wanted())
     write_page(a.report.file, html(sweep_page(work, swept, store.file(), UserUnits(a.report.si, 0.0))));
-  if (a.json) fmt::print("{}\n", document_of(work, store, swept).dump(2));
+  if (a.json) print_document(document_of(work, store, swept));
   else print_summary(work, store, swept);
 }
 

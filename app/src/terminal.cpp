@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 
 namespace swayaw::app {
 namespace {
@@ -65,8 +66,10 @@ std::string fitted(std::string_view line, int columns) {
   return wide == 0 || width_of(line) <= wide ? std::string(line) : folded(line, columns, indent_of(line, wide));
 }
 
-void print_fitted(std::string_view text) {
+void print_fitted(std::string_view told) {
   static std::string line;  // until it ends
+  const auto inert = core::detail::printable(told, core::detail::Lines::many);
+  std::string_view text = inert;
   for (auto end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
     line += text.substr(0, end);
     fmt::print("{}\n", fitted(line, terminal_columns()));
@@ -74,6 +77,10 @@ void print_fitted(std::string_view text) {
     text.remove_prefix(end + 1);
   }
   line += text;
+}
+
+void print_aside(std::string_view text) {
+  fmt::print(stderr, "{}", core::detail::printable(text, core::detail::Lines::many));
 }
 
 }  // namespace swayaw::app

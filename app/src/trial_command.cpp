@@ -120,8 +120,9 @@ void print_moves(const TrialResult& t) {
   for (const auto& m : t.rudder) {
     say(" {:.1f} at {:.1f} s", degrees(m.to) + 0.0, m.start.value);
     if (m.rate) say(" ({:.2f} deg/s)", degrees(*m.rate));
-    say("{}", &m == &t.rudder.back() ? "\n" : ",");
+    if (&m != &t.rudder.back()) say(",");
   }
+  say("\n");
 }
 
 void print_reversals(const TrialResult& t) {
@@ -197,7 +198,7 @@ void trial(const TrialArguments& a) {
   if (sailing != nullptr) options.max_rudder = turning_rudder(*sailing);
   if (ship && !options.L) options.L = sailing != nullptr ? length(*sailing) : std::get<LinearShip>(*ship).particulars.L;
   if (ship && sailing == nullptr)
-    fmt::print(stderr, "swayaw: {}: a linear ship tells her length; she is not simulated\n", a.ship.string());
+    say_aside("swayaw: {}: a linear ship tells her length; she is not simulated\n", a.ship.string());
   std::vector<JudgedRun> runs;
   std::vector<TrialResult> trials;
   for (const auto& file : a.runs) {
@@ -226,7 +227,7 @@ void trial(const TrialArguments& a) {
                   .L_source = a.length ? "as given" : "of the ship file",
                   .si = a.report.si},
                  a.report.file);
-  if (a.json) return fmt::print("{}\n", document.dump(2));
+  if (a.json) return print_document(document);
   for (const auto& run : runs) print_run(run, options.L), say("\n");
   say("{}\n", in_words(summary));
   say("{}\n", errors_in_words);

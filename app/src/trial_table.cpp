@@ -8,6 +8,7 @@
 #include "simulate_output.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -384,7 +385,7 @@ SimulatedTrial simulated_trial(const Ship& ship, const TrialResult& t) {
       result.json = circle_json(ship, *result.turn, order);
     }
   } catch (const std::exception& error) {
-    fmt::print(stderr, "swayaw: {}: not simulated: {}\n", t.run, error.what());
+    say_aside("swayaw: {}: not simulated: {}\n", t.run, error.what());
   }
   return result;
 }

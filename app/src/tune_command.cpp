@@ -265,12 +265,12 @@ void tune(const TuneArguments& a) {
   auto tuning = tuned(ship, measured, options);
   write_ship(a.out, tuning.ship, remark(tuning, a));
   if (tuning.status == TuningStatus::interrupted)
-    fmt::print(stderr, "swayaw: interrupted; the best ship so far is written to {}\n", a.out.string());
+    say_aside("swayaw: interrupted; the best ship so far is written to {}\n", a.out.string());
   auto sensitivity = index_sensitivity(ship, measured, parameters);
   auto relative = singular_values(sensitivity, measured);
   const Findings f{std::move(measured), std::move(parameters), std::move(sensitivity), std::move(relative),
                    std::move(tuning)};
-  if (a.json) fmt::print("{}\n", tune_json(f, a).dump(2));
+  if (a.json) print_document(tune_json(f, a));
   else print_text(f, a);
   if (a.report.wanted()) write_page(a.report.file, html(tune_page(ship, f.measured, f.tuning, a)));
 }

@@ -9,6 +9,7 @@
 #include "page_writing.hpp"
 #include "sentences.hpp"
 #include "swayaw/core/angle.hpp"
+#include "terminal.hpp"
 #include "user_units.hpp"
 
 namespace swayaw::app {
@@ -295,7 +296,7 @@ std::vector<PagePicture> pictures_of(const Ship& before, const MeasuredIndices& 
     try {
       pictures.push_back(picture_of_trial(before, m, trial, after, units));
     } catch (const std::exception& without) {
-      fmt::print(stderr, "swayaw: {}: no picture: {}\n", name_of(trial.manoeuvre), without.what());
+      say_aside("swayaw: {}: no picture: {}\n", name_of(trial.manoeuvre), without.what());
     }
   }
   return pictures;

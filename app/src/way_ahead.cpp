@@ -9,6 +9,7 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/models/validity.hpp"
 #include "swayaw/nonlinear/replay.hpp"
+#include "terminal.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -89,8 +90,8 @@ void tell_part(const Ship& ship, const Recording& run, const Recording& part) {
                                      : fmt::format("up to {:.6g} s", part.time.back());
   const auto* where = before && after ? "before and after" : before ? "before" : "after";
   const bool astern = RecordedControls(ship, run).shaft_astern(run.time.front(), run.time.back()).has_value();
-  fmt::print(stderr, "swayaw: {}: used {}: {}, she has no way ahead{}\n", run.name, times, where,
-             astern ? " or her shaft turns astern" : "");
+  say_aside("swayaw: {}: used {}: {}, she has no way ahead{}\n", run.name, times, where,
+            astern ? " or her shaft turns astern" : "");
 }
 
 }  // namespace

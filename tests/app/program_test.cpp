@@ -186,5 +186,21 @@ TEST_CASE("a turn in which the ship loses her way says so and keeps the indices 
                            ContainsSubstring("no steady turn: the ship no longer moves ahead at 99.3 s"));
 }
 
+TEST_CASE("a file that is too large is refused in one line, and read where its size is allowed", "[app][refusal]") {
+  const auto size = std::to_string(std::filesystem::file_size(example_zigzag));
+  for (const std::string& command :
+       {"check " + example_zigzag, "compare " + ship + " " + example_zigzag, "trial " + example_zigzag})
+    CHECK_THAT(test::refusal(command + " --max-file-size 10kB"),
+               ContainsSubstring(example_zigzag + ": has " + size +
+                                 " bytes, and files of up to 10000 bytes are read here; "
+                                 "--max-file-size 1MB reads it"));
+  CHECK_THAT(test::refusal("ship " + ship + " --max-file-size 100B"), ContainsSubstring("up to 100 bytes"));
+  const Scratch scratch;
+  CHECK(run(scratch, "check " + example_zigzag + " --max-file-size 1MB").code == 0);
+  for (const std::string size_of_none : {"x", "0", "-1GB", "4XB", "1e30", "nan"})
+    CHECK_THAT(test::refusal("check " + example_zigzag + " --max-file-size=" + size_of_none, 2),
+               ContainsSubstring("\"" + size_of_none + "\" is not a size like 4GB, in B, kB, MB, GB or TB"));
+}
+
 }  // namespace
 }  // namespace swayaw

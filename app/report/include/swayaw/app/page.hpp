@@ -67,7 +67,7 @@ std::string html(const Page& page);
 std::string first_screen_html(const Page& page);
 std::string sections_html(const Page& page);
 
-/// A text in which nothing is markup.
+/// A text in which nothing is markup, within quotes or without, and nothing moves what stands beside it.
 std::string escaped(const std::string& text);
 
 }  // namespace swayaw
