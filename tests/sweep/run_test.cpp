@@ -1,3 +1,5 @@
+#include <sqlite3.h>
+
 #include <catch.hpp>
 #include <cmath>
 #include <cstring>
@@ -140,6 +142,36 @@ TEST_CASE("a ship that cannot sail has a note and no result", "[sweep]") {
   CHECK(std::isnan(advance[1]));
   REQUIRE(store.note_count() == 1);
   CHECK(store.notes(5).front().first == 1);
+}
+
+void change(const std::filesystem::path& file, const char* statement) {
+  sqlite3* database = nullptr;
+  REQUIRE(sqlite3_open(file.c_str(), &database) == SQLITE_OK);
+  CHECK(sqlite3_exec(database, statement, nullptr, nullptr, nullptr) == SQLITE_OK);
+  sqlite3_close(database);
+}
+
+TEST_CASE("results that somebody changed are refused, whatever they claim", "[sweep][refusal]") {
+  const SweepWork work(
+      parsed("task = \"indices\"\nships = [\"kvlcc2.toml\"]\ndraws = 20\n[vary]\nN_v = { relative_sd = 0.1 }\n"));
+  for (const char* statement :
+       {"UPDATE block SET numbers = x'00'", "UPDATE block SET count = 1000000", "UPDATE block SET count = -1",
+        "UPDATE block SET first = 19", "UPDATE block SET place = 99", "UPDATE block SET place = -1",
+        "INSERT INTO note VALUES (1000000, 'why')", "INSERT INTO note VALUES (-1, 'why')"}) {
+    const test::Scratch scratch;
+    {
+      SweepStore store(scratch / "out", work);
+      run_sweep(work, store, 1, [](const SweepCount&) { return true; });
+    }
+    change(scratch / "out" / "sweep.sqlite", statement);
+    const auto read = [&] {
+      const SweepStore store(scratch / "out", work);
+      store.notes(10);
+      store.column(0, 0);
+    };
+    INFO(statement);
+    CHECK_THROWS_WITH(read(), ContainsSubstring("sweep.sqlite: holds a block that is none of this plan"));
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <limits>
@@ -9,6 +10,7 @@
 #include <span>
 
 #include "child_process.hpp"
+#include "swayaw/core/file_limits.hpp"
 
 namespace swayaw::app {
 namespace {
@@ -48,7 +50,18 @@ std::span<const Place> places_of(SweepTask task) {
   return diagnosis_places;
 }
 
-std::vector<std::string> words_of(const SweepPlan& plan, const SweepCase& c) {
+/// The same files by names that no command takes for an option: a plan or a folder of others may hold "--report=page".
+SweepCase as_files(SweepCase c) {
+  const auto beside_option = [](std::string& file) {
+    if (file.starts_with('-')) file.insert(0, "./");
+  };
+  beside_option(c.ship);
+  for (auto* runs : {&c.runs, &c.reference, &c.holdout}) std::ranges::for_each(*runs, beside_option);
+  return c;
+}
+
+std::vector<std::string> words_of(const SweepPlan& plan, const SweepCase& named) {
+  const auto c = as_files(named);
   std::vector<std::string> words{std::filesystem::read_symlink("/proc/self/exe").string()};
   const auto add = [&](const char* option, const std::vector<std::string>& values) {
     if (!values.empty() && *option) words.emplace_back(option);
@@ -64,6 +77,8 @@ std::vector<std::string> words_of(const SweepPlan& plan, const SweepCase& c) {
     add("--reference", c.reference);
     add("--holdout", c.holdout);
   }
+  if (const auto most = largest_file(FileUse::samples); most != usual_samples_size)
+    words.insert(words.begin() + 2, {"--max-file-size", std::to_string(most)});
   return words;
 }
 

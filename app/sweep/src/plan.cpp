@@ -289,6 +289,8 @@ SweepPlan parse_sweep_plan(const std::string& text, const std::filesystem::path&
   return PlanText(root, name).read(text);
 }
 
-SweepPlan read_sweep_plan(const std::filesystem::path& file) { return parse_sweep_plan(read_text(file), file); }
+SweepPlan read_sweep_plan(const std::filesystem::path& file) {
+  return parse_sweep_plan(read_text(file, FileUse::description), file);
+}
 
 }  // namespace swayaw::app

@@ -90,6 +90,11 @@ constexpr const char* tables =
     "CREATE TABLE case_ (item INTEGER PRIMARY KEY, name TEXT);"
     "CREATE TABLE document (item INTEGER PRIMARY KEY, json TEXT);";
 
+/// What the file says of a block need not be so: it may come from others.
+[[noreturn]] void refuse_block(const std::filesystem::path& file) {
+  throw Refusal(fmt::format("{}: holds a block that is none of this plan; give another --out", file.string()));
+}
+
 /// A folder in which no other sweep works as long as this program lives. @return its lock
 int locked(const std::filesystem::path& folder) {
   std::error_code trouble;
@@ -128,7 +133,11 @@ SweepStore::SweepStore(const std::filesystem::path& folder, const SweepWork& wor
           "{}: holds the results of another plan, other ships or another version of swayaw; give another --out",
           file_.string()));
     Statement blocks(database, "SELECT place FROM block");
-    while (blocks.step(database)) done_.at(static_cast<std::size_t>(blocks.number(0))) = true;
+    while (blocks.step(database)) {
+      const auto place = static_cast<std::size_t>(blocks.number(0));
+      if (place >= done_.size()) refuse_block(file_);
+      done_[place] = true;
+    }
     return;
   }
   database.run("BEGIN IMMEDIATE");
@@ -194,7 +203,10 @@ std::vector<double> SweepStore::column(std::size_t subject, std::size_t column) 
   while (blocks.step(database)) {
     const auto first = static_cast<std::size_t>(blocks.number(0)) - begin,
                count = static_cast<std::size_t>(blocks.number(1));
-    const auto numbers = blocks.numbers(2).subspan(column * count, count);
+    const auto all = blocks.numbers(2);
+    const bool fits = count <= values.size() - first && all.size() == work_.columns().size() * count;
+    if (!fits) refuse_block(file_);
+    const auto numbers = all.subspan(column * count, count);
     std::ranges::copy(numbers, values.begin() + static_cast<std::ptrdiff_t>(first));
   }
   return values;
@@ -205,7 +217,11 @@ std::vector<std::pair<std::size_t, std::string>> SweepStore::notes(std::size_t m
   std::vector<std::pair<std::size_t, std::string>> notes;
   Statement all(database, "SELECT item, text FROM note ORDER BY item LIMIT ?");
   all.bind(1, static_cast<std::int64_t>(most));
-  while (all.step(database)) notes.emplace_back(static_cast<std::size_t>(all.number(0)), all.text(1));
+  while (all.step(database)) {
+    const auto item = static_cast<std::size_t>(all.number(0));
+    if (item >= work_.items()) refuse_block(file_);
+    notes.emplace_back(item, all.text(1));
+  }
   return notes;
 }
 
