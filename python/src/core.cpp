@@ -5,11 +5,13 @@
 #include "module.hpp"
 #include "record.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/file_limits.hpp"
 #include "swayaw/core/import.hpp"
 #include "swayaw/core/manoeuvres_in.hpp"
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/core/ship_text.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
 
@@ -234,6 +236,12 @@ water_depth [m]. Raises ValueError unless time increases and all columns are as 
       .def(py::pickle(&state_of, &recording_from));
 }
 
+FileUse use_named(const std::string& use) {
+  if (use == "samples") return FileUse::samples;
+  if (use == "description") return FileUse::description;
+  throw std::domain_error(fmt::format("use must be \"samples\" or \"description\", got \"{}\"", use));
+}
+
 void add_reading(py::module_& m) {
   m.def(
       "_read_csv",
@@ -250,6 +258,16 @@ void add_reading(py::module_& m) {
       },
       py::arg("text"), py::arg("name"), py::arg("rudder_positive") = py::none(), Unlocked());
   m.def("_channels", &channel_list);
+  m.def("_ship_text", &read_ship_text, py::arg("file"), Unlocked());
+  m.def(
+      "largest_file", [](const std::string& use) { return largest_file(use_named(use)); }, py::arg("use") = "samples",
+      R"(Bytes of the largest file that is read now; a larger one raises FileError.
+
+use: "samples", of recordings, logs and tables; "description", of ships and measured indices.)");
+  m.def("set_largest_file", &set_largest_file, py::arg("bytes"),
+        R"(From now on the largest file that is read has so many bytes, whatever its use. 0: the usual sizes.
+
+bytes: 4_000_000_000 is what `--max-file-size 4GB` is to the program.)");
 
   Record<ImportedColumn>(m, "ImportedColumn", "What one column of a raw file was taken for.")
       .field<&ImportedColumn::source>("source", "As the file names it: \"Kurs [°]\", \"HDT\".")

@@ -3924,6 +3924,11 @@ def inverse_dynamics(ship: Ship, run: Recording, estimate: StateEstimate) -> Lis
     
     ship: she whom it was estimated with. run: as recorded. estimate: of `estimate_states`. Raises Refusal if the run has no rudder angle, or another number of samples than the estimate."""
 
+def largest_file(use: str = ...) -> int:
+    """Bytes of the largest file that is read now; a larger one raises FileError.
+    
+    use: "samples", of recordings, logs and tables; "description", of ships and measured indices."""
+
 def limit_cycle(coefficients: SwayYawCoefficients, rudder: float, heading: float, rate: float, first: str = ...) -> LimitCycle:
     """The zigzag sailed until it repeats.
     
@@ -4195,6 +4200,11 @@ def self_propulsion(ship: Ship, speed: Optional[float] = ...) -> Controls:
     """Rudder amidships and the shaft speed, or thrust, that carries her straight ahead at that speed [m/s].
     
     ship: of any nonlinear model. speed: the service speed unless given. Raises Refusal if she cannot propel herself at it."""
+
+def set_largest_file(bytes: int) -> None:
+    """From now on the largest file that is read has so many bytes, whatever its use. 0: the usual sizes.
+    
+    bytes: 4_000_000_000 is what `--max-file-size 4GB` is to the program."""
 
 def simulated_overshoots(ship: Ship, run: Recording, order: ZigzagOrder, most: int) -> Optional[List[float]]:
     """Overshoots of a ship in the zigzag of a run, from its recorded speed with its mean shaft speed or thrust [rad].

@@ -48,9 +48,7 @@ def load_ship(ship: Union[str, os.PathLike]) -> Union[_swayaw.Ship, _swayaw.Line
     """
     file = pathlib.Path(ship)
     if file.exists() or file.parent != pathlib.Path(".") or file.suffix:
-        if not file.exists():
-            _swayaw.read_ship(file)  # refuses it in words
-        text = file.read_text(encoding="utf-8")
+        text = _swayaw._ship_text(file)
     else:
         text = _swayaw.published_text(str(ship))
     if _swayaw._model_of(text, file) == "linear":
