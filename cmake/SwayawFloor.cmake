@@ -61,7 +61,7 @@ function(swayaw_compile_together target group)
   set_property(SOURCE ${ARGN} PROPERTY UNITY_GROUP ${group})
 endfunction()
 
-# Warnings and, on request, sanitizers or link-time code generation for a target of this project.
+# Warnings and, on request, sanitizers, counts of what runs or link-time code generation for a target of this project.
 function(swayaw_set_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
     -Wno-missing-field-initializers
@@ -72,9 +72,13 @@ function(swayaw_set_warnings target)
     # the sanitizers make g++ 12 suspect xsimd and Eigen of using what they do not
     target_compile_options(${target} PRIVATE
       $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>
-      -fsanitize=address,undefined -fno-omit-frame-pointer
+      -fsanitize=${SWAYAW_SANITIZERS} -fno-omit-frame-pointer
       -fno-sanitize-recover=all)
-    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+    target_link_options(${target} PUBLIC -fsanitize=${SWAYAW_SANITIZERS})
+  endif()
+  if(SWAYAW_COVERAGE)
+    target_compile_options(${target} PRIVATE -fprofile-instr-generate -fcoverage-mapping)
+    target_link_options(${target} PUBLIC -fprofile-instr-generate)
   endif()
   if(SWAYAW_LTO_ODR)
     target_compile_options(${target} PRIVATE -flto)

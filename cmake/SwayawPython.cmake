@@ -1,7 +1,7 @@
 # The module of Python, where all that it takes is there; else one line says what is missing.
 # An interpreter that was built otherwise cannot load a module with sanitizers, and one whose code the linker makes is not
 # what is looked at there.
-if(SWAYAW_SANITIZE OR SWAYAW_LTO_ODR)
+if(SWAYAW_SANITIZE OR SWAYAW_COVERAGE OR SWAYAW_LTO_ODR)
   return()
 endif()
 if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)

@@ -21,6 +21,10 @@ function(swayaw_add_tests floor)
     SWAYAW_TEST_GOLDEN="${PROJECT_SOURCE_DIR}/tests/golden"
     SWAYAW_TEST_EXAMPLES="${PROJECT_SOURCE_DIR}/examples/recordings"
     SWAYAW_TEST_SHARED="${SWAYAW_SHARED}")
+  if(SWAYAW_COVERAGE AND TARGET swayaw_${floor})
+    # a file of the floor that no test needs counts as well
+    target_link_options(${target} PRIVATE LINKER:--whole-archive $<TARGET_FILE:swayaw_${floor}> LINKER:--no-whole-archive)
+  endif()
   swayaw_optimise_little(${target})
   swayaw_set_warnings(${target})
   foreach(source ${TESTS_SOURCES})

@@ -240,5 +240,22 @@ TEST_CASE("a run that does not tell its speed is refused", "[nonlinear][refusal]
   CHECK_THROWS_WITH(replay(ship, run), "blind.csv: no channel tells the speed of the ship at 0 s");
 }
 
+TEST_CASE("controls at times in order are those at each time", "[nonlinear][second-route]") {
+  Ship late = test::kvlcc2_l7();
+  late.effects = {SteeringGearLag<>{.lag = 1.5}};
+  for (const auto& ship : {test::kvlcc2_l7(), late}) {
+    const auto run = zigzag_run(test::kvlcc2_l7(), 0.5);
+    const RecordedControls controls(ship, run);
+    CHECK(controls.track().has_value() == !ship.effects.empty());
+    const auto together = controls.at(run.time);
+    REQUIRE(together.size() == run.samples());
+    for (std::size_t i = 0; i < together.size(); ++i) {
+      const auto alone = controls.at(run.time[i]);
+      CHECK(together[i].delta == alone.delta);
+      CHECK(together[i].rev == alone.rev);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace swayaw

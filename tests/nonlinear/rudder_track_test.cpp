@@ -122,5 +122,15 @@ TEST_CASE("a steering gear with a lag is drawn by chords to a millionth of a rad
   for (double t = 1.0; t < 40.0; t += 0.013) REQUIRE_THAT(angle_at(drawn, t), WithinAbs(motion.at(t), 2e-6));
 }
 
+TEST_CASE("angles at times in order are those at each time", "[nonlinear][second-route]") {
+  const RudderTrack rudder({.width = 0.03, .lag = 0.8, .rate = 0.1, .offset = -0.02},
+                           lines({2.0, 4.0, 9.0, 12.0}, {0.1, 0.4, -0.3, -0.3}));
+  std::vector<double> times{0.0, 2.0, 2.0};  // before the first line, and twice the same
+  for (double t = 2.1; t < 30.0; t += 0.37) times.push_back(t);
+  const auto angles = rudder.at(times);
+  REQUIRE(angles.size() == times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) CHECK(angles[i] == rudder.at(times[i]));
+}
+
 }  // namespace
 }  // namespace swayaw

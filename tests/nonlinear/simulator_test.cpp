@@ -376,5 +376,51 @@ TEST_CASE("senseless orders are refused, and a step of no time does nothing", "[
   CHECK_THAT(simulator.rudder(), WithinAbs(steering_gear(ship).max_angle, 1e-12));
 }
 
+TEST_CASE("a simulator that is moved goes on as it was", "[nonlinear][limit]") {
+  const Ship ship = sailing_ship<MmgShip<double>>();
+  Simulator stays(ship), moves(ship);
+  for (auto* each : {&stays, &moves}) {
+    each->order_rudder(0.3);
+    go_to(*each, 20.0);
+  }
+  Simulator constructed(std::move(moves));
+  Simulator assigned(ship);
+  assigned = std::move(constructed);
+  go_to(stays, 40.0), go_to(assigned, 40.0);
+  CHECK(assigned.time() == stays.time());
+  CHECK(assigned.state().motion.r == stays.state().motion.r);
+  CHECK(assigned.shaft_speed() == stays.shaft_speed());
+  CHECK(assigned.shaft_speed() > 0.0);
+}
+
+TEST_CASE("over ground a ship has her motion through the water and that of the water", "[nonlinear][second-route]") {
+  Simulator simulator(sailing_ship<MmgShip<double>>());
+  simulator.set_current({.speed = 0.3, .to = 0.7});
+  simulator.order_rudder(-0.2);
+  go_to(simulator, 30.0);
+  const auto& state = simulator.state();
+  const auto ground = simulator.velocity_over_ground();
+  CHECK_THAT(ground.u, WithinAbs(state.motion.u + 0.3 * std::cos(0.7 - state.psi), 1e-14));
+  CHECK_THAT(ground.v, WithinAbs(state.motion.v + 0.3 * std::sin(0.7 - state.psi), 1e-14));
+  CHECK(ground.r == state.motion.r);
+}
+
+TEST_CASE("a ship that rolls heels out of her turn, others not at all", "[nonlinear][symmetry]") {
+  const auto heel_in_turn = [](const Ship& ship, double rudder) {
+    Simulator simulator(ship);
+    simulator.order_rudder(rudder);
+    go_to(simulator, 60.0);
+    return simulator.heel();
+  };
+  Ship ship = sailing_ship<MmgShip<double>>();
+  CHECK(heel_in_turn(ship, 0.2) == 0.0);
+  const auto rolling = test::RandomEffects(1).of_kind("roll_coupling", ship);
+  REQUIRE(rolling);
+  ship.effects = {*rolling};
+  const double to_port = heel_in_turn(ship, 0.2), to_starboard = heel_in_turn(ship, -0.2);
+  CHECK(to_port > 0.0);  // starboard side down: rudder to port turns the bow to port
+  CHECK_THAT(to_starboard, WithinAbs(-to_port, 0.3 * std::abs(to_port)));  // one propeller: nearly alike
+}
+
 }  // namespace
 }  // namespace swayaw

@@ -129,7 +129,10 @@ WindTable mirrored(WindTable table) {
 }
 
 WindTable both_sides(const WindTable& one_side) {
-  WindTable table = one_side, other = mirrored(one_side);
+  WindTable table = one_side;
+  std::ranges::sort(table, {}, &WindRow::angle);
+  merge_equal(table);  // here, so that a refusal names the angle that was given
+  const WindTable other = mirrored(table);
   table.insert(table.end(), other.begin(), other.end());
   return table;
 }

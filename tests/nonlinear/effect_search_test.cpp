@@ -1,0 +1,210 @@
+#include <algorithm>
+#include <catch.hpp>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "model_ships.hpp"
+#include "random_effects.hpp"
+#include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/effects/search_form.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
+
+/// What is asked of an effect by a search: its coordinates, when it acts, what it shows wrong, whether every ship has
+/// it.
+namespace swayaw {
+namespace {
+
+constexpr double duration = 300.0;  ///< of the longest run [s]
+
+std::vector<Ship> ships_of_all_models() {
+  return {test::with_areas(test::mmg(test::kvlcc2_l7())), test::with_areas(test::pi_ship("wpcc_pi")),
+          test::with_areas(test::wpcc_pu()), test::with_areas(test::mariner())};
+}
+
+SearchContext context_of(const Ship& ship, std::span<const Parameter> parameters) {
+  return {.parameters = parameters,
+          .time_unit = length(ship) / service_speed(ship),
+          .duration = duration,
+          .rudder_rate = steering_gear(ship).rate};
+}
+
+template <class Kind>
+SearchForm<Kind> form_of(const Kind& null, const SearchContext& context) {
+  if constexpr (requires { search_form(null, context); }) return search_form(null, context);
+  else return usual_form(null, context);
+}
+
+/// Calls visit(ship, form, parameters) for every kind of effect that has a parameter on one of the ships.
+template <class Visit>
+void for_each_form(const Visit& visit) {
+  for (const auto& ship : ships_of_all_models())
+    for_each_kind([&]<class Kind>() {
+      const auto null = std::get<Kind>(make_effect(Kind::id));
+      const auto parameters = parameters_of(ship, null);
+      if (parameters.empty()) return;
+      INFO(ship.name << ", " << Kind::id);
+      visit(ship, form_of(null, context_of(ship, parameters)), parameters);
+    });
+}
+
+template <class Kind>
+void check_in_range(const Ship& ship, const Kind& effect) {
+  for (const auto& p : parameters_of(ship, effect)) {
+    INFO(p.key << " " << p.value);
+    CHECK(p.range.contains(p.value));
+  }
+}
+
+TEST_CASE("a search of an effect starts within its bounds, at an effect of that kind in its range",
+          "[nonlinear][limit]") {
+  std::set<std::string> ids;
+  for_each_form([&](const Ship& ship, const auto& form, const auto&) {
+    ids.insert(form.id);
+    CHECK_FALSE(form.starts.empty());
+    for (const auto& start : form.starts) {
+      REQUIRE(start.size() == form.coordinates.size());
+      for (std::size_t i = 0; i < start.size(); ++i) {
+        CHECK(form.coordinates[i].low <= start[i]);
+        CHECK(start[i] <= form.coordinates[i].high);
+      }
+      const auto effect = form.at(start);
+      CHECK(id_of(effect) == form.id);
+      check_in_range(ship, effect);
+    }
+  });
+  CHECK(ids.size() > 30);
+}
+
+TEST_CASE("wherever a search moves between its bounds, numbers of an effect stay in their ranges",
+          "[nonlinear][limit]") {
+  std::mt19937_64 engine(11);
+  std::normal_distribution<double> normal;
+  for_each_form([&](const Ship& ship, const auto& form, const auto&) {
+    for (int draw = 0; draw < 20; ++draw) {
+      std::vector<double> c;
+      for (const auto& k : form.coordinates)
+        c.push_back(std::clamp(k.centre + 3.0 * k.deviation * normal(engine), k.low, k.high));
+      check_in_range(ship, form.at(c));
+    }
+  });
+}
+
+TEST_CASE("the part of an effect with some of its terms leaves the others at null", "[nonlinear][limit]") {
+  int with_terms = 0;
+  for_each_form([&](const Ship& ship, const auto& form, const auto& parameters) {
+    if (!form.with_terms) return;
+    ++with_terms;
+    const std::size_t last = form.coordinates.size() - 1;
+    const auto part = form.with_terms(std::array{last});
+    REQUIRE(part.coordinates.size() == 1);
+    CHECK(part.coordinates.front().name == form.coordinates[last].name);
+    const auto effect = part.at(std::array{std::min(0.5, part.coordinates.front().high)});
+    const auto now = parameters_of(ship, effect);
+    for (std::size_t i = 0; i < now.size(); ++i)
+      if (i != last) CHECK(now[i].value == parameters[i].null);
+      else CHECK(now[i].value != parameters[i].null);
+  });
+  CHECK(with_terms > 0);
+}
+
+TEST_CASE("what has a direction is searched by its north and east parts", "[nonlinear][round-trip]") {
+  const auto ship = test::with_areas(test::mmg(test::kvlcc2_l7()));
+  const SteadyCurrent<> none{};
+  const auto parameters = parameters_of(ship, none);
+  const auto form = form_of(none, context_of(ship, parameters));
+  const double unit = parameters.front().deviation;
+  const auto current = form.at(std::array{-3.0, 4.0});
+  CHECK_THAT(current.*parameter_list<SteadyCurrent<>>[0].member, WithinRel(5.0 * unit, 1e-14));
+  CHECK_THAT(current.*parameter_list<SteadyCurrent<>>[1].member, WithinRel(std::atan2(4.0, -3.0), 1e-14));
+  CHECK(is_null(form.at(std::array{0.0, 0.0})));
+}
+
+TEST_CASE("an effect that begins and ends acts from its onset on until its end", "[nonlinear][limit]") {
+  for (const auto id : effect_ids()) {
+    auto effect = make_effect(id);
+    INFO(id);
+    CHECK(begins_and_ends(effect) == (id == "gust" || id == "unknown"));
+    if (!begins_and_ends(effect)) {
+      CHECK_FALSE(acting_time(effect));
+      CHECK(acts_at(effect, -1e9));
+      CHECK(acts_at(effect, 1e9));
+      continue;
+    }
+    for_each_parameter(effect, [](const auto& p, double& value) {
+      if (p.key == "onset_s") value = 10.0;
+      if (p.key == "end_s") value = 12.0;
+    });
+    REQUIRE(acting_time(effect));
+    CHECK(acting_time(effect)->onset == 10.0);
+    CHECK(acting_time(effect)->end == 12.0);
+    CHECK_FALSE(acts_at(effect, 9.999));
+    CHECK(acts_at(effect, 10.0));
+    CHECK(acts_at(effect, 11.999));
+    CHECK_FALSE(acts_at(effect, 12.0));
+  }
+}
+
+TEST_CASE("only instruments show something wrong, and a late receiver what its channel is of", "[nonlinear][limit]") {
+  const std::set<std::string_view> quantities{"position", "heading", "yaw_rate", "speed"};
+  for (const auto id : effect_ids()) {
+    const auto effect = make_effect(id);
+    INFO(id);
+    if (channel_of(effect)) continue;
+    if (place_of(effect) == EffectPlace::sensor) CHECK(quantities.contains(shown_wrong(effect)));
+    else CHECK(shown_wrong(effect).empty());
+  }
+  const auto late = [](Channel channel) {
+    ChannelDelay<> delay;
+    delay.channel = channel;
+    return std::string(shown_wrong(delay));
+  };
+  CHECK(late(Channel::x) == "position");
+  CHECK(late(Channel::y) == "position");
+  CHECK(late(Channel::psi) == "heading");
+  CHECK(late(Channel::r) == "yaw_rate");
+  CHECK(late(Channel::u) == "speed");
+  CHECK(late(Channel::delta).empty());
+}
+
+TEST_CASE("weather and streams are of a day, instruments' zeros of a run, what is built in of the ship",
+          "[nonlinear][limit]") {
+  const auto scope = [](std::string_view id) { return name_of(scope_of(make_effect(id))); };
+  CHECK(scope("steady_wind") == "group");
+  CHECK(scope("steady_current") == "group");
+  CHECK(scope("gyro_bias") == "run");
+  CHECK(scope("gust") == "run");
+  CHECK(scope("rudder_gap") == "ship");
+  CHECK(scope("hull_linear_derivatives") == "ship");
+}
+
+TEST_CASE("gap and stall take lift of the rudder, and a little of it is what every ship has", "[nonlinear][limit]") {
+  std::set<std::string_view> takers;
+  for (const auto id : effect_ids())
+    if (takes_rudder_lift(id)) takers.insert(id);
+  CHECK(takers == std::set<std::string_view>{"rudder_gap", "rudder_stall"});
+
+  const auto ship = test::kvlcc2_l7();
+  const auto ordinary = [&](const Effect& effect) { return is_ordinary(effect, parameters_of(ship, effect)); };
+  const RudderStall<> late{.angle = 1.5, .depth = 0.5, .width = 0.05}, early{.angle = 0.2, .depth = 0.9, .width = 0.05};
+  CHECK(ordinary(late));
+  CHECK_FALSE(ordinary(early));
+  const RudderGap<> closed = std::get<RudderGap<>>(make_effect("rudder_gap")), open{0.05, -1.0};
+  CHECK(ordinary(closed));
+  CHECK_FALSE(ordinary(open));
+  CHECK_FALSE(ordinary(SteadyCurrent<>{}));
+}
+
+TEST_CASE("no turn is steady in waves or under a force that goes with the heading", "[nonlinear][limit]") {
+  CHECK(never_steady(make_effect("wave_drift")) == "in waves");
+  auto force = make_effect("unknown");
+  CHECK(never_steady(force).empty());
+  for_each_parameter(force, [](const auto& p, double& value) {
+    if (p.key == "N_cos") value = 1e-4;
+  });
+  CHECK(never_steady(force) == "under a force that goes with the heading or the time");
+  CHECK(never_steady(make_effect("rudder_gap")).empty());
+}
+
+}  // namespace
+}  // namespace swayaw
