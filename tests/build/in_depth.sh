@@ -1,23 +1,52 @@
 #!/bin/bash
-# What takes longer than the other checks:
+# What takes longer than the other checks, in parts; each builds what it needs:
 #
-#   FLOOR…  tests of these floors under the address and undefined-behaviour sanitizers, by clang++, but for those that
-#           take minutes like that
-#   once    all of the library in one link by g++, where no class may be defined in two ways; a consumer without npm,
-#           network and optional libraries
-#   turn    one of these; which one, the time of the last commit decides. CI does this
+#   addresses FLOOR…  tests of these floors under the address and undefined-behaviour sanitizers, by clang++
+#   threads FLOOR…    tests of what works on several threads, under the thread sanitizer
+#   coverage          lines and branches that the tests of core, linear and nonlinear run, against what is asked of them
+#   compilers         the same numbers from g++ and clang++
+#   once              all of the library in one link by g++, where no class may be defined in two ways; a consumer without
+#                     npm, network and optional libraries
+#   turn [SECONDS]    one of these; which one, the time of the last commit decides, among those that take no longer. CI
+#                     does this
+#   parts             the list of parts, with their times
 #
-#   tests/build/in_depth.sh core linear nonlinear | once | turn
+#   tests/build/in_depth.sh addresses core linear | threads mismatch | … | turn 300
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+# Seconds on two processors that have nothing else to do, from a clean clone, and the part. Of those that take longer than
+# CI has time for, the turn goes to the next that does not.
+parts=(
+  "110 threads core linear"
+  "120 addresses core"
+  "170 addresses linear"
+  "300 coverage"
+  "300 threads nonlinear sweep"
+  "330 compilers"
+  "330 once"
+  "360 addresses nonlinear"
+  "420 threads mismatch"
+  "500 addresses identification"
+  "540 addresses mismatch"
+)
 
 # Beyond 20 s of processor time optimised: three to ten minutes with sanitizers.
 long='identification\.(data_compatibility|trial.*|trajectory_.*|linear_fit.*|identify)|mismatch\.(on_board|invariance|diagnose|recordings_diagnosis)'
 
+# Of these floors only what works on several threads; of the others everything.
+threaded='(core|linear|mismatch)\..*|nonlinear\.(batch|estimate_spread|index_slopes)|sweep\.(plan|points|reduce|run)'
+
+#   sanitized PRESET TESTS FLOOR…
 sanitized() {
-  cmake --preset sanitize >/dev/null
-  cmake --build --preset sanitize --target "${@/#/swayaw_test_}"
-  ctest --preset sanitize -R "^($(IFS='|'; echo "$*"))\." -E "^($long)$" --no-tests=error
+  local preset=$1 tests=$2 floors
+  shift 2
+  floors="^($(IFS='|'; echo "$*"))\."
+  cmake --preset "$preset" >/dev/null
+  cmake --build --preset "$preset" --target "${@/#/swayaw_test_}"
+  local names
+  names=$(ctest --preset "$preset" -N -R "$floors" -E "^($long)$" | sed -nE 's/^ *Test +#[0-9]+: //p' | grep -xE "$tests" | paste -sd '|')
+  ctest --preset "$preset" -R "^(${names//./\\.})$" --no-tests=error
 }
 
 once() {
@@ -25,20 +54,30 @@ once() {
   tests/consumer/alone.sh || (($? == 77))
 }
 
-# Five parts, so that each landing waits five minutes for one and not half an hour for all.
+# The part whose turn it is; where it takes longer than the seconds that are given, the next that does not.
 turn() {
-  local parts=("core linear" "nonlinear" "identification" "mismatch" "once")
-  local part=${parts[$(($(git log -1 --format=%ct) % ${#parts[@]}))]}
-  echo "in depth: $part"
-  part $part
+  local seconds=${1:-3600} first=$(($(git log -1 --format=%ct) % ${#parts[@]})) i
+  for ((i = 0; i < ${#parts[@]}; i++)); do
+    local each=${parts[(first + i) % ${#parts[@]}]}
+    ((${each%% *} <= seconds)) || continue
+    echo "in depth: ${each#* }, about ${each%% *} s of $seconds s"
+    part ${each#* }
+    return
+  done
+  echo "in depth: left out, no part takes less than $seconds s"
 }
 
 part() {
-  case ${1:-} in
-    core | linear | nonlinear | identification | mismatch) sanitized "$@" ;;
+  local kind=${1:-}
+  case $kind in
+    addresses) sanitized sanitize '(core|linear|nonlinear|identification|mismatch)\..*' "${@:2}" ;;
+    threads) sanitized tsan "$threaded" "${@:2}" ;;
+    coverage) tests/build/coverage.sh --check ;;
+    compilers) tests/build/compilers.sh ;;
     once) once ;;
-    turn) turn ;;
-    *) echo "usage: in_depth.sh FLOOR... | once | turn" >&2; exit 2 ;;
+    turn) turn "${@:2}" ;;
+    parts) printf '%s\n' "${parts[@]}" ;;
+    *) echo "usage: in_depth.sh addresses FLOOR... | threads FLOOR... | coverage | compilers | once | turn [SECONDS] | parts" >&2; exit 2 ;;
   esac
 }
 
