@@ -62,14 +62,8 @@ class LegFunctions {
   LinearState<double> state_at(double s) const { return state(at(s)); }
   static LinearState<double> state(const Knot& k) { return {k.beta, k.f[1], k.f[0]}; }
 
-  /// First s in (0, end] at which the derivative of that order equals `target` (0 from the second on), if there is one.
-  /// @param end  at most the horizon
-  std::optional<double> first(int level, double target, double end) const {
-    const Sailed result = sail(level, target, end);
-    return result.found ? std::optional(result.end.s) : std::nullopt;
-  }
-
-  /// The first such place, or the end.
+  /// The first s in (0, end] at which the derivative of that order equals `target` (0 from the second on), or the end,
+  /// which is at most the horizon.
   struct Sailed {
     bool found;
     Knot end;
