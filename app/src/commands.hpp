@@ -247,4 +247,16 @@ struct DiagnoseArguments {
 };
 void diagnose(const DiagnoseArguments& arguments);
 
+struct FleetArguments {
+  std::filesystem::path ship;  ///< of the class
+  std::vector<std::filesystem::path> runs;
+  std::filesystem::path save_models;  ///< folder; empty: none
+  ReportArguments report{};
+  bool json = false;
+  std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
+  bool no_check = false;        ///< instruments are not checked first
+  Ignored ignored{};
+};
+void fleet(const FleetArguments& arguments);
+
 }  // namespace swayaw::app

@@ -30,6 +30,7 @@ constexpr std::array examples{
             "new.toml"},
     Example{"estimate",
             "swayaw estimate --length 230 --beam 32.2 --draught 10.8 --block 0.651 \\\n    --out ship.toml"},
+    Example{"fleet", "swayaw fleet ship.toml athena/*.csv boreas/*.csv --report page.html \\\n    --save-models today"},
     Example{"forces", "swayaw forces wpcc_pi --state u=0.96,v=0.05,r=-0.03,delta=0.1"},
     Example{"identify",
             "swayaw identify zz10.csv zz20.csv --ship kvlcc2_l7 --model mmg \\\n    --holdout zz15.csv --out new.toml"},

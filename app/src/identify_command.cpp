@@ -643,19 +643,20 @@ void identify(const IdentifyArguments& a) {
   const auto kept = writable(answer.ship, question.ship);
   auto remark = remark_of(question, answer);
   for (const auto& line : kept.changed) remark += "\n" + line + ".";
-  bool saved = false;
-  attempt(answer.troubles, a.out.string(), [&] {
-    write_ship(a.out, kept.ship, remark);
-    saved = true;
-  });
+  bool saved = a.out.empty();
+  if (!saved)
+    attempt(answer.troubles, a.out.string(), [&] {
+      write_ship(a.out, kept.ship, remark);
+      saved = true;
+    });
   const Predictions predictions{predictions_of(question.ship, answer.ship, question.runs),
                                 predictions_of(question.ship, answer.ship, question.holdout)};
   const auto document = document_of(question, answer, predictions, a, kept.changed);
   if (a.json) print_document(document);
   else print_answer(question, answer, document);
   if (a.report.wanted()) write_page(a.report.file, html(identify_page(question, answer, predictions, a)));
-  if (saved) say_aside("swayaw: ship file written to {}\n", a.out.string());
-  else throw Refusal(fmt::format("{}: the ship file was not written", a.out.string()));
+  if (!saved) throw Refusal(fmt::format("{}: the ship file was not written", a.out.string()));
+  if (!a.out.empty()) say_aside("swayaw: ship file written to {}\n", a.out.string());
   require_success(answer, document);
 }
 

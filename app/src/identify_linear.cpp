@@ -109,9 +109,10 @@ void identify_linear(const IdentifyArguments& a) {
     throw Refusal(
         "the runs do not tell drift (u and v), without which only the yaw equation shows; a linear ship file needs "
         "both");
-  write_linear_ship(a.out, ship_of(fit, p),
-                    fmt::format("Identified by swayaw {}: {}.\n[confidence] holds the relative standard errors.",
-                                version(), verdict_of(fit)));
+  if (!a.out.empty())
+    write_linear_ship(a.out, ship_of(fit, p),
+                      fmt::format("Identified by swayaw {}: {}.\n[confidence] holds the relative standard errors.",
+                                  version(), verdict_of(fit)));
   if (a.json) print_document(document_of(fit, p, runs));
   else {
     say("{}\n  {:<12}{:>12}{:>12}\n", p.name, "", "found", "std error");
@@ -122,7 +123,7 @@ void identify_linear(const IdentifyArguments& a) {
   if (a.report.wanted())
     write_page(a.report.file,
                html(linear_page({p.name, fit, rows_of(fit), p.before, p.particulars.L, verdict_of(fit)}, runs, a)));
-  say_aside("swayaw: ship file written to {}\n", a.out.string());
+  if (!a.out.empty()) say_aside("swayaw: ship file written to {}\n", a.out.string());
 }
 
 }  // namespace swayaw::app

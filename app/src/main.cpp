@@ -26,9 +26,9 @@ namespace swayaw::app {
 namespace {
 
 constexpr int done = 0, bad_data = 1, wrong_usage = 2;
-constexpr std::array<std::string_view, 18> commands{
-    "check",  "compare",   "completion", "diagnose", "estimate", "forces",   "identify", "import", "indices",
-    "invert", "linearize", "loop",       "replay",   "ship",     "simulate", "sweep",    "trial",  "tune"};
+constexpr std::array<std::string_view, 19> commands{
+    "check",  "compare",   "completion", "diagnose", "estimate", "fleet",    "forces", "identify", "import", "indices",
+    "invert", "linearize", "loop",       "replay",   "ship",     "simulate", "sweep",  "trial",    "tune"};
 
 const CLI::Validator zigzag_form(
     [](std::string& text) {
@@ -383,7 +383,7 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--resample", a.resample,
                    "the same from other choices of runs: one left out, one alone, one rudder amplitude alone");
-  command.add_option("--out", a.out, "ship file of the identified ship (TOML or .mat)")->required();
+  command.add_option("--out", a.out, "ship file of the identified ship (TOML or .mat)");
   add_reading(command, a.rudder_positive, a.no_check, a.ignored);
   add_report(command, a.report);
   command.add_flag("--json", a.json, "print one JSON document");
@@ -416,6 +416,19 @@ void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
   add_reading(command, a.rudder_positive, a.no_check, a.ignored);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { diagnose(a); });
+}
+
+void add_fleet(CLI::App& app, FleetArguments& a) {
+  auto& command = *app.add_subcommand(
+      "fleet", "sisters over months: what they have in common, what changed on whom, and since when");
+  add_ship(command, a.ship);
+  command.add_option("runs", a.runs, "recordings with start_utc (CSV or .mat), of each vessel in a folder of her own")
+      ->required();
+  command.add_option("--save-models", a.save_models, "folder for ship files of the class and of every vessel today");
+  add_report(command, a.report);
+  add_reading(command, a.rudder_positive, a.no_check, a.ignored);
+  command.add_flag("--json", a.json, "print one JSON document");
+  command.callback([&a] { fleet(a); });
 }
 
 /// Options that are missing, all in one message.
@@ -528,6 +541,7 @@ int run(int count, char** words) {
   EstimateArguments estimate_arguments;
   IdentifyArguments identify_arguments;
   DiagnoseArguments diagnose_arguments;
+  FleetArguments fleet_arguments;
   SweepArguments sweep_arguments;
   ImportArguments import_arguments;
   add_simulate(app, simulate_arguments);
@@ -545,6 +559,7 @@ int run(int count, char** words) {
   add_estimate(app, estimate_arguments);
   add_identify(app, identify_arguments);
   add_diagnose(app, diagnose_arguments);
+  add_fleet(app, fleet_arguments);
   add_sweep(app, sweep_arguments);
   add_import(app, import_arguments);
   add_file_limit(app);

@@ -162,6 +162,7 @@ std::string task_words(const SweepPlan& plan) {
     case SweepTask::turn: return fmt::format("turn {:.6g}", degrees(plan.rudder));
     case SweepTask::indices: return "indices";
     case SweepTask::trial: return "trial";
+    case SweepTask::identify: return "identify " + plan.model;
     case SweepTask::diagnose: return "diagnose";
   }
   return {};

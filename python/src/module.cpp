@@ -81,4 +81,8 @@ PYBIND11_MODULE(_swayaw, m) {
   add_budget(m);
   add_diagnosis_result(m);
   add_diagnosis(m);
+  add_fleets(m);
+#ifdef SWAYAW_SWEEPS
+  add_sweeps(m);
+#endif
 }

@@ -28,5 +28,7 @@ void add_findings(pybind11::module_& m);
 void add_budget(pybind11::module_& m);
 void add_diagnosis_result(pybind11::module_& m);
 void add_diagnosis(pybind11::module_& m);
+void add_fleets(pybind11::module_& m);
+void add_sweeps(pybind11::module_& m);
 
 }  // namespace swayaw::python

@@ -12,6 +12,9 @@ from .state_space import StateSpace
 from .tables import Channel, channels, frame_of
 from . import figures, html, records, state_space, tables
 
+if hasattr(_swayaw, "SweepWork"):  # of a build with the program
+    from .sweeps import sweep  # noqa: F401
+
 records.dress(_swayaw)
 tables.dress(_swayaw)
 state_space.dress(_swayaw)
@@ -21,5 +24,5 @@ html.dress(_swayaw)
 __all__ = sorted(
     [name for name in vars(_swayaw) if not name.startswith("_")]
     + ["Channel", "StateSpace", "channels", "figures", "frame_of", "load_ship", "measured_indices", "parse_csv"]
-    + ["read_csv", "__version__"]
+    + ["read_csv", "__version__"] + (["sweep"] if hasattr(_swayaw, "SweepWork") else [])
 )

@@ -490,6 +490,34 @@ class Crossover:
     def phase_margin(self) -> float:
         """By which the phase of the loop is above -π [rad]."""
 
+class DateEstimate:
+    """A date with the interval that holds it in 95 of 100 cases."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> DateEstimate: ...
+    @property
+    def begin(self) -> float:
+        """Days since 1970-01-01."""
+    @property
+    def end(self) -> float:
+        """Days since 1970-01-01."""
+    @property
+    def likeliest(self) -> float:
+        """Days since 1970-01-01."""
+
+class DayLevel:
+    """A parameter on one day of a vessel, all else as she is."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> DayLevel: ...
+    @property
+    def day(self) -> float:
+        """Days since 1970-01-01."""
+    @property
+    def standard_error(self) -> float:
+        """SI, with the scatter between days."""
+    @property
+    def value(self) -> float:
+        """SI"""
+
 class DerivedChannel:
     """A channel that was not measured."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -805,6 +833,59 @@ class FittedRun:
     @property
     def start(self) -> ShipState:
         """Fitted, at the first sample."""
+
+class FleetDiagnosis:
+    """What sisters have in common, and what changed on which of them."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> FleetDiagnosis: ...
+    @property
+    def day_to_day(self) -> float:
+        """The same between days of a vessel."""
+    @property
+    def shared(self) -> List[SharedCoefficient]:
+        """Coefficients of the class."""
+    @property
+    def sisters(self) -> Ship:
+        """The ship file with what the class has in common."""
+    @property
+    def spread(self) -> float:
+        """Of coefficients between vessels, over their confidence."""
+    @property
+    def trace(self) -> List[str]:
+        """Changes too small to matter, in words."""
+    @property
+    def troubles(self) -> List[str]: ...
+    @property
+    def vessels(self) -> List[VesselReport]:
+        """Worst first."""
+    @property
+    def words(self) -> str: ...
+
+class FleetErrors:
+    """Errors of replays over the variation of what was recorded."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> FleetErrors: ...
+    @property
+    def given(self) -> float:
+        """By the ship file."""
+    @property
+    def own(self) -> float:
+        """With what the vessel has of her own, and its changes."""
+    @property
+    def sisters(self) -> float:
+        """With what the class has in common."""
+
+class FleetRun:
+    """A recording and the ship that made it."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> FleetRun: ...
+    def __init__(self, vessel: str = ..., run: Recording = ...) -> None: ...
+    @property
+    def run(self) -> Recording:
+        """Must tell when it was, by its key start_utc."""
+    @property
+    def vessel(self) -> str:
+        """Her name."""
 
 class ForceBreakdown:
     """Forces about midship, split by part, and what they do to the ship."""
@@ -2445,6 +2526,26 @@ class SecondOrderTold:
     def T3_told(self) -> bool:
         """Likewise."""
 
+class SharedCoefficient:
+    """A coefficient of the class."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> SharedCoefficient: ...
+    @property
+    def deviations(self) -> float:
+        """found − given over what the file says of it."""
+    @property
+    def found(self) -> float:
+        """SI"""
+    @property
+    def given(self) -> float:
+        """SI"""
+    @property
+    def key(self) -> str:
+        """Of ship files."""
+    @property
+    def standard_error(self) -> float:
+        """SI"""
+
 class Ship:
     """A ship of a nonlinear model, what surrounds her, and what her model leaves out.
     
@@ -3016,6 +3117,54 @@ class SwayYawTransfer:
     def nw1(self) -> float:
         """Kw T3w/(T1 T2)"""
 
+class SweepBlock:
+    """Results of a block of items; goes between processes."""
+    @property
+    def count(self) -> int:
+        """How many items."""
+    @property
+    def place(self) -> int:
+        """Among the blocks."""
+
+class SweepStore:
+    """Results of a sweep in FOLDER/sweep.sqlite; blocks are written whole or not at all.
+    
+    folder: that the program would have for --out. work: whose results they are. Raises Refusal if the folder holds the results of another plan, or another sweep works in it."""
+    def __init__(self: SweepStore, folder: Union[str, 'PathLike[str]'], work: SweepWork) -> None: ...
+    def column(self: SweepStore, subject: int, column: int) -> numpy.ndarray:
+        """A column of every item of a ship, in their order; not a number where there is none.
+        
+        subject: which ship. column: which of the columns."""
+    @property
+    def rest(self) -> List[int]:
+        """Blocks that are not there yet."""
+    def write(self: SweepStore, blocks: List[SweepBlock]) -> None:
+        """All of these blocks or none. Raises Refusal if they cannot be written.
+        
+        blocks: any."""
+
+class SweepWork:
+    """What the plan of a sweep lays out: blocks of items that may be worked on anywhere, in any order, with the same results (docs/sweep.md).
+    
+    plan: its file (TOML). Raises FileError for a mistake in it, and Refusal for recordings, which the program works on."""
+    def __init__(self: SweepWork, plan: Union[str, 'PathLike[str]']) -> None: ...
+    def block(self: SweepWork, place: int) -> SweepBlock:
+        """Works on a block. Other threads go on meanwhile.
+        
+        place: among the blocks."""
+    @property
+    def blocks(self) -> int:
+        """Of how many blocks they are."""
+    @property
+    def columns(self) -> List[str]:
+        """Names of the columns; parameters that vary come first."""
+    @property
+    def items(self) -> int:
+        """How many."""
+    @property
+    def subjects(self) -> List[str]:
+        """Names of the ships."""
+
 class T3Map:
     """Loop measures, rows by T3w, columns by T3b; NaN where a ship makes no three reversals."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -3489,6 +3638,94 @@ class Unknown:
     def step(self) -> float:
         """Of differences, over which residuals are about linear."""
 
+class VesselChange:
+    """Something of one vessel that is not as it was."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> VesselChange: ...
+    @property
+    def after(self) -> float:
+        """The parameter on her last day, SI."""
+    @property
+    def before(self) -> float:
+        """The parameter before it began, SI."""
+    @property
+    def days(self) -> List[DayLevel]:
+        """The parameter day by day."""
+    @property
+    def effect(self) -> Effect:
+        """As it is on her last day."""
+    @property
+    def floors(self) -> float:
+        """|after − before| over the least size that matters."""
+    @property
+    def key(self) -> str:
+        """Of its parameter."""
+    @property
+    def log_evidence_gain(self) -> float: ...
+    @property
+    def probability(self) -> float:
+        """Against others in its place, and against none."""
+    @property
+    def shape(self) -> str: ...
+    @property
+    def since(self) -> DateEstimate:
+        """When it began."""
+    @property
+    def standard_error(self) -> float:
+        """Of after − before."""
+
+class VesselDifference:
+    """In what a vessel differs from her sisters from the first day on."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> VesselDifference: ...
+    @property
+    def effect(self) -> Effect: ...
+    @property
+    def floors(self) -> float:
+        """|own − sisters| over the least size that matters."""
+    @property
+    def key(self) -> str:
+        """Of its parameter."""
+    @property
+    def own(self) -> float:
+        """SI"""
+    @property
+    def sisters(self) -> float:
+        """SI"""
+    @property
+    def standard_error(self) -> float:
+        """Of own − sisters."""
+
+class VesselReport:
+    """What was found of one vessel."""
+    def _asdict(self) -> Dict[str, Any]: ...
+    def _replace(self, **values: Any) -> VesselReport: ...
+    @property
+    def changes(self) -> List[VesselChange]:
+        """Largest over its floor first."""
+    @property
+    def days(self) -> int:
+        """That were fitted."""
+    @property
+    def differences(self) -> List[VesselDifference]:
+        """From her sisters, or from the ship file."""
+    @property
+    def errors(self) -> FleetErrors: ...
+    @property
+    def first_day(self) -> float:
+        """Days since 1970-01-01."""
+    @property
+    def last_day(self) -> float:
+        """Days since 1970-01-01."""
+    @property
+    def runs(self) -> int: ...
+    @property
+    def today(self) -> Ship:
+        """As she is on her last day."""
+    @property
+    def vessel(self) -> str:
+        """Her name."""
+
 class WilliamsonTurn:
     """Back along the own track."""
     def _asdict(self) -> Dict[str, Any]: ...
@@ -3770,6 +4007,11 @@ def crossover(transfer: SwayYawTransfer, k: float) -> Optional[Crossover]:
     
     transfer: of `transfer_functions`. k: rudder per error of heading."""
 
+def date_text(day: float) -> str:
+    """\"2026-03-04", of days since 1970-01-01.
+    
+    day: with a fraction or without."""
+
 def determined_combinations(sensitivity: List[List[float]], tolerance: List[float]) -> List[IndexCombination]:
     """Combinations of numbers from the best to the worst determined by indices.
     
@@ -3781,6 +4023,11 @@ def diagnose(ship: Ship, runs: List[Recording], *, reference: List[Recording] = 
     reference: runs in which nothing is hidden; they calibrate the baseline first. holdout: runs that are not used and say whether the effect is real. progress: a function that is told in words what is going on; False ends the work with what is known. Ctrl-C raises KeyboardInterrupt. Without one a notebook has a line that changes, progress=False nothing. Other threads go on meanwhile. Raises Refusal if there is no run, or one tells neither rudder nor speed.
     
     ship: the model that is doubted. runs: recordings that are to be explained. most_effects: that may be found. pictures: whether the result holds series for figures."""
+
+def diagnose_fleet(ship: Ship, runs: List[FleetRun], *, progress: Any = ..., detection: float = ..., most_changes: int = ...) -> FleetDiagnosis:
+    """What sister ships have in common, in what each differs, and what has changed on which of them, by how much and since when (docs/fleet.md).
+    
+    ship: of the class, with its confidence. runs: of all vessels, each with the key start_utc. progress: a function that is told in words how far it is; False ends the work. detection: gain in log evidence that a change must bring. most_changes: of one vessel. Raises Refusal for a run that does not tell its date, and where no day can be fitted."""
 
 @overload
 def dimensional(indices: SteeringIndices, scale: PrimeScale) -> DimensionalIndices: ...
@@ -4151,6 +4398,11 @@ def regress(X: ArrayLike, y: ArrayLike, names: Optional[List[str]] = ..., *, run
     Raises Refusal if a name is not known, a number is not finite, constraints contradict each other or there are no more
     samples than coefficients; ValueError if sizes do not fit or a variance or deviation is not positive."""
 
+def remark_of(run: Recording, key: str) -> str:
+    """The text of a run key that the samples do not hang on, without quotes; empty if the run has none.
+    
+    run: a recording. key: as above the columns of its file, "vessel"."""
+
 def repaired(run: Recording, check: RunCheck) -> Recording:
     """The run without the errors that were told, and without outliers.
     
@@ -4230,6 +4482,11 @@ def spiral(ship: Ship, largest: float = ..., step_angle: float = ..., first: str
     
     first: side of the first angle. tolerance: error of an integration step."""
 
+def start_utc(run: Recording) -> Optional[float]:
+    """Seconds since 1970 UTC at which the time of a run is 0, by its key start_utc; None where it has none.
+    
+    run: a recording."""
+
 def steady_motion(ship: Ship, controls: Controls, guess: PlanarMotion) -> Optional[SteadyMotion]:
     """The steady motion that Newton's method finds from the guess at constant controls; None where it does not.
     
@@ -4263,6 +4520,15 @@ def straight_course(ship: Ship, speed: Optional[float] = ...) -> OperatingPoint:
     """Straight ahead at that speed [m/s], the service speed unless given, with self-propulsion.
     
     ship: of any nonlinear model. speed: straight ahead. Raises Refusal if she cannot propel herself at it."""
+
+def sweep(plan: Union[str, 'PathLike[str]'], out: Union[str, 'PathLike[str]'], client=..., progress: Optional[Callable[[int, int], object]] = ...) -> SweepStore:
+    """Works on what is not there yet of a sweep, and returns its results.
+    
+    plan: file of the plan (TOML), which all workers can read, the ship files beside it too. out: folder of the results,
+    the same as of `swayaw sweep --out`: program and module go on where the other was, and end with the same numbers.
+    client: of dask.distributed; without one all cores of this machine work. progress: is told how many blocks are there,
+    of how many, after each task. Raises FileError for a mistake in the plan, Refusal for recordings, which the program
+    works on, and for a folder with other results."""
 
 def t3_map(indices: SteeringIndices, rudder: float, heading: float, rate: float, T3b: ArrayLike, T3w: ArrayLike, *, threads: int = ...) -> T3Map:
     """Loop measures of the limit cycle for every pair of T3b and T3w, the other indices held.

@@ -128,3 +128,30 @@ def test_ctrl_c_ends_a_diagnosis(source):
     """
     ended = subprocess.run([sys.executable, "-c", textwrap.dedent(script)], capture_output=True, text=True, timeout=120)
     assert ended.stdout == "interrupted\n", ended.stderr
+
+
+def test_a_fleet_is_that_of_the_program(program, source, tmp_path):
+    day = "# start_utc = \"2026-{}T08:00:00Z\"\n# vessel = \"{}\"\n{}"
+    text = (source / "examples/recordings/weak_rudder_zz10_10.csv").read_text(encoding="utf-8")
+    files = [tmp_path / f"{vessel}_{date}.csv" for vessel in ("athena", "boreas") for date in ("01-05", "02-03")]
+    for file in files:
+        vessel, date = file.stem.split("_")
+        file.write_text(day.format(date, vessel, text), encoding="utf-8")
+    told = json.loads(program("fleet", "kvlcc2_l7", *files, "--json"))
+    runs = [swayaw.read_csv(file) for file in files]
+    assert [swayaw.remark_of(run, "vessel") for run in runs] == ["athena", "athena", "boreas", "boreas"]
+    assert swayaw.date_text(swayaw.start_utc(runs[1]) / 86400.0) == "2026-02-03"
+    result = swayaw.diagnose_fleet(
+        swayaw.published_ship("kvlcc2_l7"),
+        [swayaw.FleetRun(swayaw.remark_of(run, "vessel"), run) for run in runs],
+        progress=False,
+    )
+    assert result.words == told["words"]
+    assert [c.found for c in result.shared] == [c["found"] for c in told["shared"]]
+    assert [v.errors.own for v in result.vessels] == [v["errors"]["own"] for v in told["vessels"]]
+    assert all(v.changes == [] for v in result.vessels)  # every day is the same recording
+    assert pickle.loads(pickle.dumps(result)).words == result.words
+    with pytest.raises(swayaw.Refusal, match="start_utc"):
+        swayaw.diagnose_fleet(
+            swayaw.published_ship("kvlcc2_l7"), [swayaw.FleetRun("a", swayaw.parse_csv(text))], progress=False
+        )

@@ -92,6 +92,8 @@ function provide(place) {
   const [head, ...rows] = readFileSync(join(place, 'log.csv'), 'utf8').split('\n').filter((line) => line && !line.startsWith('#'));
   for (const [name, half] of [['day1.csv', rows.slice(0, 300)], ['day2.csv', rows.slice(300)]]) writeFileSync(join(place, name), `${[head, ...half].join('\n')}\n`);
   writeFileSync(join(place, 'map.toml'), 'decimal = "."\n');
+  check(run(`${join(project, 'examples/fleet.sh')} ${program} two_sisters`, place).status === 0, 'a fleet can be made');
+  for (const name of ['athena', 'boreas']) symlinkSync(join('two_sisters', name), join(place, name));
   writeFileSync(join(place, 'plan.toml'), 'task = "zigzag 10/10"\nships = ["ship.toml"]\ndraws = 100\nconfidence = true\n');
 }
 

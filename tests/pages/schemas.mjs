@@ -147,6 +147,11 @@ judged([...estimated, '--trim', '0.5', '--rudder-area', '40', '--depth', '19', '
 judged(['diagnose', ship('kvlcc2_l7'), zigzag, '--holdout', turn]);
 judged(['diagnose', ship('kvlcc2'), inWind, drift]);
 
+// Two sisters over ten months.
+spawnSync('bash', [join(project, 'examples/fleet.sh'), program, join(folder, 'two_sisters')]);
+const days = ['athena', 'boreas'].flatMap((vessel) => readdirSync(join(folder, 'two_sisters', vessel)).map((name) => join('two_sisters', vessel, name)));
+judged(['fleet', join(folder, 'two_sisters/class.toml'), ...days]);
+
 // Sweeps: draws, a grid of which a part cannot be sailed, pairs.
 const laws = { draws: 'draws = 20\nconfidence = true\n',
   grid: 'design = "grid"\n[vary]\nmax_angle_deg = { values = [35.0, 5.0] }\n',

@@ -27,4 +27,16 @@ before=$(sed 's/"seconds".*//; s/"resumed_at".*//' cases.json)
 "$program" sweep cases.toml --out cases_out --json 2> /dev/null > again.json
 [ "$before" = "$(sed 's/"seconds".*//; s/"resumed_at".*//' again.json)" ] || fail "the same answer when all is there"
 grep -q '"resumed_at": 2' again.json || fail "nothing is made twice"
-echo "recordings: trials and diagnoses, with names and files that mean ill"
+# the columns are what identify itself says
+printf 'task = "identify"\ncases = ["cases/*"]\nship = "kvlcc2_l7"\nmodel = "mmg"\nfind = ["N_v", "N_r"]\n' > found.toml
+"$program" sweep found.toml --out found_out --csv found.csv > /dev/null 2>&1
+[ "$(head -1 found.csv)" = "item,case,N_v,N_v_error,N_r,N_r_error" ] || fail "a column of each coefficient and its error"
+number=$("$program" identify cases/none/train/zz.csv --ship kvlcc2_l7 --model mmg --find N_v,N_r --json 2> /dev/null |
+  sed -n '/"name": "N_v"/,/"value"/s/.*"value": \([-0-9.e]*\).*/\1/p' | head -1)
+grep -q "^0,none,$number," found.csv || fail "$number is what identify says"
+for wrong in 'model = "linear"' 'model = "mmg"\nfind = []' 'model = "mmg"\nfind = ["N_v"]\nprior = 1'; do
+  printf 'task = "identify"\ncases = ["cases/*"]\nship = "kvlcc2_l7"\n'"$wrong\n" > wrong.toml
+  if "$program" sweep wrong.toml --out wrong_out 2> wrong.txt; then fail "$wrong is refused"; fi
+  [ "$(wc -l < wrong.txt)" -eq 1 ] && grep -q '^wrong.toml:[0-9]*:' wrong.txt || fail "$wrong in one line with its place"
+done
+echo "recordings: trials, identifications and diagnoses, with names and files that mean ill"

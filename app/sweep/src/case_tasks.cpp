@@ -47,7 +47,30 @@ constexpr std::array diagnosis_places{
 
 std::span<const Place> places_of(SweepTask task) {
   if (task == SweepTask::trial) return trial_places;
-  return diagnosis_places;
+  if (task == SweepTask::diagnose) return diagnosis_places;
+  return {};
+}
+
+/// The entry of a list whose `name` is that.
+const Json* named(const Json& list, std::string_view name) {
+  const auto found = std::ranges::find_if(list, [&](const Json& entry) { return entry.value("name", "") == name; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+double number_in(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<double>() : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Of an identification: each coefficient and its standard error.
+std::vector<double> coefficients_of(const SweepPlan& plan, const Json& document) {
+  std::vector<double> values;
+  for (const auto& key : plan.find) {
+    const auto* found = document.contains("coefficients") ? named(document["coefficients"], key) : nullptr;
+    for (const char* number : {"value", "standard_error"})
+      values.push_back(found ? number_in(*found, number) : std::numeric_limits<double>::quiet_NaN());
+  }
+  return values;
 }
 
 /// The same files by names that no command takes for an option: a plan or a folder of others may hold "--report=page".
@@ -70,6 +93,13 @@ std::vector<std::string> words_of(const SweepPlan& plan, const SweepCase& named)
   if (plan.task == SweepTask::trial) {
     words.insert(words.end(), {"trial", "--json"});
     add("--ship", c.ship.empty() ? std::vector<std::string>{} : std::vector{c.ship});
+    add("", c.runs);
+  } else if (plan.task == SweepTask::identify) {
+    words.insert(words.end(), {"identify", "--json", "--ship", c.ship, "--model", plan.model, "--find",
+                               fmt::format("{}", fmt::join(plan.find, ","))});
+    if (plan.prior) words.emplace_back("--prior");
+    add("--holdout", c.holdout);
+    words.emplace_back("--");
     add("", c.runs);
   } else {
     words.insert(words.end(), {"diagnose", "--json", c.ship});
@@ -94,13 +124,15 @@ std::string last_line(std::string text) {
 std::vector<SweepColumn> results_of_case(const SweepPlan& plan) {
   std::vector<SweepColumn> columns;
   for (const auto& place : places_of(plan.task)) columns.push_back({place.column, place.unit, false});
+  for (const auto& key : plan.find)
+    for (const char* end : {"", "_error"}) columns.push_back({key + end, "-", false});
   return columns;
 }
 
 SweepBlock block_of_case(const SweepPlan& plan, std::size_t place) {
   const auto places = places_of(plan.task);
   SweepBlock block{.place = place, .first = place, .count = 1};
-  block.values.assign(places.size(), std::numeric_limits<double>::quiet_NaN());
+  block.values.assign(results_of_case(plan).size(), std::numeric_limits<double>::quiet_NaN());
   const auto end = run_program(words_of(plan, plan.cases[place]), {});
   const auto document = end ? Json::parse(end->out, nullptr, false) : Json();
   if (!end || end->code != 0 || document.is_discarded() || !document.is_object()) {
@@ -112,6 +144,7 @@ SweepBlock block_of_case(const SweepPlan& plan, std::size_t place) {
     const Json::json_pointer pointer(places[k].pointer);
     if (document.contains(pointer) && document[pointer].is_number()) block.values[k] = document[pointer].get<double>();
   }
+  if (plan.task == SweepTask::identify) block.values = coefficients_of(plan, document);
   block.documents.emplace_back(place, document.dump());
   return block;
 }

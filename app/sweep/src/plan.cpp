@@ -7,6 +7,7 @@
 #include <charconv>
 #include <span>
 #include <string_view>
+#include <system_error>
 
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
@@ -18,6 +19,17 @@ namespace {
 
 /// Largest counts that are taken for meant.
 constexpr double most_points = 1e9, most_overshoots = 16;
+
+/// Also where the name is longer than any file's, or the way to it is closed.
+bool is_there(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
+bool is_folder(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(file, ignored);
+}
 
 /// A number at the front of a text, which is taken off.
 std::optional<double> number_at_front(std::string_view& text) {
@@ -34,8 +46,9 @@ class PlanText : core::detail::TomlText {
 
   SweepPlan read(const std::string& text_of_file) const {
     if (const auto* task = root().get("task"))
-      if (const auto word = text(*task, "task"); word == "trial" || word == "diagnose")
-        return read_of_recordings(text_of_file, word == "trial" ? SweepTask::trial : SweepTask::diagnose);
+      if (const auto found = std::ranges::find(tasks_of_recordings, text(*task, "task"), &NamedTask::name);
+          found != tasks_of_recordings.end())
+        return read_of_recordings(text_of_file, found->task);
     require_known(root(),
                   std::array<std::string_view, 12>{"task", "first", "overshoots", "tolerance", "speed_m_s", "ships",
                                                    "design", "draws", "pairs", "seed", "confidence", "vary"},
@@ -78,15 +91,43 @@ class PlanText : core::detail::TomlText {
     return static_cast<std::size_t>(*value);
   }
 
-  static std::string tasks() { return "\"zigzag 10/10\", \"turn 35\", \"indices\", \"trial\" or \"diagnose\""; }
+  static std::string tasks() {
+    return "\"zigzag 10/10\", \"turn 35\", \"indices\", \"trial\", \"identify\" or \"diagnose\"";
+  }
 
   // ---------------------------------------------------------------- recordings
+
+  struct NamedTask {
+    std::string_view name;
+    SweepTask task;
+  };
+  static constexpr std::array<NamedTask, 3> tasks_of_recordings{
+      {{"trial", SweepTask::trial}, {"identify", SweepTask::identify}, {"diagnose", SweepTask::diagnose}}};
+
+  /// What is to be found of every case.
+  void read_identification(SweepPlan& plan) const {
+    constexpr std::array<std::string_view, 3> models{"mmg", "pi", "pu"};
+    const auto* model = root().get("model");
+    plan.model = model ? text(*model, "model") : "";
+    if (std::ranges::count(models, plan.model) == 0)
+      fail(model ? *model : static_cast<const toml::node&>(root()), "model must be \"mmg\", \"pi\" or \"pu\"");
+    const auto* find = root().get("find");
+    const auto* list = find ? find->as_array() : nullptr;
+    if (!list || list->empty())
+      fail(find ? *find : static_cast<const toml::node&>(root()),
+           "find must be a list of coefficients, [\"N_v\", \"N_r\"]");
+    for (const auto& element : *list) plan.find.push_back(text(element, "a coefficient"));
+    if (const auto* node = root().get("prior")) plan.prior = flag(*node, "prior");
+  }
 
   SweepPlan read_of_recordings(const std::string& text_of_file, SweepTask task) const {
     const bool trial = task == SweepTask::trial;
     const auto* key = trial ? "runs" : "cases";
-    require_known(root(), std::array<std::string_view, 3>{"task", key, "ship"}, "a plan of recordings");
+    std::vector<std::string_view> known{"task", key, "ship"};
+    if (task == SweepTask::identify) known.insert(known.end(), {"model", "find", "prior"});
+    require_known(root(), known, "a plan of recordings");
     SweepPlan plan{.file = file_, .text = text_of_file, .task = task, .ships = {}};
+    if (task == SweepTask::identify) read_identification(plan);
     const auto* list = root().get(key);
     if (!list || !list->is_array() || list->as_array()->empty())
       fail(root(), trial ? "runs is missing: a list of recordings, \"trials/*.csv\""
@@ -103,7 +144,7 @@ class PlanText : core::detail::TomlText {
   /// A file of the plan as seen from the working folder; where none is there, the name of a published ship.
   std::string beside(const std::filesystem::path& name) const {
     const auto file = file_.parent_path() / name;
-    return std::filesystem::exists(file) ? file.string() : name.string();
+    return is_there(file) ? file.string() : name.string();
   }
 
   /// Files or folders of that name, whose last part may have one *, in the order of their names.
@@ -113,10 +154,11 @@ class PlanText : core::detail::TomlText {
     const auto star = last.find('*');
     std::vector<std::filesystem::path> found;
     if (star == std::string::npos) {
-      if (std::filesystem::exists(whole)) found.push_back(whole);
-    } else if (std::filesystem::is_directory(whole.parent_path())) {
+      if (is_there(whole)) found.push_back(whole);
+    } else if (is_folder(whole.parent_path())) {
       const auto begin = last.substr(0, star), end = last.substr(star + 1);
-      for (const auto& entry : std::filesystem::directory_iterator(whole.parent_path())) {
+      std::error_code readable;
+      for (const auto& entry : std::filesystem::directory_iterator(whole.parent_path(), readable)) {
         const auto name = entry.path().filename().string();
         if (name.size() >= begin.size() + end.size() && name.starts_with(begin) && name.ends_with(end))
           found.push_back(entry.path());
@@ -130,8 +172,9 @@ class PlanText : core::detail::TomlText {
   /// Recordings of a folder; none where it is not there.
   static std::vector<std::string> recordings_in(const std::filesystem::path& folder) {
     std::vector<std::string> runs;
-    if (!std::filesystem::is_directory(folder)) return runs;
-    for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (!is_folder(folder)) return runs;
+    std::error_code readable;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, readable))
       if (entry.path().extension() == ".csv") runs.push_back(entry.path().string());
     std::ranges::sort(runs);
     return runs;
@@ -144,7 +187,7 @@ class PlanText : core::detail::TomlText {
                     .runs = recordings_in(folder / "train"),
                     .reference = recordings_in(folder / "reference"),
                     .holdout = recordings_in(folder / "holdout")};
-    if (ship.empty() && !std::filesystem::exists(found.ship))
+    if (ship.empty() && !is_there(found.ship))
       fail(node, fmt::format("{}: there is no ship.toml, and the plan has no ship", folder.string()));
     if (found.runs.empty()) fail(node, fmt::format("{}: there is no recording in train/", folder.string()));
     return found;

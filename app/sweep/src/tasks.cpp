@@ -255,6 +255,7 @@ std::vector<SweepColumn> results_of(const SweepPlan& plan) {
         add(name, "-");
       break;
     case SweepTask::trial:
+    case SweepTask::identify:
     case SweepTask::diagnose: break;
   }
   return columns;
@@ -274,6 +275,7 @@ void fill_results(const SweepPlan& plan, const VariedShip& ship, SweepBlock& blo
     case SweepTask::turn: return turns(plan, ship, block, results);
     case SweepTask::indices: return indices_of(ship, block, results);
     case SweepTask::trial:
+    case SweepTask::identify:
     case SweepTask::diagnose: break;  // of recordings: case_tasks.hpp
   }
 }

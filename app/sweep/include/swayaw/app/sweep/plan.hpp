@@ -14,7 +14,7 @@
 namespace swayaw::app {
 
 /// What is done with every ship of a sweep, or with recordings.
-enum class SweepTask { zigzag, turn, indices, trial, diagnose };
+enum class SweepTask { zigzag, turn, indices, trial, identify, diagnose };
 
 /// Recordings that are worked on together; of a trial one, without a ship unless the plan has one.
 struct SweepCase {
@@ -53,7 +53,10 @@ struct SweepPlan {
   std::optional<double> speed{};   ///< approach speed [m/s]; the service speed unless given
   std::vector<std::string> ships;  ///< files as seen from the working folder, or names of published ships
   FilePlace ships_place{};
-  std::vector<SweepCase> cases{};  ///< of trial and diagnose
+  std::vector<SweepCase> cases{};   ///< of trial, identify and diagnose
+  std::string model{};              ///< of identify: mmg, pi or pu
+  std::vector<std::string> find{};  ///< of identify: keys of the coefficients
+  bool prior = false;               ///< of identify: numbers of the ship file count as measurements
   SweepDesign design = SweepDesign::draws;
   std::size_t size = 1;     ///< draws, or pairs of them, for each ship
   std::uint64_t seed = 1;   ///< of the draws
@@ -65,7 +68,7 @@ struct SweepPlan {
 SweepPlan read_sweep_plan(const std::filesystem::path& file);
 
 /// Whether the items are recordings rather than points of ships.
-inline bool of_recordings(SweepTask task) { return task == SweepTask::trial || task == SweepTask::diagnose; }
+inline bool of_recordings(SweepTask task) { return task >= SweepTask::trial; }
 
 /// The same from text; `name` stands for the file in messages, and ships are sought beside it.
 SweepPlan parse_sweep_plan(const std::string& text, const std::filesystem::path& name);
