@@ -25,9 +25,9 @@ parts=(
   "300 threads nonlinear sweep"
   "330 compilers"
   "330 once"
-  "360 addresses nonlinear"
-  "420 threads mismatch"
-  "500 addresses identification"
+  "450 addresses nonlinear"
+  "480 threads mismatch"
+  "540 addresses identification"
   "540 addresses mismatch"
 )
 
