@@ -127,7 +127,11 @@ std::string file_name_of(std::string vessel) {
 
 void save_models(const std::filesystem::path& folder, const Ship& ship, const FleetDiagnosis& d) {
   std::filesystem::create_directories(folder);
-  const auto save = [&](const std::string& name, const Ship& found, const std::string& remark) {
+  std::vector<std::string> taken;
+  const auto save = [&](std::string name, const Ship& found, const std::string& remark) {
+    // names that differ in what no file name has, and a vessel that is named as the class
+    while (std::ranges::count(taken, name) > 0) name += "_";
+    taken.push_back(name);
     const auto kept = writable(found, ship);
     write_ship(folder / (name + ".toml"), kept.ship,
                fmt::format("Made by swayaw {} from {}.\n{}", version(), ship.name, remark));

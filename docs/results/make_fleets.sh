@@ -4,7 +4,7 @@
 # Needs the target swayaw_fleets.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
-seed=${2:-5000} count=${3:-40} quiet=${4:-40}
+seed=${2:-5000} count=${3:-12} quiet=${4:-12}
 table=$("$1"/bench/concealed/swayaw_fleets --seed "$seed" --count "$count" --quiet "$quiet")
 page=fleets.md
 {
