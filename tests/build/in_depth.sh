@@ -15,8 +15,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-# Seconds on two processors that have nothing else to do, from a clean clone, and the part. Of those that take longer than
-# CI has time for, the turn goes to the next that does not.
+# Seconds on two processors that have nothing else to do, from a clean clone, and the part.
 parts=(
   "110 threads core linear"
   "120 addresses core"
@@ -54,17 +53,14 @@ once() {
   tests/consumer/alone.sh || (($? == 77))
 }
 
-# The part whose turn it is; where it takes longer than the seconds that are given, the next that does not.
+# Of the parts that take no longer than the seconds that are given, the one whose turn it is.
 turn() {
-  local seconds=${1:-3600} first=$(($(git log -1 --format=%ct) % ${#parts[@]})) i
-  for ((i = 0; i < ${#parts[@]}; i++)); do
-    local each=${parts[(first + i) % ${#parts[@]}]}
-    ((${each%% *} <= seconds)) || continue
-    echo "in depth: ${each#* }, about ${each%% *} s of $seconds s"
-    part ${each#* }
-    return
-  done
-  echo "in depth: left out, no part takes less than $seconds s"
+  local seconds=${1:-3600} fitting=() each
+  for each in "${parts[@]}"; do ((${each%% *} > seconds)) || fitting+=("$each"); done
+  ((${#fitting[@]})) || { echo "in depth: left out, every part takes more than the $seconds s that are left"; return; }
+  each=${fitting[$(($(git log -1 --format=%ct) % ${#fitting[@]}))]}
+  echo "in depth: ${each#* }, about ${each%% *} of the $seconds s that are left"
+  part ${each#* }
 }
 
 part() {
