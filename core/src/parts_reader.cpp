@@ -137,7 +137,15 @@ class KeysReader {
   void read_number(const FileParameter& n) const {
     const auto place = place_of(n.key);
     const auto* node = node_of(n.table, place.key);
-    *n.value = node ? number(*node, place, n.table, n.range) * n.si : n.fallback;
+    *n.value = node ? in_si(*node, place, n) : n.fallback;
+  }
+
+  /// A denormal number of degrees is no angle any more in radians, a huge one of kilonewtons infinite in newtons.
+  double in_si(const toml::node& node, const KeyPlace& place, const FileParameter& n) const {
+    const double written = number(node, place, n.table, n.range), value = written * n.si;
+    if (std::isfinite(value) && n.range.contains(value / n.si) && (value != 0.0 || written == 0.0)) return value;
+    file_.fail(node, fmt::format("{} in [{}] is too {}, {}", place.key, n.table,
+                                 std::abs(written) < 1.0 ? "small" : "large", written));
   }
 
   const toml::node* node_of(std::string_view table, std::string_view key) const {

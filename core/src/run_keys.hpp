@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "swayaw/core/detail/csv_text.hpp"
+#include "swayaw/core/detail/toml_depth.hpp"
 #include "swayaw/core/recording.hpp"
 #include "swayaw/core/refusal.hpp"
 
@@ -65,6 +66,8 @@ class RunKeyReader {
     if (equals == std::string_view::npos) return warn_of_remark(trimmed(line));
     const RunRemark as_written{std::string(trimmed(line.substr(0, equals))),
                                std::string(trimmed(line.substr(equals + 1)))};
+    if (const auto deep = place_of_deep_key(line))
+      throw FileError(at(*deep + 1), fmt::format("a key of more than {} dots", deepest_key));
     try {
       for (auto&& [key, value] : toml::parse(line))
         if (!take_key(key.str(), value)) keep(key.str(), as_written, value);

@@ -53,7 +53,10 @@ std::span<const Place> places_of(SweepTask task) {
 
 /// The entry of a list whose `name` is that.
 const Json* named(const Json& list, std::string_view name) {
-  const auto found = std::ranges::find_if(list, [&](const Json& entry) { return entry.value("name", "") == name; });
+  const auto is_named = [&](const Json& entry) {
+    return entry.is_object() && entry.contains("name") && entry["name"] == name;
+  };
+  const auto found = std::ranges::find_if(list, is_named);
   return found == list.end() ? nullptr : &*found;
 }
 
@@ -112,6 +115,15 @@ std::vector<std::string> words_of(const SweepPlan& plan, const SweepCase& named)
   return words;
 }
 
+/// The document; discarded where the text is none, or has lists in lists that would take the stack to write again.
+Json shallow_json(std::string_view text) {
+  constexpr int deepest = 100;  // documents of the program have 8
+  bool deep = false;
+  const auto look = [&](int depth, Json::parse_event_t, Json&) { return !(deep |= depth > deepest); };
+  auto document = Json::parse(text, look, false);
+  return deep ? Json(Json::value_t::discarded) : document;
+}
+
 /// The last line that the program said, without its own name.
 std::string last_line(std::string text) {
   while (text.ends_with('\n')) text.pop_back();
@@ -129,15 +141,13 @@ std::vector<SweepColumn> results_of_case(const SweepPlan& plan) {
   return columns;
 }
 
-SweepBlock block_of_case(const SweepPlan& plan, std::size_t place) {
+SweepBlock block_of_document(const SweepPlan& plan, std::size_t place, std::string_view text) {
   const auto places = places_of(plan.task);
   SweepBlock block{.place = place, .first = place, .count = 1};
   block.values.assign(results_of_case(plan).size(), std::numeric_limits<double>::quiet_NaN());
-  const auto end = run_program(words_of(plan, plan.cases[place]), {});
-  const auto document = end ? Json::parse(end->out, nullptr, false) : Json();
-  if (!end || end->code != 0 || document.is_discarded() || !document.is_object()) {
-    block.notes.emplace_back(
-        place, end ? fmt::format("exit code {}: {}", end->code, last_line(end->err)) : "the program cannot be started");
+  const auto document = shallow_json(text);
+  if (!document.is_object()) {
+    block.notes.emplace_back(place, "what the command answered is no document");
     return block;
   }
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -146,6 +156,15 @@ SweepBlock block_of_case(const SweepPlan& plan, std::size_t place) {
   }
   if (plan.task == SweepTask::identify) block.values = coefficients_of(plan, document);
   block.documents.emplace_back(place, document.dump());
+  return block;
+}
+
+SweepBlock block_of_case(const SweepPlan& plan, std::size_t place) {
+  const auto end = run_program(words_of(plan, plan.cases[place]), {});
+  if (end && end->code == 0) return block_of_document(plan, place, end->out);
+  auto block = block_of_document(plan, place, "");
+  block.notes.front().second =
+      end ? fmt::format("exit code {}: {}", end->code, last_line(end->err)) : "the program cannot be started";
   return block;
 }
 

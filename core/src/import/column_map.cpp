@@ -11,6 +11,7 @@
 #include "../run_keys.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/channel.hpp"
+#include "swayaw/core/detail/toml_text.hpp"
 
 namespace swayaw::inline core::detail {
 namespace {
@@ -46,12 +47,8 @@ class ColumnMapReader {
   explicit ColumnMapReader(const std::filesystem::path& file) : file_(file) {}
 
   ColumnMap read() {
-    try {
-      const auto text = read_text(file_, FileUse::description);
-      for (auto&& [key, value] : toml::parse(text, file_.string())) take(key.str(), key.source(), value);
-    } catch (const toml::parse_error& error) {
-      throw FileError(at(error.source()), error.description());
-    }
+    const auto text = read_text(file_, FileUse::description);
+    for (auto&& [key, value] : parsed_toml(text, file_)) take(key.str(), key.source(), value);
     return std::move(map_);
   }
 
@@ -135,7 +132,8 @@ class ColumnMapReader {
   TimeCell origin(const toml::node& value) const {
     const auto written = value.is_string() ? text("origin", value) : toml_of(value);
     const auto found = time_cell(written);
-    if (found && found->date && found->date->order == DateOrder::year_month_day) return *found;
+    const bool is_date = found && found->date && found->date->order == DateOrder::year_month_day;
+    if (is_date && day_of(*found->date, DateOrder::year_month_day)) return *found;
     fail(value, "origin must be a date and time like \"2024-03-12T10:00:00Z\" or \"2024-03-12\"");
   }
 

@@ -9,6 +9,7 @@
 #include "../run_keys.hpp"
 #include "name_words.hpp"
 #include "recording_writer.hpp"
+#include "swayaw/core/detail/toml_depth.hpp"
 #include "swayaw/core/import.hpp"
 #include "text_encoding.hpp"
 
@@ -223,6 +224,7 @@ class TableImporter {
   }
 
   static bool is_toml(std::string_view text) {
+    if (place_of_deep_key(text)) return false;
     try {
       return !toml::parse(text).empty();
     } catch (const toml::parse_error&) {

@@ -89,6 +89,7 @@ DecodedText decoded(std::string bytes, const std::filesystem::path& file) {
   const auto from = [&](std::size_t mark, const char* encoding) -> DecodedText {
     auto text = converted(view.substr(mark), encoding);
     if (!text) throw FileError({file, 1, 1}, fmt::format("begins as {} and has bytes that are none", encoding));
+    if (text->find('\0') != std::string::npos) refuse_zero(*text, file);
     return {std::move(*text), encoding};
   };
   if (view.starts_with("\xFF\xFE")) return from(2, "UTF-16LE");

@@ -204,6 +204,9 @@ std::optional<std::int64_t> day_of(const WrittenDate& date, DateOrder order) {
   const std::chrono::year_month_day day{std::chrono::year{y}, std::chrono::month{static_cast<unsigned>(m)},
                                         std::chrono::day{static_cast<unsigned>(d)}};
   if (!day.ok()) return std::nullopt;
+  // the library's clock counts nanoseconds, which end in 2262
+  constexpr int first_year = 1700, last_year = 2261;
+  if (y < first_year || y > last_year) return std::nullopt;
   return std::chrono::sys_days{day}.time_since_epoch().count();
 }
 

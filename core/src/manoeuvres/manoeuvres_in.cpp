@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "rudder_holds.hpp"
@@ -18,12 +19,13 @@ namespace {
 /// The angle that was ordered, from that which was measured [deg]: a usual one if it is near. An order that waits for
 /// an angle comes late rather than early, by `late` or a tenth.
 int nominal(double measured, double late = 0.0) {
+  constexpr double most_degrees = 1e6;  // of a column in the wrong unit; an int holds it
   for (const int usual : {1, 2, 3, 5, 10, 15, 20, 25, 30, 35, 40, 45}) {
     const double near = std::max(0.5, std::min(0.15 * usual, 1.5));
     const double latest = usual < 5 || late == 0.0 ? 0.0 : std::max(late, 0.1 * usual);
     if (measured >= usual - near && measured <= usual + std::max(near, latest)) return usual;
   }
-  return static_cast<int>(std::lround(measured));
+  return static_cast<int>(std::lround(std::clamp(measured, 0.0, most_degrees)));
 }
 
 std::string_view side_of(double heading_change) { return heading_change > 0.0 ? "starboard" : "port"; }
@@ -343,13 +345,16 @@ class Search {
       const double next = k + 1 < found_.size() ? found_[k + 1].begin : run_.time.back();
       const double room = std::max(piece.end, next - (k + 1 < found_.size() ? 0.5 * approach : 0.0));
       piece.end = std::min(settled_after(piece.end, std::min(piece.end + longest_settling, run_.time.back())), room);
+      piece.end = std::max(piece.end, piece.begin);
     }
   }
 
   /// When the heading has kept within 2 deg for half a minute, or at `last`.
   double settled_after(double end, double last) const {
     constexpr double window = 30.0, step = 2.0, steady = 2.0;  // [s], [s], [deg]
-    for (double t = end; t + window < last; t += step) {
+    constexpr double given_up = 3600.0;                        // [s]: a heading that swings for an hour goes on
+    for (int k = 0; end + k * step + window < last && k * step < given_up; ++k) {
+      const double t = end + k * step;
       const auto [low, high] = heading_.range(t, t + window);
       if (high - low <= steady) return t + window;
     }
@@ -366,9 +371,20 @@ class Search {
   std::vector<Block> blocks() const {
     constexpr double length = 10.0;  // [s]: the roll and pitch of ships, shorter than their turning
     std::vector<Block> result;
-    for (double t = run_.time.front(); t + length <= run_.time.back(); t += length)
+    double k = 0.0;
+    for (double t = run_.time.front(); t + length <= run_.time.back(); t = run_.time.front() + k * length) {
       result.push_back({t, heading_.mean(t, t + length), speed_.mean(t, t + length)});
+      k = std::isnan(result.back().heading) ? block_of_next(t + length, length, k) : k + 1.0;
+      if (!(run_.time.front() + k * length > t)) break;  // numbers so large that they tell no seconds
+    }
     return result;
+  }
+
+  /// The block of the first heading from a time on: a gap of years is no longer than one of a minute.
+  double block_of_next(double time, double length, double k) const {
+    const auto next = heading_.from(time);
+    if (next == heading_.size()) return std::numeric_limits<double>::infinity();
+    return std::max(k + 1.0, std::floor((heading_.time[next] - run_.time.front()) / length));
   }
 
   /// Heading within 2 deg to either side, speed within 3 %, as long as it goes on; a block without samples ends it.

@@ -4,16 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <new>
 #include <string_view>
+#include <system_error>
 
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "trial_reading.hpp"
 
 namespace swayaw::inline core::detail {
 namespace {
@@ -64,28 +68,59 @@ void require_size(const std::filesystem::path& file, double bytes, FileUse use) 
                                                 1e-6 * bytes, 1e-6 * most, std::ceil(1e-6 * bytes)));
 }
 
+/// Numbers of a variable may be stored as bytes, an eighth of a double, and these compressed to a 1032nd, the least
+/// that deflate makes of them. A variable that claims more than that of the file is not there: libmatio makes room for
+/// it, and leaves what it does not find as the memory was.
+void require_room_in_file(const std::filesystem::path& file, const mat_t& mat, const matvar_t& variable, double bytes) {
+  std::error_code unknown;
+  const auto size = static_cast<double>(std::filesystem::file_size(file, unknown));
+  const bool compressed =
+      variable.compression != MAT_COMPRESSION_NONE || Mat_GetVersion(const_cast<mat_t*>(&mat)) == MAT_FT_MAT73;
+  if (unknown || bytes <= 8.0 * size * (compressed ? 1032.0 : 1.0)) return;
+  throw FileError({file, 1, 1}, fmt::format("is damaged: a variable claims {:.4g} MB, and the file has {:.4g} MB",
+                                            1e-6 * bytes, 1e-6 * size));
+}
+
 /// Whether there are numbers, texts or parts in it.
 bool has_values(const matvar_t& variable) {
   return variable.class_type != MAT_C_SPARSE && variable.class_type != MAT_C_FUNCTION &&
          variable.class_type != MAT_C_OBJECT && variable.class_type != MAT_C_OPAQUE;
 }
 
-}  // namespace
+std::atomic<bool> out_of_memory{false};
 
-void for_each_variable(const std::filesystem::path& file, const std::function<void(const matvar_t&)>& f, FileUse use) {
-  require_regular_file(file, use);
-  Mat_LogInitFunc("swayaw", [](int, char*) {});  // what is wrong is said by what could not be read
+bool speaks_of_memory(const char* message) {
+  const std::string_view words(message);
+  return words.find("memory") != std::string_view::npos || words.find("allocat") != std::string_view::npos;
+}
+
+void read_variables(const std::filesystem::path& file, const std::function<void(const matvar_t&)>& f, FileUse use) {
+  // what is wrong is said by what could not be read, but for memory, without which the library goes on
+  out_of_memory = false;
+  Mat_LogInitFunc("swayaw", [](int, char* message) {
+    if (speaks_of_memory(message)) out_of_memory = true;
+  });
   const std::unique_ptr<mat_t, int (*)(mat_t*)> mat(Mat_Open(file.c_str(), MAT_ACC_RDONLY), &Mat_Close);
   if (!mat) throw FileError({file, 1, 1}, what_else_it_is(file));
   using Variable = std::unique_ptr<matvar_t, void (*)(matvar_t*)>;
   double bytes = 0.0;
   while (const auto variable = Variable(Mat_VarReadNextInfo(mat.get()), &Mat_VarFree)) {
     if (has_values(*variable)) {
+      require_room_in_file(file, *mat, *variable, bytes_of(*variable));
       require_size(file, bytes += bytes_of(*variable), use);
       Mat_VarReadDataAll(mat.get(), variable.get());
     }
-    if (variable->name != nullptr) f(*variable);
+    if (out_of_memory) throw std::bad_alloc();
+    if (variable->name != nullptr && *variable->name != '\0') f(*variable);
   }
+}
+
+}  // namespace
+
+void for_each_variable(const std::filesystem::path& file, const std::function<void(const matvar_t&)>& f, FileUse use) {
+  require_regular_file(file, use);
+  require_harmless(file, [&] { read_variables(file, f, use); });
+  read_variables(file, f, use);
 }
 
 std::size_t count_of(const matvar_t& variable) {

@@ -42,6 +42,7 @@ class Row {
   std::string text(std::string_view name) const { return has(name) ? cells_[place_of(name)] : ""; }
 
   double number(std::string_view name) const {
+    if (!has(name)) lacks(name);
     const auto& cell = cells_[place_of(name)];
     if (detail::is_missing(cell)) return missing;
     if (const auto value = detail::number_in(cell)) return *value;
@@ -53,6 +54,12 @@ class Row {
     for (const auto& [name, factor] : columns)
       if (has(name)) return number(name) * factor;
     return std::nullopt;
+  }
+
+  /// What a row cannot do without.
+  void require_finite(std::initializer_list<double> numbers, std::string_view what) const {
+    if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
+      throw FileError(place_, fmt::format("{} of this row is missing, or is no finite number", what));
   }
 
   [[noreturn]] void lacks(std::string_view what) const {
@@ -81,13 +88,17 @@ struct Units {
   }
 };
 
+/// @throws FileError  where a cell that tells the motion is missing, or tells one beyond all numbers
 PlanarMotion<double> motion_of(const Row& row, double L) {
   const double beta = row.first_of({{"beta_rad", 1.0}, {"beta_deg", radians(1.0)}}).value_or(0.0);
   const auto U = row.first_of({{"U_m_s", 1.0}});
   if (!U && !row.has("u_m_s")) row.lacks("U_m_s, or u_m_s and v_m_s");
   const double u = U ? *U * std::cos(beta) : row.number("u_m_s");
   const double v = U ? -*U * std::sin(beta) : row.first_of({{"v_m_s", 1.0}}).value_or(0.0);
-  return {u, v, row.first_of({{"r_prime", std::hypot(u, v) / L}, {"r_rad_s", 1.0}}).value_or(0.0)};
+  const PlanarMotion<double> motion{u, v,
+                                    row.first_of({{"r_prime", std::hypot(u, v) / L}, {"r_rad_s", 1.0}}).value_or(0.0)};
+  row.require_finite({motion.u, motion.v, motion.r}, "the motion");
+  return motion;
 }
 
 Controls<double> controls_of(const Row& row, const Units& units, const CaptiveFile& options) {
@@ -177,6 +188,7 @@ void add_oscillating_points(const Row& row, const CaptiveFile& options, std::vec
   const double U = speed(mean);
   const Units units(options, U);
   const auto a = oscillation_of(row, options, U);
+  row.require_finite({a.v, a.r, a.dv, a.dr}, "the oscillation");
   const auto controls = controls_of(row, units, options);
   for (const auto& h : harmonics) {
     const auto column = [&](const char* force) { return fmt::format("{}_{}_prime", force, h.column); };

@@ -172,6 +172,24 @@ const InstrumentError* RunCheck::mistake() const {
   return found == errors.end() ? nullptr : &*found;
 }
 
+namespace {
+
+/// Samples of 1e300 or 1e-300 square to what is no number.
+void leave_out_beyond_numbers(RunCheck& check) {
+  const auto is_beyond = [](const InstrumentError& e) {
+    return !std::isfinite(e.value) || !std::isfinite(e.standard_error);
+  };
+  for (const auto& e : check.errors)
+    if (is_beyond(e)) {
+      const auto words = fmt::format("errors of {}: samples of the run are too large or too small to reckon with",
+                                     short_name(e.channel));
+      if (std::ranges::count(check.cannot_tell, words) == 0) check.cannot_tell.push_back(words);
+    }
+  std::erase_if(check.errors, is_beyond);
+}
+
+}  // namespace
+
 RunCheck check_run(const Recording& run) {
   if (run.samples() < samples_for_check)
     throw Refusal(fmt::format("{}: {} samples are too few to check instruments by; {} are needed", run.name,
@@ -188,6 +206,7 @@ RunCheck check_run(const Recording& run) {
   if (!reversed) check.cannot_tell.push_back("to which side the rudder is positive: it moves too little");
   else if (*reversed) check.errors.push_back(reversed_rudder(mended));
   add(check.errors, errors_of(mended));
+  leave_out_beyond_numbers(check);
   note_what_is_missing(mended, check.cannot_tell);
   return check;
 }

@@ -239,6 +239,11 @@ bool is_apart(const ClockJump& jump, const TrackClock& clock, double step) {
                               [&](const ClockJump& other) { return std::abs(other.at - jump.at) < fewest * step; });
 }
 
+/// Whether the way is known at as many samples as a check needs at least: a jump of years leaves none.
+bool is_enough(const Usable& usable) {
+  return static_cast<std::size_t>(std::ranges::count(usable, true)) >= samples_for_check;
+}
+
 /// One more jump, placed twice: by the fit without it, and by that with it.
 std::optional<TrackFit> with_jump_at(const Track& track, const TrackFit& found, const Stretch& where) {
   const auto& time = track.run.time;
@@ -249,7 +254,9 @@ std::optional<TrackFit> with_jump_at(const Track& track, const TrackFit& found, 
   const double step = usual_step(time);
   if (!jump || !is_apart(*jump, found.clock, step)) return {};
   const auto clock = with_jump(found.clock, *jump);
-  auto fit = likeliest(track, {clock, found.fit.errors}, reckoned_on(clock, time));
+  const auto inside = reckoned_on(clock, time);
+  if (!is_enough(inside)) return {};
+  auto fit = likeliest(track, {clock, found.fit.errors}, inside);
   const auto j =
       static_cast<std::size_t>(std::ranges::find(fit.clock.jumps, jump->at, &ClockJump::at) - fit.clock.jumps.begin());
   const auto other = without_jump(fit, j);
@@ -257,7 +264,9 @@ std::optional<TrackFit> with_jump_at(const Track& track, const TrackFit& found, 
   const auto again = second.placed(fit.clock.jumps[j].size, fit.fit.errors.white);
   if (!again || !is_apart(*again, other.clock, step)) return fit;
   const auto settled_clock = with_jump(other.clock, *again);
-  return likeliest(track, {settled_clock, fit.fit.errors}, reckoned_on(settled_clock, time));
+  const auto inside_again = reckoned_on(settled_clock, time);
+  if (!is_enough(inside_again)) return fit;
+  return likeliest(track, {settled_clock, fit.fit.errors}, inside_again);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "run_motion.hpp"
 
@@ -104,10 +105,9 @@ TimeSeries block_means(const TimeSeries& s, double block) {
     double time = 0.0, speed = 0.0, bridge = 0.0;
     Eigen::RowVectorXd Xy;
   };
-  std::vector<std::array<Block, 2>> blocks;
+  std::map<double, std::array<Block, 2>> blocks;  // by place; those of a gap are not there
   for (std::size_t k = 0; k < s.time.size(); ++k) {
-    const auto place = static_cast<std::size_t>((s.time[k] - s.time[0]) / block);
-    if (blocks.size() <= place) blocks.resize(place + 1);
+    const double place = std::floor((s.time[k] - s.time[0]) / block);
     auto& b = blocks[place][static_cast<std::size_t>(s.axis[k])];
     if (b.rows++ == 0) b.Xy = Eigen::RowVectorXd::Zero(s.Xy.cols());
     b.time += s.time[k];
@@ -116,10 +116,10 @@ TimeSeries block_means(const TimeSeries& s, double block) {
     b.Xy += s.Xy.row(static_cast<Eigen::Index>(k));
   }
   std::size_t filled = 0;
-  for (const auto& both : blocks) filled += (both[0].rows > 0) + (both[1].rows > 0);
+  for (const auto& [place, both] : blocks) filled += (both[0].rows > 0) + (both[1].rows > 0);
   TimeSeries means(filled, s.Xy.cols());
   std::size_t i = 0;
-  for (const auto& both : blocks)
+  for (const auto& [place, both] : blocks)
     for (const int axis : {0, 1}) {
       const auto& b = both[static_cast<std::size_t>(axis)];
       if (b.rows == 0) continue;

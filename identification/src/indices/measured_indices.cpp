@@ -132,11 +132,16 @@ class IndexFile : detail::TomlText {
     if (table && !table->contains("value")) fail(*table, fmt::format("value is missing in {}", key.key));
     const double value = number(table ? *table->get("value") : node, key.key, key.range);
     const auto deviation = table ? positive_at(*table, "sd") : std::nullopt;
-    return {.name = name,
-            .place = place,
-            .value = value * key.si,
-            .deviation = deviation.value_or(tolerance * std::abs(value)) * key.si,
-            .si = key.si};
+    const MeasuredIndex result{.name = name,
+                               .place = place,
+                               .value = value * key.si,
+                               .deviation = deviation.value_or(tolerance * std::abs(value)) * key.si,
+                               .si = key.si};
+    if (!std::isfinite(result.value) || !std::isfinite(result.deviation))
+      fail(node, fmt::format("{} is too large, {}", key.key, value));
+    if (!(result.deviation > 0.0))
+      fail(node, fmt::format("{} = {} leaves no deviation; give {{ value = ..., sd = ... }}", key.key, value));
+    return result;
   }
 
   void add_list(std::vector<MeasuredIndex>& indices, const toml::node& node, const IndexKey& key, std::size_t first,

@@ -49,6 +49,25 @@ void require_consistent(const PrimeShip& ship, const PartsReader& file) {
 
 void require_consistent(const AbkowitzShip<double>&, const PartsReader&) {}
 
+/// Unit forces at rest accelerate her along themselves, and by finite amounts: the matrix of masses and added masses
+/// has an inverse.
+template <class Model>
+void require_inertia(const Model& model, const PartsReader& file) {
+  const double L = model.particulars.L;
+  const double mass = model.water.rho * L * L * L;  // unit of mass
+  const auto answer = [&](const PlanarForce<double>& unit) {
+    const PlanarForce<double> force{mass * unit.X, mass * unit.Y, mass * unit.N};
+    return acceleration(model, PlanarMotion<double>{0.0, 0.0, 0.0}, force);
+  };
+  const auto surge = answer({1.0, 0.0, 0.0}), sway = answer({0.0, 1.0, 0.0}), yaw = answer({0.0, 0.0, L});
+  const auto is_positive = [](double number) { return std::isfinite(number) && number > 0.0; };
+  if (!is_positive(surge.u))
+    file.fail("", "model", "mass and added mass in surge are not positive together, so no force can drive her");
+  if (!is_positive(sway.v) || !is_positive(L * yaw.r) || !is_positive(L * (sway.v * yaw.r - yaw.v * sway.r)))
+    file.fail("", "model",
+              "mass, added masses and inertia in sway and yaw are singular or negative, so no motion answers a force");
+}
+
 // ---------------------------------------------------------------- names of a source
 
 /// Puts each number, and the trust in it, under its own name.
@@ -202,6 +221,7 @@ Ship read_as(const PartsReader& file) {
   auto head = file.read(keys);
   apply_labels(model, head.confidence);
   require_consistent(model, file);
+  require_inertia(model, file);
   Surroundings<double> around{
       .windage = own_windage ? windage_of(table, file) : windage_of(model), .wind = {}, .current = {}};
   auto effects = read_effects(model, around.windage, file);

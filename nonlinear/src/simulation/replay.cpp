@@ -164,10 +164,29 @@ Interpolant rudder_of(const Ship& ship, const Recording& run) {
   return Interpolant(followed, Channel::delta);
 }
 
+/// Ship lengths between two samples, at service speed, beyond which she is not carried on: two days of a ship of 150 m,
+/// some seconds of processor time. A clock that leaps by years leaves no run.
+constexpr double longest_gap = 1e4;
+
+void require_samples_near(const Recording& run, const Ship& ship) {
+  const double longest = longest_gap * length(ship) / service_speed(ship);
+  const auto gap = std::ranges::adjacent_find(run.time, [&](double a, double b) { return b - a > longest; });
+  if (gap == run.time.end()) return;
+  throw Refusal(fmt::format(
+      "{}: {:.4g} s lie between two samples, from {:.6g} s on, and a ship is carried on for {:.4g} s at most", run.name,
+      gap[1] - gap[0], gap[0], longest));
+}
+
+/// The run itself.
+const Recording& within_reach(const Recording& run, const Ship& ship) {
+  require_samples_near(run, ship);
+  return run;
+}
+
 }  // namespace
 
 RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const ReplayOptions& options)
-    : rudder_(rudder_of(ship, run)), wind_(recorded_wind(ship, run)), depth_(recorded_depth(run)) {
+    : rudder_(rudder_of(ship, within_reach(run, ship))), wind_(recorded_wind(ship, run)), depth_(recorded_depth(run)) {
   const bool recorded = options.shaft == Shaft::recorded;
   if (recorded && run.has(Channel::rev) && takes_shaft_speed(ship)) rev_.emplace(run, Channel::rev);
   else if (recorded && run.has(Channel::thrust)) thrust_.emplace(run, Channel::thrust);

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "swayaw/core/detail/toml_depth.hpp"
 #include "swayaw/core/parameter.hpp"
 #include "swayaw/core/refusal.hpp"
 
@@ -15,8 +17,14 @@
 namespace swayaw::inline core::detail {
 
 /// @param name  stands for the file in messages
-/// @throws FileError  if the text is not TOML
+/// @throws FileError  if the text is not TOML, or has keys within keys that no file has
 inline toml::table parsed_toml(std::string_view text, const std::filesystem::path& name) {
+  if (const auto deep = place_of_deep_key(text)) {
+    const auto before = text.substr(0, *deep);
+    const auto line = static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1;
+    throw FileError({name, line, before.size() - (before.rfind('\n') + 1) + 1},
+                    fmt::format("a key of more than {} dots", deepest_key));
+  }
   try {
     return toml::parse(text, name.string());
   } catch (const toml::parse_error& error) {
