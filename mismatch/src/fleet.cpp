@@ -351,7 +351,8 @@ class FleetModel {
   NormalLaw law_of_class() const {
     Told all = Told::nothing(whole_->size());
     for (const auto& told : of_class_) all += told;
-    return posterior(all, Eigen::VectorXd::Zero(whole_->size()), Eigen::MatrixXd(whole_->of_class.asDiagonal()));
+    const Eigen::MatrixXd before = whole_->of_class.asDiagonal();
+    return posterior(all, Eigen::VectorXd::Zero(whole_->size()), before);
   }
 
   /// Gain in log evidence of one more shift, for each of these dates, spreads as they are.
@@ -457,10 +458,7 @@ class FleetModel {
   }
 
   void renew_evidence() {
-    Told all = Told::nothing(whole_->size());
-    for (const auto& told : of_class_) all += told;
-    const Eigen::MatrixXd before = whole_->of_class.asDiagonal();
-    log_evidence_ = posterior(all, Eigen::VectorXd::Zero(whole_->size()), before).log_evidence;
+    log_evidence_ = law_of_class().log_evidence;
     for (const auto& spreads : spread_.watched)
       for (const double spread : spreads) log_evidence_ += log_prior_of_scatter(spread);
   }
@@ -526,11 +524,12 @@ DateGrid dates_of(const FleetModel& model, std::size_t vessel, ChangeShape shape
 struct DateLaw {
   std::vector<double> weight;
   double gain;
+  std::size_t likeliest = 0;
 };
 
 DateLaw date_law(const DateGrid& grid, std::span<const double> gains) {
   const double whole = grid.to.back() - grid.from.front(), best = std::ranges::max(gains);
-  DateLaw law{{}, 0.0};
+  DateLaw law{.weight = {}, .gain = 0.0};
   double sum = 0.0;
   for (std::size_t i = 0; i < gains.size(); ++i) {
     law.weight.push_back((grid.to[i] - grid.from[i]) / whole * std::exp(gains[i] - best));
@@ -538,6 +537,7 @@ DateLaw date_law(const DateGrid& grid, std::span<const double> gains) {
   }
   for (double& w : law.weight) w /= sum;
   law.gain = best + std::log(sum);
+  law.likeliest = static_cast<std::size_t>(std::ranges::max_element(law.weight) - law.weight.begin());
   return law;
 }
 
@@ -551,10 +551,9 @@ double quantile(const DateGrid& grid, const std::vector<double>& weight, double 
   return grid.to.back();
 }
 
-DateEstimate estimate_of(const DateGrid& grid, const std::vector<double>& weight) {
+DateEstimate estimate_of(const DateGrid& grid, const DateLaw& law) {
   constexpr double tail = 0.025;
-  const auto most = static_cast<std::size_t>(std::ranges::max_element(weight) - weight.begin());
-  return {grid.date[most], quantile(grid, weight, tail), quantile(grid, weight, 1.0 - tail)};
+  return {grid.date[law.likeliest], quantile(grid, law.weight, tail), quantile(grid, law.weight, 1.0 - tail)};
 }
 
 // ---------------------------------------------------------------- the search
@@ -565,6 +564,7 @@ struct Proposal {
   Shift shift;
   double gain;
   DateEstimate since;
+  double over_dates;  ///< what the mean of the dates gains more than the likeliest, mostly less
 };
 
 /// The likeliest date of a watched number of a vessel that shifts in this shape, spreads as they are; nothing where she
@@ -574,8 +574,8 @@ std::optional<Proposal> proposal(const FleetModel& model, std::size_t vessel, st
   if (grid.date.size() < 2) return std::nullopt;
   const auto gains = model.gains(vessel, watched, shape, grid.date, model.law_of(vessel));
   const auto dates = date_law(grid, gains);
-  const auto since = estimate_of(grid, dates.weight);
-  return Proposal{vessel, {watched, shape, since.likeliest}, dates.gain, since};
+  const auto since = estimate_of(grid, dates);
+  return Proposal{vessel, {watched, shape, since.likeliest}, dates.gain, since, dates.gain - gains[dates.likeliest]};
 }
 
 /// The model with a proposal, the scatter of what it moves as is likeliest with it, and what that gains.
@@ -592,9 +592,7 @@ Tried tried(const FleetModel& model, const Proposal& p, double without) {
   auto found = *proposal(before, p.vessel, p.shift.watched, p.shift.shape);
   auto with = before.with(p.vessel, found.shift);
   // the date that is taken is the best of many: their mean gains less
-  const double best =
-      before.gains(p.vessel, p.shift.watched, p.shift.shape, std::array{found.shift.since}, before.law_of(p.vessel))[0];
-  found.gain += with.log_evidence() - without - best;
+  found.gain = with.log_evidence() - without + found.over_dates;
   return {std::move(with), found};
 }
 
@@ -765,16 +763,6 @@ std::string key_of(const ClassTrial& whole, const Watched& w) {
   return std::string(moved_parameter(parameters_of(whole.trial.ship, effect_at(w, 0.0))).key);
 }
 
-/// Where a watched number of a vessel is on her last day.
-double last_level(const ClassTrial& whole, const FleetModel& model, std::size_t vessel, std::size_t watched,
-                  const NormalLaw& law) {
-  double c = law.mean[whole.watched[watched].place];
-  const auto& shifts = model.shifts(vessel);
-  for (std::size_t j = 0; j < shifts.size(); ++j)
-    if (shifts[j].watched == watched) c += law.mean[whole.size() + static_cast<Eigen::Index>(j)];
-  return c;
-}
-
 /// The parameter day by day, its error at least that of the scatter between days.
 std::vector<DayLevel> levels_of(const ClassTrial& whole, const FleetModel& model, std::size_t vessel,
                                 std::size_t watched, const NormalLaw& law) {
@@ -942,8 +930,10 @@ FleetDiagnosis diagnose_fleet(const Ship& ship, std::span<const FleetRun> runs, 
   for (std::size_t vessel = 0; vessel < vessels.size(); ++vessel) {
     const auto law = model.law_of(vessel);
     VesselReport report{.vessel = vessels[vessel]};
+    Eigen::VectorXd on_last_day;
     for (const auto& day : model.days()) {
       if (day.vessel != vessel) continue;
+      on_last_day = model.coordinates_on(day, law);
       if (report.days++ == 0) report.first_day = day.date;
       report.last_day = day.date, report.runs += day.runs.size();
     }
@@ -965,11 +955,9 @@ FleetDiagnosis diagnose_fleet(const Ship& ship, std::span<const FleetRun> runs, 
     report.differences = differences_of(whole, model, vessel);
     for (const auto& x : report.differences) found.push_back(id_of(x.effect));
     report.errors = errors_of(whole, model, vessel, law, d.sisters, runs);
-    Eigen::VectorXd now = law.mean;
-    for (std::size_t k = 0; k < whole.watched.size(); ++k)
-      now[whole.watched[k].place] = last_level(whole, model, vessel, k, law);
-    report.today = ship_of(
-        whole, now, [&](std::string_view id) { return is_shared(whole, id) || std::ranges::count(found, id) > 0; });
+    report.today = ship_of(whole, on_last_day, [&](std::string_view id) {
+      return is_shared(whole, id) || std::ranges::count(found, id) > 0;
+    });
     d.vessels.push_back(std::move(report));
   }
   std::ranges::stable_sort(d.vessels, std::greater{}, &VesselReport::worst);
