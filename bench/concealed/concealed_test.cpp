@@ -9,6 +9,7 @@
 #include "random_source.hpp"
 #include "rivals.hpp"
 #include "score.hpp"
+#include "seaway.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/atomic_file.hpp"
 #include "swayaw/core/recording_csv.hpp"
@@ -313,6 +314,38 @@ TEST_CASE("a yaw rate made from headings is that of the ship, and that of a gyro
   }
 }
 
+TEST_CASE("waves sway a ship from abeam and yaw her from the quarter, at the frequency at which she meets them",
+          "[bench][on_board][limit]") {
+  const double U = 8.0, to = 0.7, h = 0.05, omega = 0.8;
+  for (const double off : {0.0, pi / 4.0, pi / 2.0, 2.5}) {
+    TrueTrack calm{.from = 0.0, .step = h, .states = std::vector<States>(40000), .delta = {}};
+    for (std::size_t i = 0; i < calm.states.size(); ++i) {
+      auto& q = calm.states[i];
+      q.fill(0.0);
+      q[State::psi] = to - off, q[State::u] = U;
+    }
+    const auto moved = in_waves(calm, {.to = to, .waves = {{omega, 0.004, 0.1, 0.3, 1.1}}});
+    double sway = 0.0, yaw = 0.0, crossings = 0.0, slope_error = 0.0, track_error = 0.0;
+    for (std::size_t i = 1; i < moved.states.size(); ++i) {
+      const auto &a = moved.states[i - 1], &b = moved.states[i];
+      sway = std::max(sway, std::abs(b[State::v])), yaw = std::max(yaw, std::abs(b[State::psi] - (to - off)));
+      crossings += a[State::v] * b[State::v] < 0.0 ? 1.0 : 0.0;
+      slope_error =
+          std::max(slope_error, std::abs((b[State::psi] - a[State::psi]) / h - 0.5 * (a[State::r] + b[State::r])));
+      const double across =
+          (b[State::y] - a[State::y]) * std::cos(to - off) - (b[State::x] - a[State::x]) * std::sin(to - off);
+      track_error = std::max(track_error, std::abs(across / h - b[State::v]));
+    }
+    CHECK(slope_error < 1e-5);
+    CHECK(track_error < 2e-3);
+    CHECK_THAT(sway, WithinAbs(0.1 * std::abs(std::sin(off)), 5e-3));
+    CHECK_THAT(yaw, WithinAbs(0.004 * std::abs(std::sin(2.0 * off)), 1e-4));
+    if (std::abs(std::sin(off)) < 0.1) continue;
+    const double encounter = omega - omega * omega / 9.80665 * U * std::cos(off);
+    CHECK_THAT(crossings, WithinAbs(2000.0 * std::abs(encounter) / pi, 2.0));
+  }
+}
+
 TEST_CASE("a shaft whose governor has no droop keeps its speed in a turn, another gives way",
           "[bench][on_board][limit]") {
   auto ship = true_ship("cross_flow", 1);
@@ -430,6 +463,7 @@ TEST_CASE("tables of cases as on board tell strong from moderate, and every case
     line.erase("ship"), line["case"] = "001", line["family"] = "podded", line["form"] = "pi", line["seconds"] = 12.0;
     line["effects"][0]["level"] = level, line["effects"][0]["detectability"] = 2.5;
     line["instruments"] = {{"drift", "none"}, {"filter", "causal"}, {"clock", 0.0}, {"gyro", true}};
+    line["sea"] = level[0] == 's' ? Json{{"period_s", 9.0}} : Json();
     line["rivals"]["pooled"] = {"rudder_offset"};
     lines.push_back(line);
   }
@@ -440,7 +474,9 @@ TEST_CASE("tables of cases as on board tell strong from moderate, and every case
   CHECK_THAT(overview, ContainsSubstring("12.0, 12.0"));
   CHECK_THAT(table_named(lines, "cases"), ContainsSubstring("| podded | pi | rudder_offset (2.50) | gust (0.90) |"));
   CHECK_THAT(table_named(lines, "rivals"), ContainsSubstring("| pooled | – | 2/2 (100 %) | 2/2 (100 %)"));
-  CHECK_THAT(table_named(lines, "factors"), ContainsSubstring("| filter: causal | 2 |"));
+  const auto factors = table_named(lines, "factors");
+  for (const auto* row : {"| filter: causal | 2 |", "| in waves | 1 |", "| calm water | 1 |"})
+    CHECK_THAT(factors, ContainsSubstring(row));
 }
 
 TEST_CASE("what a ship has beside her file counts neither as right nor as an alarm", "[bench][on_board][limit]") {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "day.hpp"
+#include "seaway.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/mismatch/compare.hpp"
@@ -78,6 +79,12 @@ struct Scene {
     return instruments_by_chance(random, truth, hidden);
   }
 
+  /// That of reference runs is of another day.
+  Seaway seaway(std::uint64_t part) const {
+    RandomSource random(seed_of(board, part == reference_part ? reference_part : train_part));
+    return seaway_by_chance(random);
+  }
+
   /// The same weather and the same noise whatever is hidden; instruments are those that go with what is hidden in `of`.
   std::vector<Recording> recorded(const Concealment& hidden, const Concealment& of, const Day& day,
                                   const std::vector<Manoeuvre>& runs, std::uint64_t part,
@@ -89,9 +96,10 @@ struct Scene {
     for (std::size_t i = 0; i < runs.size(); ++i) {
       Manoeuvre longer = runs[i];
       longer.lengths += 0.8;  // filters look ahead
-      const auto track = true_track(
+      auto track = true_track(
           truth, hidden, longer,
           {.turbulence = day.turbulence, .gust_memory = day.gust_memory, .seed = seed_of(weather, 100 * part + i)});
+      if (wanted != Wanted::faultless) track = in_waves(std::move(track), seaway(part));
       RandomSource random(seed_of(noise, 100 * part + i));
       result.push_back(recorded_on_board(truth, hidden, runs[i], board_now, track, random,
                                          wanted == Wanted::as_on_board && part == train_part && i == wild));
@@ -245,6 +253,11 @@ Json as_json(const OnBoardInstruments& i) {
           {"heel", i.heel}};
 }
 
+Json as_json(const Seaway& sea) {
+  if (sea.waves.empty()) return nullptr;
+  return {{"to_rad", sea.to}, {"period_s", sea.period}, {"yaw_rad", sea.yaw}, {"sway_m_s", sea.sway}};
+}
+
 Json floor_of(const std::vector<QuantityError>& all) {
   constexpr std::array keys{"heading_rad", "yaw_rate_rad_s", "speed_m_s", "position_m"};
   Json floor = Json::object();
@@ -333,6 +346,7 @@ ConcealedCase made_on_board(const CasePlan& plan) {
                {"turbulence", day.turbulence},
                {"current_m_s", day.current_speed},
                {"current_to_rad", day.current_to}}},
+             {"sea", as_json(scene.seaway(train_part))},
              {"instruments", as_json(board)},
              {"replay_floor",
               floor_of(errors(scene.file, scene.recorded(day.calm(), hidden, day, programme.holdout, holdout_part)))},

@@ -204,13 +204,14 @@ std::string factor(const Json& line, const std::string& name) {
   if (name == "filter") return "filter: " + line.at("instruments").at("filter").get<std::string>();
   if (name == "clock")
     return line.at("instruments").at("clock") == 0.0 ? "positions in time" : "positions late or early";
+  if (name == "sea") return line.value("sea", Json()).is_null() ? "calm water" : "in waves";
   if (name == "gyro") return line.at("instruments").at("gyro") ? "yaw rate of a gyro" : "yaw rate from headings";
   return line.contains("ship") ? line.at("ship") : line.at("family");
 }
 
 /// What cases differ in besides what is hidden.
 std::vector<std::string> factors_of(const Json& line) {
-  if (is_on_board(line)) return {"ship", "form", "reference", "sway", "gyro", "filter", "clock"};
+  if (is_on_board(line)) return {"ship", "form", "reference", "sway", "gyro", "filter", "clock", "sea"};
   return {"noise", "set", "reference", "baseline", "ship"};
 }
 

@@ -7,6 +7,7 @@
 
 #include "statistics.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/identification/map_fit.hpp"
 
 namespace swayaw::inline mismatch {
 using namespace detail;
@@ -124,14 +125,24 @@ double noise_of(const Recording& run, Quantity quantity) {
   return noise_of(values_of(run, quantity));
 }
 
-QuantityError error_of(const Comparison& c, Quantity quantity) {
+/// What waves add to a quantity of a run.
+double waves_in(const Recording& run, Quantity quantity, double time_unit) {
+  const auto of = [&](std::span<const double> values) { return wave_motion(run, values, time_unit); };
+  if (quantity == Quantity::position) return std::hypot(of(run[Channel::x]), of(run[Channel::y]));
+  return of(values_of(run, quantity));
+}
+
+/// @param time_unit  L/U [s]
+QuantityError error_of(const Comparison& c, Quantity quantity, double time_unit) {
   const auto errors = errors_of(c.restarted, c.recorded, quantity);
   const Sums sums = sums_of(errors);
   auto regions = errors_by_region(errors, c.conditions);
   const auto region = worst_region(regions);
+  const double waves = waves_in(c.recorded, quantity, time_unit);
   return {.quantity = quantity,
           .variation = variation_of(c.recorded, quantity),
-          .noise = noise_of(c.recorded, quantity),
+          .noise = std::max(noise_of(c.recorded, quantity), waves),
+          .waves = waves,
           .window_rms = sums.rms(),
           .bias = sums.mean(),
           .open_loop_rms = sums_of(errors_of(c.open_loop, c.recorded, quantity)).rms(),
@@ -152,8 +163,9 @@ Comparison compare(const Ship& ship, const Recording& run, const CompareOptions&
       window_starts(run, motion, require_positive(options.window_lengths, "window [ship lengths]") * length(ship));
   c.restarted = restarted_replay(ship, run, controls, c.window_starts, options.replay);
   c.conditions = conditions_of(ship, run, motion, controls);
+  const double time_unit = length(ship) / service_speed(ship);
   for (const auto quantity : all_quantities)
-    if (tells(run, quantity)) c.errors.push_back(error_of(c, quantity));
+    if (tells(run, quantity)) c.errors.push_back(error_of(c, quantity, time_unit));
   return c;
 }
 
@@ -220,11 +232,12 @@ std::vector<RegionError> pooled_regions(const std::vector<const QuantityError*>&
 QuantityError pooled(const std::vector<Comparison>& comparisons, Quantity quantity) {
   std::vector<double> samples;
   const auto errors = errors_in(comparisons, quantity, samples);
-  Pool window, variation, noise, open_loop;
+  Pool window, variation, noise, waves, open_loop;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     window.add(samples[i], errors[i]->window_rms, errors[i]->bias);
     variation.add(samples[i], errors[i]->variation, 0.0);
     noise.add(samples[i], errors[i]->noise, 0.0);
+    waves.add(samples[i], errors[i]->waves, 0.0);
     open_loop.add(samples[i], errors[i]->open_loop_rms, 0.0);
   }
   auto regions = pooled_regions(errors);
@@ -232,6 +245,7 @@ QuantityError pooled(const std::vector<Comparison>& comparisons, Quantity quanti
   return {.quantity = quantity,
           .variation = variation.rms(),
           .noise = noise.rms(),
+          .waves = waves.rms(),
           .window_rms = window.rms(),
           .bias = window.bias(),
           .open_loop_rms = open_loop.rms(),

@@ -367,6 +367,14 @@ std::string verdict_words(const Diagnosis& d) {
                      names.size() > 1 ? "come" : "comes", names.size() > 1 ? "do" : "does", traces);
 }
 
+/// Whether waves move the ship in half of the runs: then a force that follows nothing may be theirs. Of twelve
+/// simulated ships in waves of 0.12 to 0.35 deg of yaw with nothing else hidden five had a process noise of 5 to 15
+/// times the ordinary, which none had in calm water.
+bool is_in_waves(const Diagnosis& d) {
+  constexpr double half = 0.5;
+  return d.runs_in_waves >= half;
+}
+
 /// "The yaw rate is off by 39 % of its variation as given, by 7 % with the coefficients moved within their confidence,
 /// by 5 % with what was found. "
 std::string discrepancy_words(const Diagnosis& d) {
@@ -382,7 +390,9 @@ std::string discrepancy_words(const Diagnosis& d) {
 }
 
 std::string words_of(const Diagnosis& d) {
-  const auto words = discrepancy_words(d) + verdict_words(d);
+  auto words = discrepancy_words(d) + verdict_words(d);
+  if (is_in_waves(d))
+    words += " Waves move the ship: a force that follows nothing else may be theirs, and is not counted.";
   return d.prior_inflation > 1.0
              ? fmt::format("{} The baseline's numbers are known {:.0f} times less well than was said.", words,
                            d.prior_inflation)
@@ -423,7 +433,7 @@ std::optional<Discrepancy> discrepancy_of(std::span<const RunErrors> train, std:
   int count = 0;
   const auto of = [](const std::vector<QuantityError>& errors) {
     const auto found = std::ranges::find(errors, Quantity::yaw_rate, &QuantityError::quantity);
-    return found == errors.end() ? HUGE_VAL : found->normalised();
+    return found == errors.end() ? HUGE_VAL : found->normalised_beyond_waves();
   };
   for (const auto& runs : {train, holdout})
     for (const auto& run : runs) {
@@ -573,13 +583,53 @@ bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted
                  b = errors_of(ship_at(trial, all, s.now.point, &run), run);
       for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
         auto& [sum, count] = falls[a[i].quantity];
-        sum += a[i].normalised() - b[i].normalised(), ++count;
+        sum += a[i].normalised_beyond_waves() - b[i].normalised_beyond_waves(), ++count;
       }
     }
   return std::ranges::any_of(
       falls, [](const auto& fall) { return fall.second.first / std::max(1, fall.second.second) > a_few_per_cent; });
 } catch (const std::exception&) {
   return true;
+}
+
+/// Whether a force changes no replay over two ship lengths by more than a hundredth of the variation of heading, yaw
+/// rate or speed, root mean square, when it is taken away and nothing else: then it matters to nobody. Of 1,000
+/// simulated ships with nothing hidden seven had a rudder that stalls in its last degree, by 0.6 to 0.9 %; a loss of
+/// speed in turns, the smallest force that was hidden in labelled cases, made 2.6 %.
+bool changes_little(const Trial& trial, const Search& s, std::size_t accepted, std::span<const Recording> runs,
+                    std::span<const Recording> holdout) try {
+  constexpr double matters = 0.01;
+  if (place_of(s.accepted[accepted].effect) != EffectPlace::force) return false;
+  constexpr std::array seen{std::pair{Quantity::heading, Channel::psi}, std::pair{Quantity::yaw_rate, Channel::r},
+                            std::pair{Quantity::speed, Channel::u}};
+  const auto all = s.hypothesis();
+  for (const auto& some : {runs, holdout})
+    for (const auto& run : some) {
+      const auto with = ship_at(trial, all, s.now.point, &run);
+      auto without = with;
+      without.effects.erase(without.effects.end() - std::ssize(all) + static_cast<std::ptrdiff_t>(accepted));
+      const auto a = compare(with, run), b = compare(without, run);
+      for (const auto& [quantity, channel] : seen) {
+        const auto error = std::ranges::find(a.errors, quantity, &QuantityError::quantity);
+        if (error == a.errors.end()) continue;
+        double squares = 0.0;
+        for (std::size_t k = 0; k < run.samples(); ++k)
+          squares += std::pow(a.restarted[channel][k] - b.restarted[channel][k], 2);
+        if (!(std::sqrt(squares / static_cast<double>(run.samples())) < matters * error->variation)) return false;
+      }
+    }
+  return true;
+} catch (const std::exception&) {  // she cannot sail them without it
+  return false;
+}
+
+/// The share of runs in which waves move the ship.
+double runs_in_waves(const Ship& ship, std::span<const Recording> runs) {
+  const double time_unit = length(ship) / service_speed(ship);
+  const auto in_waves = std::ranges::count_if(runs, [&](const Recording& run) {
+    return wave_motion(run, run[run.has(Channel::r) ? Channel::r : Channel::psi], time_unit) > 0.0;
+  });
+  return static_cast<double>(in_waves) / static_cast<double>(runs.size());
 }
 
 // ---------------------------------------------------------------- the form of her forces
@@ -654,7 +704,8 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
         widening.asDiagonal() * s.now.covariance.block(from, from, size, size) * widening.asDiagonal();
     const MapFit beside_all{.point = s.now.point.segment(from, size), .covariance = covariance};
     const bool trace = accepted.trace || !is_told(trial.ship, *accepted.form, beside_all) ||
-                       is_as_ordinary(trial, *accepted.form, s.now.point, from);
+                       is_as_ordinary(trial, *accepted.form, s.now.point, from) ||
+                       changes_little(trial, s, i, runs, holdout);
     if (!trace && !too_large && is_more_than_form(trial, s, i, from, d.budget, runs, holdout)) {
       d.effects.push_back(std::move(found));
     } else {
@@ -686,15 +737,15 @@ constexpr double unexplained_discrepancy = 0.1;
 /// Whether force or moment across that follows nothing is larger than an ordinary error of the form, or the form itself
 /// is too large to be one, and no effect but the form has a name; or nothing at all has one and much is left.
 bool is_unexplained(const Diagnosis& d) {
-  if (d.effects.empty() && d.process_noise > unexplained_scale && d.discrepancy &&
+  if (!is_in_waves(d) && d.effects.empty() && d.process_noise > unexplained_scale && d.discrepancy &&
       d.discrepancy->after > unexplained_discrepancy)
     return true;
   const auto is_form = [](const FoundEffect& e) { return id_of(e.effect) == form_id; };
   const auto is_large = [](const ForceBudget& b) {
     return is_across(b) && off_by(b, Follows::nothing) > ordinary_form;
   };
-  return std::ranges::all_of(d.effects, is_form) &&
-         (std::ranges::any_of(d.budget, is_large) || (!d.effects.empty() && has_large_form(d.budget)));
+  return std::ranges::all_of(d.effects, is_form) && ((!is_in_waves(d) && std::ranges::any_of(d.budget, is_large)) ||
+                                                     (!d.effects.empty() && has_large_form(d.budget)));
 }
 
 DiagnosisVerdict verdict_of(const Diagnosis& d, bool on_board) {
@@ -767,6 +818,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
               .process_noise = s.named_scale,
               .refitted_process_noise = s.null.noise.largest_scale(),
               .prior_inflation = s.prior_inflation};
+  if (s.on_board) d.runs_in_waves = runs_in_waves(ship, runs);
   d.troubles = s.troubles;
   attempt(d, "what the missing force follows", [&] { d.budget = budget_of(trial, s.hypothesis(), s.now); });
   put_effects(d, trial, s, options.detection, runs, holdout);

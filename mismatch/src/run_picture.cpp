@@ -121,7 +121,9 @@ std::vector<MissingForce> missing_force(const Ship& ship, const Recording& run, 
 }
 
 std::vector<MissingForce> missing_force(const Ship& ship, const PreparedRun& prepared, const Noise& noise) {
-  EstimationOptions options{.process_noise = ProcessNoise{process_noise(ship, noise)}, .memory = noise.memory};
+  EstimationOptions options{.channels = prepared.channels,  // whose noise is known
+                            .process_noise = ProcessNoise{process_noise(ship, noise)},
+                            .memory = noise.memory};
   for (const auto channel : prepared.channels)
     options.noise[index_of(channel)] = prepared.deviation[index_of(channel)] * noise.factor[index_of(channel)];
   for (const auto channel : {Channel::x, Channel::y})  // what positions wander, as if it were white

@@ -993,7 +993,14 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
               const DiagnosisOptions& options, const std::function<bool(std::string_view)>& goes_on) {
   bool working = goes_on("fitting the baseline");
   const auto go_on = [&](std::string_view what) { return working = working && goes_on(what); };
-  auto s = with_baseline(exact.used, {});
+  std::optional<Search> first;
+  try {
+    first = with_baseline(exact.used, {});
+  } catch (const std::exception&) {  // as her file has it she cannot sail one of the runs; another form may let her
+    auto trials = on_board();
+    return named(with_baseline(trials.used, Noise::on_board()), trials.unused, forms, options, go_on);
+  }
+  auto s = *std::move(first);
   std::optional<Inexact> inexact;
   if (s.null.noise.largest_scale() > ordinary_scale &&
       go_on("fitting the baseline, form and instruments taken for inexact"))

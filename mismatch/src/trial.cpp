@@ -317,6 +317,23 @@ Effect ordinary_at(const EffectForm& form, const Point& point, Eigen::Index firs
 
 }  // namespace
 
+namespace {
+
+/// What of another form goes with the rudder angle is a force of the rudder: where its lift has another factor, that
+/// has it, too. Reference runs told the form of a rudder with all its lift.
+void weaken_with_rudder(std::vector<Effect>& effects) {
+  double factor = 1.0;
+  for (const auto& effect : effects)
+    if (const auto* rudder = std::get_if<RudderEffectiveness<>>(&effect)) factor *= rudder->factor;
+  if (factor == 1.0) return;
+  for (auto& effect : effects)
+    if (auto* form = std::get_if<ModelForm<>>(&effect))
+      for (double* term : {&form->X_dd, &form->Y_d, &form->Y_d15, &form->Y_d28, &form->N_d, &form->N_d15, &form->N_d28})
+        *term *= factor;
+}
+
+}  // namespace
+
 Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const Recording* run,
                const WantedEffect& wanted) {
   std::vector<double> values;
@@ -338,6 +355,7 @@ Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& po
     add(run ? form->at(form->in_part(c, form->part_of(*run))) : form->at(mean_of_parts(*form, c)), false);
     next += std::ssize(c);
   }
+  weaken_with_rudder(ship.effects);
   return ship;
 }
 

@@ -32,6 +32,7 @@ void add_errors(py::module_& m) {
       .field<&QuantityError::quantity>("quantity", "heading, yaw_rate, speed, drift or position.")
       .field<&QuantityError::variation>("variation", "Root-mean-square variation of the recorded quantity.")
       .field<&QuantityError::noise>("noise", "Scatter of the samples about local parabolas.")
+      .field<&QuantityError::waves>("waves", "What waves add to the recorded quantity, root mean square.")
       .field<&QuantityError::window_rms>("window_rms", "Restarted every window.")
       .field<&QuantityError::bias>("bias", "Mean error, restarted every window.")
       .field<&QuantityError::open_loop_rms>("open_loop_rms", "Never restarted.")
@@ -40,6 +41,8 @@ void add_errors(py::module_& m) {
       .field<&QuantityError::region>("region", "The worst of them.")
       .of()
       .def_property_readonly("beyond_noise", &QuantityError::beyond_noise, "sqrt(max(0, window_rms² - noise²)).")
+      .def_property_readonly("normalised_beyond_waves", &QuantityError::normalised_beyond_waves,
+                             "sqrt(max(0, window_rms² - waves²)) over variation.")
       .def_property_readonly("normalised", &QuantityError::normalised, "window_rms over variation.")
       .def_property_readonly("open_loop_normalised", &QuantityError::open_loop_normalised);
   Record<Conditions>(m, "Conditions", "Motion and rudder of every sample.")

@@ -30,6 +30,7 @@ void add_diagnosis_result(py::module_& m) {
       .field<&Diagnosis::discrepancy>("discrepancy", "None where no run tells a yaw rate.")
       .field<&Diagnosis::moved>("moved", "None where no part alone helps.")
       .field<&Diagnosis::process_noise>("process_noise", "Scale of what stays unexplained; 1 is ordinary.")
+      .field<&Diagnosis::runs_in_waves>("runs_in_waves", "Share of the runs used that waves move.")
       .field<&Diagnosis::refitted_process_noise>("refitted_process_noise", "The same without any effect.")
       .field<&Diagnosis::prior_inflation>("prior_inflation", "Factor on what the baseline is known to.")
       .field<&Diagnosis::next>("next_manoeuvre", "What to sail next.")

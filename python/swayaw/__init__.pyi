@@ -606,6 +606,9 @@ class Diagnosis:
     def refitted_process_noise(self) -> float:
         """The same without any effect."""
     @property
+    def runs_in_waves(self) -> float:
+        """Share of the runs used that waves move."""
+    @property
     def shifts(self) -> List[BaselineShift]:
         """Largest first."""
     @property
@@ -2146,6 +2149,9 @@ class QuantityError:
     def normalised(self) -> float:
         """window_rms over variation."""
     @property
+    def normalised_beyond_waves(self) -> float:
+        """sqrt(max(0, window_rms² - waves²)) over variation."""
+    @property
     def open_loop_normalised(self) -> float: ...
     @property
     def open_loop_rms(self) -> float:
@@ -2162,6 +2168,9 @@ class QuantityError:
     @property
     def variation(self) -> float:
         """Root-mean-square variation of the recorded quantity."""
+    @property
+    def waves(self) -> float:
+        """What waves add to the recorded quantity, root mean square."""
     @property
     def window_rms(self) -> float:
         """Restarted every window."""

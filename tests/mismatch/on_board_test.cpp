@@ -58,12 +58,30 @@ TEST_CASE("of a ship of another form, with the instruments that ships have, noth
 }
 
 TEST_CASE("what no effect explains, and much process noise covers, is not called nothing", "[mismatch][published]") {
-  if (const auto d = diagnosis_of("049")) {  // the bank of a canal
+  if (const auto d = diagnosis_of("002")) {  // a tug that pushes for a while
     INFO(d->words);
     CHECK(d->verdict == DiagnosisVerdict::unexplained);
     CHECK(d->process_noise > 5.0);
     for (const auto& c : d->candidates)
       if (c.trace) CHECK(c.probability == 0.0);
+  }
+}
+
+TEST_CASE("waves that move a ship are not taken for a force without a name, and the words say so",
+          "[mismatch][published]") {
+  if (const auto d = diagnosis_of("049")) {  // the bank of a canal, less than the waves of 10 s
+    INFO(d->words);
+    CHECK(d->runs_in_waves == 1.0);
+    CHECK(d->effects.empty());
+    CHECK_THAT(d->words, ContainsSubstring("Waves move the ship"));
+    CHECK(d->discrepancy->after < 0.05);  // 0.46 with what the waves do
+  }
+  if (const auto d = diagnosis_of("013")) {  // a steering gear that is late by 3.7 s
+    INFO(d->words);
+    CHECK(d->runs_in_waves > 0.5);
+    const auto* gear = found(*d, "steering_gear_lag");
+    REQUIRE(gear != nullptr);
+    CHECK(std::abs(value_of(*gear, "lag_s") - 3.75) < 3.0);
   }
 }
 

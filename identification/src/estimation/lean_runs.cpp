@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "prepared_runs.hpp"
+#include "swayaw/core/angle.hpp"
 #include "swayaw/core/detail/median.hpp"
 
 /// Runs with as few samples as tell what they tell: means over times that are short for the ship and long for the
@@ -11,55 +12,64 @@ namespace swayaw::inline identification {
 using namespace detail;
 namespace {
 
-/// A parabola through samples about a time, by least squares.
+/// A parabola through samples about a time, by least squares; where waves move the ship with an oscillation of their
+/// period beside it, which is left out.
 struct Parabola {
   double value = missing;  ///< at that time
   double residual = 0.0;   ///< sum of squares
   std::size_t samples = 0;
+  double freedom = 0.0;  ///< samples beyond what is fitted
 };
 
-/// Samples from `first` to before `last`, as a window moves on in time.
+/// Samples from `first` to before `last`.
 struct Window {
-  std::size_t first = 0, last = 0;
-
-  void move(const std::vector<double>& time, double from, double to) {
-    while (time[first] < from) ++first;
-    while (last < time.size() && time[last] <= to) ++last;
-  }
+  std::size_t first, last;
 };
+
+/// Those from a time to another.
+Window samples_between(const std::vector<double>& time, double from, double to) {
+  const auto place = [&](auto found) { return static_cast<std::size_t>(found - time.begin()); };
+  return {place(std::ranges::lower_bound(time, from)), place(std::ranges::upper_bound(time, to))};
+}
 
 /// Samples of a window that are there, about a time, in units of half the window.
+/// @tparam N    3, or 5 with an oscillation
+/// @param wave  its period [s]
+template <int N = 3>
 Parabola parabola(const std::vector<double>& time, std::span<const double> values, const Window& window, double about,
-                  double half) {
-  Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+                  double half, double wave = 0.0) {
+  using Row = Eigen::Matrix<double, N, 1>;
+  Eigen::Matrix<double, N, N> A = Eigen::Matrix<double, N, N>::Zero();
+  Row b = Row::Zero(), row;
   double squares = 0.0, origin = missing;
   Parabola p;
   for (std::size_t i = window.first; i < window.last; ++i) {
     if (std::isnan(values[i])) continue;
     if (p.samples == 0) origin = values[i];
     const double s = (time[i] - about) / half, y = values[i] - origin;
-    const Eigen::Vector3d row{1.0, s, s * s};
+    row.template head<3>() << 1.0, s, s * s;
+    if constexpr (N == 5) {
+      const double phase = 2.0 * pi * (time[i] - about) / wave;
+      row.template tail<2>() << std::cos(phase), std::sin(phase);
+    }
     A += row * row.transpose(), b += row * y, squares += y * y;
     ++p.samples;
   }
-  if (p.samples < 5) return p;
-  const Eigen::Vector3d c = A.ldlt().solve(b);
+  if (p.samples < N + 2) return p;
+  const Row c = A.ldlt().solve(b);
   p.value = c[0] + origin;
   p.residual = std::max(0.0, squares - b.dot(c));
+  p.freedom = static_cast<double>(p.samples - N);
   return p;
 }
 
 /// What a parabola over ± half leaves of each sample; 0 where there is none.
-std::vector<double> rest_of(const Recording& run, Channel channel, double half) {
-  const auto values = run[channel];
-  std::vector<double> rest(run.samples(), 0.0);
-  Window window;
-  for (std::size_t k = 0; k < run.samples(); ++k) {
-    const double now = run.time[k];
-    window.move(run.time, now - half, now + half);
+std::vector<double> rest_of(const std::vector<double>& time, std::span<const double> values, double half) {
+  std::vector<double> rest(time.size(), 0.0);
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    const double now = time[k];
     if (std::isnan(values[k])) continue;
-    const auto p = parabola(run.time, values, window, now, half);
+    const auto p = parabola(time, values, samples_between(time, now - half, now + half), now, half);
     if (!std::isnan(p.value)) rest[k] = values[k] - p.value;
   }
   return rest;
@@ -68,14 +78,20 @@ std::vector<double> rest_of(const Recording& run, Channel channel, double half) 
 /// Half of the time over which a parabola follows a ship but not the waves that move her, over L/U.
 constexpr double half_of_the_steady = 0.35;
 
-/// Period of the waves that a ship's yaw rate shows [s]; 0 where there are none.
+/// Waves that move a ship.
+struct Waves {
+  double period = 0.0;  ///< mean [s]; 0 where there are none
+  bool clear = false;   ///< nothing but waves oscillates so
+};
+
+/// Waves that a ship's yaw rate shows.
 ///
 /// What a parabola over most of L/U leaves of the yaw rate oscillates by itself where the sea moves her: its
 /// autocorrelation is negative after half a period and positive after a whole one.
-double wave_period(const Recording& run, double time_unit) {
+Waves waves_in(const Recording& run, double time_unit) {
   const auto channel = run.has(Channel::r) ? Channel::r : Channel::psi;
-  if (!run.has(channel) || run.samples() < 50) return 0.0;
-  const auto rest = rest_of(run, channel, half_of_the_steady * time_unit);
+  if (!run.has(channel) || run.samples() < 50) return {};
+  const auto rest = rest_of(run.time, run[channel], half_of_the_steady * time_unit);
   const double h = (run.time.back() - run.time.front()) / static_cast<double>(run.samples() - 1);
   const auto longest = std::min(rest.size() / 3, static_cast<std::size_t>(0.7 * time_unit / h));
   double variance = 0.0;
@@ -87,10 +103,14 @@ double wave_period(const Recording& run, double time_unit) {
     correlation.push_back(sum / variance);
   }
   constexpr double oscillates = 0.3, comes_back = 0.15;
+  // on board of simulated ships in waves −0.69 to −0.95 and 0.25 to 0.88, but in a following sea that hardly turns her;
+  // of the noise of smoothed gyros alone −0.31 to −0.65 and −0.02 to 0.29
+  constexpr double clearly_oscillates = 0.67, clearly_comes_back = 0.24;
   const auto lowest = std::ranges::min_element(correlation);
-  if (!(*lowest < -oscillates)) return 0.0;
   const auto whole = std::max_element(lowest, correlation.end());
-  return *whole > comes_back ? h * static_cast<double>(whole - correlation.begin()) : 0.0;
+  if (!(*lowest<-oscillates&& * whole> comes_back)) return {};
+  return {h * static_cast<double>(whole - correlation.begin()),
+          *lowest<-clearly_oscillates&& * whole> clearly_comes_back};
 }
 
 /// How many rows and values of a channel are kept in the time L/U, and rows of controls if more.
@@ -168,9 +188,43 @@ std::vector<Channel> own_channels(std::span<const Channel> channels) {
   return own;
 }
 
+/// Half of a window over the period of waves in which a parabola and an oscillation are told apart: in one of a whole
+/// period its value has seven times the variance that it has in this.
+constexpr double half_beside_waves = 0.75;
+
+/// Whether waves are so short that a parabola follows the ship over the time that tells them.
+bool are_short(double wave, double time_unit) { return half_beside_waves * wave <= half_of_the_steady * time_unit; }
+
+/// Periods of the waves that the yaw rate shows at times [s]: she meets them sooner or later as she turns. At each the
+/// oscillation beside a parabola over most of L/U that leaves least; 0 where that is longer.
+std::vector<double> wave_periods(const Recording& run, const std::vector<double>& times, double time_unit,
+                                 double mean) {
+  constexpr int finer = 6, octaves = 1;  // steps of an eighth to half and twice the mean frequency
+  constexpr double least_samples = 3.5;  // in a period
+  const auto values = run[run.has(Channel::r) ? Channel::r : Channel::psi];
+  const double begin = run.time.front(), end = run.time.back(),
+               half = std::min(0.5 * (end - begin), half_of_the_steady * time_unit),
+               h = (end - begin) / static_cast<double>(run.samples() - 1);
+  std::vector<double> periods;
+  for (const double now : times) {
+    const double middle = std::clamp(now, begin + half, end - half);
+    const auto window = samples_between(run.time, middle - half, middle + half);
+    double best = 0.0, least = HUGE_VAL;
+    for (int step = -octaves * finer; step <= octaves * finer; ++step) {
+      const double period = mean * std::exp2(static_cast<double>(step) / finer);
+      if (period < least_samples * h) continue;
+      const auto p = parabola<5>(run.time, values, window, middle, half, period);
+      if (!std::isnan(p.value) && p.residual < least) least = p.residual, best = period;
+    }
+    periods.push_back(best < 2.0 * half ? best : 0.0);
+  }
+  return periods;
+}
+
 /// When samples are taken, and over which time.
 struct Sampling {
   double spacing, half;  ///< [s], half of a window
+  double longest;        ///< the same beside waves
   double interval;       ///< of the channel [s]
 };
 
@@ -184,6 +238,7 @@ Sampling sampling_of(const Recording& run, Channel channel, double time_unit, do
                interval = duration / std::max(1.0, there - 1.0);
   return {.spacing = std::max(time_unit / values - 0.5 * row, 0.75 * wave),
           .half = std::min(0.5 * duration, std::max(about_half * time_unit / values, 2.05 * interval)),
+          .longest = half_of_the_steady * time_unit,
           .interval = interval};
 }
 
@@ -209,46 +264,52 @@ bool any_there(std::span<const double> values, const Window& window) {
                              [](double x) { return !std::isnan(x); });
 }
 
-FewSamples few_samples(const Recording& full, Channel channel, const std::vector<double>& rows, const Sampling& by) {
+/// @param waves  their period at each row [s], 0 where there are none; or nothing
+FewSamples few_samples(const Recording& full, Channel channel, const std::vector<double>& rows, const Sampling& by,
+                       const std::vector<double>& waves) {
   FewSamples few{.values = std::vector(rows.size(), missing)};
   const double begin = full.time.front(), end = full.time.back();
   double next = begin;
-  Window window, near;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const double now = rows[k];
     if (now < next) continue;
-    near.move(full.time, now - by.interval, now + by.interval);
-    if (!any_there(full[channel], near)) continue;                          // in a gap
-    const double middle = std::clamp(now, begin + by.half, end - by.half);  // at either end on one side
-    window.move(full.time, middle - by.half, middle + by.half);
-    const auto p = parabola(full.time, full[channel], window, now, by.half);
+    const auto near = samples_between(full.time, now - by.interval, now + by.interval);
+    if (!any_there(full[channel], near)) continue;  // in a gap
+    const double wave = waves.empty() ? 0.0 : waves[k],
+                 half =
+                     std::min(0.5 * (end - begin), std::max(by.half, std::min(half_beside_waves * wave, by.longest))),
+                 middle = std::clamp(now, begin + half, end - half);  // at either end on one side
+    const auto window = samples_between(full.time, middle - half, middle + half);
+    const auto p = wave > 0.0 ? parabola<5>(full.time, full[channel], window, now, half, wave)
+                              : parabola(full.time, full[channel], window, now, half);
     if (std::isnan(p.value)) continue;
     few.values[k] = p.value;
-    few.residual += p.residual, few.freedom += static_cast<double>(p.samples) - 3.0;
+    few.residual += p.residual, few.freedom += p.freedom;
     few.samples += static_cast<double>(p.samples), ++few.kept;
     next = now + by.spacing;
   }
   return few;
 }
 
-/// Noise of a channel that waves move: they move her as a whole, and at samples three quarters of a period apart that
-/// is as good as noise. Motion of the ship for a few seconds does not count.
+/// Noise of a channel that waves move: they move her as a whole, and at samples three quarters of a period apart
+/// that is as good as noise. Motion of the ship for a few seconds does not count.
 double noise_of_waves(const Recording& run, Channel channel, double time_unit) {
-  return 1.4826 * core::detail::median_size_of(rest_of(run, channel, half_of_the_steady * time_unit));
+  return 1.4826 * core::detail::median_size_of(rest_of(run.time, run[channel], half_of_the_steady * time_unit));
 }
 
-/// @param wave  period of waves that move the ship [s], or 0
-PreparedRun thinned(PreparedRun run, double time_unit, const Density& density, double wave) {
+PreparedRun thinned(PreparedRun run, double time_unit, const Density& density, const Waves& waves) {
   const auto& full = *run.run;
   auto fewer = with_fewer_rows(full, time_unit, density.rows);
   run.measurements = 0;
   const double row = fewer.time[1] - fewer.time[0];
+  const bool left_out = waves.clear && are_short(waves.period, time_unit);
+  const auto periods = left_out ? wave_periods(full, fewer.time, time_unit, waves.period) : std::vector<double>();
   for (const auto channel : run.channels) {
-    auto samples =
-        few_samples(full, channel, fewer.time, sampling_of(full, channel, time_unit, density.values, row, wave));
+    auto samples = few_samples(full, channel, fewer.time,
+                               sampling_of(full, channel, time_unit, density.values, row, waves.period), periods);
     auto& deviation = run.deviation[index_of(channel)];
     deviation = samples.deviation(deviation);
-    if (wave > 0.0) deviation = std::max(deviation, noise_of_waves(full, channel, time_unit));
+    if (waves.period > 0.0 && !left_out) deviation = std::max(deviation, noise_of_waves(full, channel, time_unit));
     run.measurements += samples.kept;
     fewer.channels[index_of(channel)] = std::move(samples.values);
   }
@@ -260,14 +321,40 @@ PreparedRun thinned(PreparedRun run, double time_unit, const Density& density, d
 
 }  // namespace
 
+double wave_motion(const Recording& run, std::span<const double> values, double time_unit) {
+  constexpr double enough = 48.0;     // rows in L/U: waves of L/U/8 have six
+  constexpr std::size_t as_many = 6;  // rows beside which she meets waves as soon
+  const auto of_every = [](std::size_t every, std::span<const double> all) {
+    std::vector<double> some;
+    for (std::size_t k = 0; k < all.size(); k += every) some.push_back(all[k]);
+    return some;
+  };
+  const auto every = std::max<std::size_t>(1, static_cast<std::size_t>(rows_in(run, time_unit) / enough));
+  Recording few{.name = run.name, .facts = {}, .time = of_every(every, run.time), .channels = {}, .extra = {}};
+  for (const auto yaw : {Channel::r, Channel::psi}) few.channels[index_of(yaw)] = of_every(every, run[yaw]);
+  const auto waves = waves_in(few, time_unit);
+  if (values.empty() || !waves.clear) return 0.0;
+  const auto shown = of_every(every, values);
+  const auto periods = wave_periods(few, of_every(as_many, few.time), time_unit, waves.period);
+  double squares = 0.0;
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    const double now = few.time[k], period = periods[k / as_many];
+    if (std::isnan(shown[k]) || !(period > 0.0)) continue;
+    const double half = std::min(half_beside_waves * period, half_of_the_steady * time_unit);
+    const auto p = parabola<5>(few.time, shown, samples_between(few.time, now - half, now + half), now, half, period);
+    if (!std::isnan(p.value)) squares += std::pow(shown[k] - p.value, 2);
+  }
+  return std::sqrt(squares / static_cast<double>(shown.size()));
+}
+
 std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> runs,
                                    std::span<const Channel> channels) {
   const double time_unit = length(ship) / service_speed(ship);
   auto prepared = runs_with_all_samples(ship, runs, own_channels(channels));
   for (auto& run : prepared) {
-    const double wave = wave_period(*run.run, time_unit);
+    const auto waves = waves_in(*run.run, time_unit);
     run.longest_step = 1.0 / beside_memory.rows;
-    run = thinned(std::move(run), time_unit, beside_memory, wave);
+    run = thinned(std::move(run), time_unit, beside_memory, waves);
     thin_heel(run, time_unit);
   }
   return prepared;
@@ -279,7 +366,7 @@ std::vector<PreparedRun> thinned_runs(const Ship& ship, std::span<const Recordin
   auto prepared = runs_with_all_samples(ship, runs, channels);
   for (auto& run : prepared) {
     if (rows_in(*run.run, time_unit) > 2.0 * beside_white_noise.rows)
-      run = thinned(std::move(run), time_unit, beside_white_noise, 0.0);
+      run = thinned(std::move(run), time_unit, beside_white_noise, {});
     thin_heel(run, time_unit);
   }
   return prepared;

@@ -37,8 +37,16 @@ struct PreparedRun {
 std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
                                        std::span<const Channel> channels);
 
+/// What waves add to a channel of a run that shows them, root mean square in its unit: the channel less parabolas
+/// beside oscillations of the period at which the yaw rate shows them. 0 where no waves move her.
+///
+/// @param values     a number for each sample of the run
+/// @param time_unit  L/U [s]
+double wave_motion(const Recording& run, std::span<const double> values, double time_unit);
+
 /// The same with as few samples as tell what they tell: parabolas over an eighth of L/U, as
-/// many in that time, fewer where waves move her; rows of controls three times as many.
+/// many in that time; where waves move her over one and a half of their periods, if she is steady for so long, with an
+/// oscillation beside it that is left out, and fewer; rows of controls three times as many.
 std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> runs,
                                    std::span<const Channel> channels);
 

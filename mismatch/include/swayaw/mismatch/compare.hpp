@@ -34,10 +34,11 @@ struct WorstInterval {
 /// Simulated minus recorded, in the SI unit of the quantity.
 struct QuantityError {
   Quantity quantity;
-  double variation;      ///< root-mean-square variation of the recorded quantity in the run
-  double noise;          ///< root-mean-square scatter of the samples about local parabolas
-  double window_rms;     ///< restarted every window
-  double bias;           ///< mean error, restarted every window
+  double variation;   ///< root-mean-square variation of the recorded quantity in the run
+  double noise;       ///< root-mean-square scatter of the samples about local parabolas, or waves where they are more
+  double waves;       ///< root mean square of what waves add to the recorded quantity, 0 where none move her
+  double window_rms;  ///< restarted every window
+  double bias;        ///< mean error, restarted every window
   double open_loop_rms;  ///< never restarted
   std::optional<WorstInterval> worst;
   std::vector<RegionError> regions;
@@ -45,6 +46,10 @@ struct QuantityError {
 
   /// Window error beyond the noise of the recording, sqrt(max(0, window_rms² − noise²)).
   double beyond_noise() const { return std::sqrt(std::max(0.0, window_rms * window_rms - noise * noise)); }
+  /// Window error beyond what waves add, over the variation.
+  double normalised_beyond_waves() const {
+    return variation > 0.0 ? std::sqrt(std::max(0.0, window_rms * window_rms - waves * waves)) / variation : 0.0;
+  }
   double normalised() const { return variation > 0.0 ? window_rms / variation : 0.0; }
   double open_loop_normalised() const { return variation > 0.0 ? open_loop_rms / variation : 0.0; }
 };

@@ -169,6 +169,7 @@ struct Diagnosis {
   std::optional<MovedPart> moved{};          ///< nothing where moving coefficients hardly helps, or no part alone does
   double process_noise;                      ///< scale of what stays unexplained; 1 is ordinary
   double refitted_process_noise;             ///< the same without any effect
+  double runs_in_waves = 0.0;                ///< share of the runs used, where instruments are as on board
   double prior_inflation =
       1.0;  ///< factor on what the ship file or the reference runs say the parameters of the baseline are known to
   std::optional<Advice> next{};
