@@ -188,8 +188,8 @@ void print_runs(std::string_view title, const std::vector<RunErrors>& runs) {
   for (const auto& run : runs)
     for (std::size_t i = 0; i < run.before.size() && i < run.refitted.size() && i < run.after.size(); ++i)
       say("  {:<30}{:<12}{:>8.1f} %{:>8.1f} %{:>12.1f} %\n", i == 0 ? run.run : "",
-          in_words(name_of(run.before[i].quantity)), 100.0 * run.before[i].normalised(),
-          100.0 * run.refitted[i].normalised(), 100.0 * run.after[i].normalised());
+          in_words(name_of(run.before[i].quantity)), 100.0 * run.before[i].normalised_beyond_waves(),
+          100.0 * run.refitted[i].normalised_beyond_waves(), 100.0 * run.after[i].normalised_beyond_waves());
 }
 
 /// The force that is missing by what it follows, in per cent of its mean square; a row of each.

@@ -186,7 +186,7 @@ const QuantityError* error_of(const std::vector<QuantityError>& errors, Quantity
 
 std::string share_of(const std::vector<QuantityError>& errors) {
   const auto* yaw = error_of(errors, Quantity::yaw_rate);
-  return yaw ? percent_of(yaw->normalised()) : "-";
+  return yaw ? percent_of(yaw->normalised_beyond_waves()) : "-";
 }
 
 std::string stem_of(const std::string& run) { return std::filesystem::path(run).stem().string(); }
@@ -257,7 +257,7 @@ PageTable table_of(const Ship& ship, const Diagnosis& d) {
 /// Fall of the yaw-rate error over two ship lengths; 0 where it is not told.
 double gain_of(const RunErrors& run) {
   const auto *before = error_of(run.before, Quantity::yaw_rate), *after = error_of(run.after, Quantity::yaw_rate);
-  return before && after ? before->normalised() - after->normalised() : 0.0;
+  return before && after ? before->normalised_beyond_waves() - after->normalised_beyond_waves() : 0.0;
 }
 
 /// The run that gains most; a held-out one if there is.
