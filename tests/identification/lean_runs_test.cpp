@@ -132,7 +132,7 @@ TEST_CASE("thinned runs leave slow recordings as they are, and of fast ones keep
   }
 }
 
-TEST_CASE("waves that move a ship are left out of samples, also where she meets them sooner and later",
+TEST_CASE("waves that move a ship are left out of samples, also where she meets them more and less often",
           "[identification][limit]") {
   const Curve curve;
   const double size = 1e-3;

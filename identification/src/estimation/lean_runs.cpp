@@ -108,9 +108,10 @@ Waves waves_in(const Recording& run, double time_unit) {
   constexpr double clearly_oscillates = 0.67, clearly_comes_back = 0.24;
   const auto lowest = std::ranges::min_element(correlation);
   const auto whole = std::max_element(lowest, correlation.end());
-  if (!(*lowest<-oscillates&& * whole> comes_back)) return {};
-  return {h * static_cast<double>(whole - correlation.begin()),
-          *lowest<-clearly_oscillates&& * whole> clearly_comes_back};
+  const auto reach = [&](double down, double up) { return -*lowest > down && *whole > up; };
+  if (!reach(oscillates, comes_back)) return {};
+  return {.period = h * static_cast<double>(whole - correlation.begin()),
+          .clear = reach(clearly_oscillates, clearly_comes_back)};
 }
 
 /// How many rows and values of a channel are kept in the time L/U, and rows of controls if more.
@@ -195,11 +196,11 @@ constexpr double half_beside_waves = 0.75;
 /// Whether waves are so short that a parabola follows the ship over the time that tells them.
 bool are_short(double wave, double time_unit) { return half_beside_waves * wave <= half_of_the_steady * time_unit; }
 
-/// Periods of the waves that the yaw rate shows at times [s]: she meets them sooner or later as she turns. At each the
-/// oscillation beside a parabola over most of L/U that leaves least; 0 where that is longer.
+/// Periods of the waves that the yaw rate shows at times [s]: as she turns she meets them more or less often. At each
+/// the oscillation beside a parabola over most of L/U that leaves least; 0 where that is longer.
 std::vector<double> wave_periods(const Recording& run, const std::vector<double>& times, double time_unit,
                                  double mean) {
-  constexpr int finer = 6, octaves = 1;  // steps of an eighth to half and twice the mean frequency
+  constexpr int steps = 6;               // of an eighth each, to half and to twice the mean period
   constexpr double least_samples = 3.5;  // in a period
   const auto values = run[run.has(Channel::r) ? Channel::r : Channel::psi];
   const double begin = run.time.front(), end = run.time.back(),
@@ -210,8 +211,8 @@ std::vector<double> wave_periods(const Recording& run, const std::vector<double>
     const double middle = std::clamp(now, begin + half, end - half);
     const auto window = samples_between(run.time, middle - half, middle + half);
     double best = 0.0, least = HUGE_VAL;
-    for (int step = -octaves * finer; step <= octaves * finer; ++step) {
-      const double period = mean * std::exp2(static_cast<double>(step) / finer);
+    for (int step = -steps; step <= steps; ++step) {
+      const double period = mean * std::exp2(static_cast<double>(step) / steps);
       if (period < least_samples * h) continue;
       const auto p = parabola<5>(run.time, values, window, middle, half, period);
       if (!std::isnan(p.value) && p.residual < least) least = p.residual, best = period;
@@ -323,7 +324,7 @@ PreparedRun thinned(PreparedRun run, double time_unit, const Density& density, c
 
 double wave_motion(const Recording& run, std::span<const double> values, double time_unit) {
   constexpr double enough = 48.0;     // rows in L/U: waves of L/U/8 have six
-  constexpr std::size_t as_many = 6;  // rows beside which she meets waves as soon
+  constexpr std::size_t as_many = 6;  // rows in which she meets waves as often
   const auto of_every = [](std::size_t every, std::span<const double> all) {
     std::vector<double> some;
     for (std::size_t k = 0; k < all.size(); k += every) some.push_back(all[k]);
