@@ -120,14 +120,9 @@ double noise_of(std::span<const double> values) {
   return third.rms() / std::sqrt(20.0);
 }
 
-double noise_of(const Recording& run, Quantity quantity) {
-  if (quantity == Quantity::position) return std::hypot(noise_of(run[Channel::x]), noise_of(run[Channel::y]));
-  return noise_of(values_of(run, quantity));
-}
-
-/// What waves add to a quantity of a run.
-double waves_in(const Recording& run, Quantity quantity, double time_unit) {
-  const auto of = [&](std::span<const double> values) { return wave_motion(run, values, time_unit); };
+/// of(values) of a quantity of a run; of a position that of both its coordinates together.
+template <class Of>
+double of_quantity(const Recording& run, Quantity quantity, Of&& of) {
   if (quantity == Quantity::position) return std::hypot(of(run[Channel::x]), of(run[Channel::y]));
   return of(values_of(run, quantity));
 }
@@ -138,10 +133,13 @@ QuantityError error_of(const Comparison& c, Quantity quantity, double time_unit)
   const Sums sums = sums_of(errors);
   auto regions = errors_by_region(errors, c.conditions);
   const auto region = worst_region(regions);
-  const double waves = waves_in(c.recorded, quantity, time_unit);
+  using Values = std::span<const double>;
+  const double scatter = of_quantity(c.recorded, quantity, [](Values values) { return noise_of(values); }),
+               waves = of_quantity(c.recorded, quantity,
+                                   [&](Values values) { return wave_motion(c.recorded, values, time_unit); });
   return {.quantity = quantity,
           .variation = variation_of(c.recorded, quantity),
-          .noise = std::max(noise_of(c.recorded, quantity), waves),
+          .noise = std::max(scatter, waves),
           .waves = waves,
           .window_rms = sums.rms(),
           .bias = sums.mean(),

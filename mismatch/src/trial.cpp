@@ -315,10 +315,6 @@ Effect ordinary_at(const EffectForm& form, const Point& point, Eigen::Index firs
   return form.at(c);
 }
 
-}  // namespace
-
-namespace {
-
 /// What of another form goes with the rudder angle is a force of the rudder: where its lift has another factor, that
 /// has it, too. Reference runs told the form of a rudder with all its lift.
 void weaken_with_rudder(std::vector<Effect>& effects) {

@@ -196,17 +196,23 @@ constexpr double half_beside_waves = 0.75;
 /// Whether waves are so short that a parabola follows the ship over the time that tells them.
 bool are_short(double wave, double time_unit) { return half_beside_waves * wave <= half_of_the_steady * time_unit; }
 
-/// Periods of the waves that the yaw rate shows at times [s]: as she turns she meets them more or less often. At each
-/// the oscillation beside a parabola over most of L/U that leaves least; 0 where that is longer.
-std::vector<double> wave_periods(const Recording& run, const std::vector<double>& times, double time_unit,
-                                 double mean) {
+/// An oscillation that is fitted beside a parabola and left out.
+struct Oscillation {
+  double period = 0.0;  ///< [s]; 0 where there is none
+  double half = 0.0;    ///< of a window that tells the two apart, no longer than a parabola follows the ship [s]
+};
+
+/// The waves that the yaw rate shows at times: as she turns she meets them more or less often. At each the oscillation
+/// beside a parabola over most of L/U that leaves least; none where its period is longer.
+std::vector<Oscillation> oscillations(const Recording& run, const std::vector<double>& times, double time_unit,
+                                      double mean) {
   constexpr int steps = 6;               // of an eighth each, to half and to twice the mean period
   constexpr double least_samples = 3.5;  // in a period
   const auto values = run[run.has(Channel::r) ? Channel::r : Channel::psi];
   const double begin = run.time.front(), end = run.time.back(),
                half = std::min(0.5 * (end - begin), half_of_the_steady * time_unit),
                h = (end - begin) / static_cast<double>(run.samples() - 1);
-  std::vector<double> periods;
+  std::vector<Oscillation> found;
   for (const double now : times) {
     const double middle = std::clamp(now, begin + half, end - half);
     const auto window = samples_between(run.time, middle - half, middle + half);
@@ -217,15 +223,15 @@ std::vector<double> wave_periods(const Recording& run, const std::vector<double>
       const auto p = parabola<5>(run.time, values, window, middle, half, period);
       if (!std::isnan(p.value) && p.residual < least) least = p.residual, best = period;
     }
-    periods.push_back(best < 2.0 * half ? best : 0.0);
+    if (best < 2.0 * half) found.push_back({best, std::min(half_beside_waves * best, half_of_the_steady * time_unit)});
+    else found.emplace_back();
   }
-  return periods;
+  return found;
 }
 
 /// When samples are taken, and over which time.
 struct Sampling {
   double spacing, half;  ///< [s], half of a window
-  double longest;        ///< the same beside waves
   double interval;       ///< of the channel [s]
 };
 
@@ -239,7 +245,6 @@ Sampling sampling_of(const Recording& run, Channel channel, double time_unit, do
                interval = duration / std::max(1.0, there - 1.0);
   return {.spacing = std::max(time_unit / values - 0.5 * row, 0.75 * wave),
           .half = std::min(0.5 * duration, std::max(about_half * time_unit / values, 2.05 * interval)),
-          .longest = half_of_the_steady * time_unit,
           .interval = interval};
 }
 
@@ -265,9 +270,9 @@ bool any_there(std::span<const double> values, const Window& window) {
                              [](double x) { return !std::isnan(x); });
 }
 
-/// @param waves  their period at each row [s], 0 where there are none; or nothing
+/// @param waves  at each row; or nothing
 FewSamples few_samples(const Recording& full, Channel channel, const std::vector<double>& rows, const Sampling& by,
-                       const std::vector<double>& waves) {
+                       const std::vector<Oscillation>& waves) {
   FewSamples few{.values = std::vector(rows.size(), missing)};
   const double begin = full.time.front(), end = full.time.back();
   double next = begin;
@@ -276,13 +281,12 @@ FewSamples few_samples(const Recording& full, Channel channel, const std::vector
     if (now < next) continue;
     const auto near = samples_between(full.time, now - by.interval, now + by.interval);
     if (!any_there(full[channel], near)) continue;  // in a gap
-    const double wave = waves.empty() ? 0.0 : waves[k],
-                 half =
-                     std::min(0.5 * (end - begin), std::max(by.half, std::min(half_beside_waves * wave, by.longest))),
+    const auto wave = waves.empty() ? Oscillation() : waves[k];
+    const double half = std::min(0.5 * (end - begin), std::max(by.half, wave.half)),
                  middle = std::clamp(now, begin + half, end - half);  // at either end on one side
     const auto window = samples_between(full.time, middle - half, middle + half);
-    const auto p = wave > 0.0 ? parabola<5>(full.time, full[channel], window, now, half, wave)
-                              : parabola(full.time, full[channel], window, now, half);
+    const auto p = wave.period > 0.0 ? parabola<5>(full.time, full[channel], window, now, half, wave.period)
+                                     : parabola(full.time, full[channel], window, now, half);
     if (std::isnan(p.value)) continue;
     few.values[k] = p.value;
     few.residual += p.residual, few.freedom += p.freedom;
@@ -304,10 +308,10 @@ PreparedRun thinned(PreparedRun run, double time_unit, const Density& density, c
   run.measurements = 0;
   const double row = fewer.time[1] - fewer.time[0];
   const bool left_out = waves.clear && are_short(waves.period, time_unit);
-  const auto periods = left_out ? wave_periods(full, fewer.time, time_unit, waves.period) : std::vector<double>();
+  const auto beside = left_out ? oscillations(full, fewer.time, time_unit, waves.period) : std::vector<Oscillation>();
   for (const auto channel : run.channels) {
     auto samples = few_samples(full, channel, fewer.time,
-                               sampling_of(full, channel, time_unit, density.values, row, waves.period), periods);
+                               sampling_of(full, channel, time_unit, density.values, row, waves.period), beside);
     auto& deviation = run.deviation[index_of(channel)];
     deviation = samples.deviation(deviation);
     if (waves.period > 0.0 && !left_out) deviation = std::max(deviation, noise_of_waves(full, channel, time_unit));
@@ -336,12 +340,12 @@ double wave_motion(const Recording& run, std::span<const double> values, double 
   const auto waves = waves_in(few, time_unit);
   if (values.empty() || !waves.clear) return 0.0;
   const auto shown = of_every(every, values);
-  const auto periods = wave_periods(few, of_every(as_many, few.time), time_unit, waves.period);
+  const auto beside = oscillations(few, of_every(as_many, few.time), time_unit, waves.period);
   double squares = 0.0;
   for (std::size_t k = 0; k < shown.size(); ++k) {
-    const double now = few.time[k], period = periods[k / as_many];
+    const double now = few.time[k];
+    const auto [period, half] = beside[k / as_many];
     if (std::isnan(shown[k]) || !(period > 0.0)) continue;
-    const double half = std::min(half_beside_waves * period, half_of_the_steady * time_unit);
     const auto p = parabola<5>(few.time, shown, samples_between(few.time, now - half, now + half), now, half, period);
     if (!std::isnan(p.value)) squares += std::pow(shown[k] - p.value, 2);
   }
