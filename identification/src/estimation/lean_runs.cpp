@@ -1,118 +1,15 @@
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "prepared_runs.hpp"
-#include "swayaw/core/angle.hpp"
 #include "swayaw/core/detail/median.hpp"
+#include "waves.hpp"
 
 /// Runs with as few samples as tell what they tell: means over times that are short for the ship and long for the
 /// errors of instruments.
 namespace swayaw::inline identification {
 using namespace detail;
 namespace {
-
-/// A parabola through samples about a time, by least squares; where waves move the ship with an oscillation of their
-/// period beside it, which is left out.
-struct Parabola {
-  double value = missing;  ///< at that time
-  double residual = 0.0;   ///< sum of squares
-  std::size_t samples = 0;
-  double freedom = 0.0;  ///< samples beyond what is fitted
-};
-
-/// Samples from `first` to before `last`.
-struct Window {
-  std::size_t first, last;
-};
-
-/// Those from a time to another.
-Window samples_between(const std::vector<double>& time, double from, double to) {
-  const auto place = [&](auto found) { return static_cast<std::size_t>(found - time.begin()); };
-  return {place(std::ranges::lower_bound(time, from)), place(std::ranges::upper_bound(time, to))};
-}
-
-/// Samples of a window that are there, about a time, in units of half the window.
-/// @tparam N    3, or 5 with an oscillation
-/// @param wave  its period [s]
-template <int N = 3>
-Parabola parabola(const std::vector<double>& time, std::span<const double> values, const Window& window, double about,
-                  double half, double wave = 0.0) {
-  using Row = Eigen::Matrix<double, N, 1>;
-  Eigen::Matrix<double, N, N> A = Eigen::Matrix<double, N, N>::Zero();
-  Row b = Row::Zero(), row;
-  double squares = 0.0, origin = missing;
-  Parabola p;
-  for (std::size_t i = window.first; i < window.last; ++i) {
-    if (std::isnan(values[i])) continue;
-    if (p.samples == 0) origin = values[i];
-    const double s = (time[i] - about) / half, y = values[i] - origin;
-    row.template head<3>() << 1.0, s, s * s;
-    if constexpr (N == 5) {
-      const double phase = 2.0 * pi * (time[i] - about) / wave;
-      row.template tail<2>() << std::cos(phase), std::sin(phase);
-    }
-    A += row * row.transpose(), b += row * y, squares += y * y;
-    ++p.samples;
-  }
-  if (p.samples < N + 2) return p;
-  const Row c = A.ldlt().solve(b);
-  p.value = c[0] + origin;
-  p.residual = std::max(0.0, squares - b.dot(c));
-  p.freedom = static_cast<double>(p.samples - N);
-  return p;
-}
-
-/// What a parabola over ± half leaves of each sample; 0 where there is none.
-std::vector<double> rest_of(const std::vector<double>& time, std::span<const double> values, double half) {
-  std::vector<double> rest(time.size(), 0.0);
-  for (std::size_t k = 0; k < time.size(); ++k) {
-    const double now = time[k];
-    if (std::isnan(values[k])) continue;
-    const auto p = parabola(time, values, samples_between(time, now - half, now + half), now, half);
-    if (!std::isnan(p.value)) rest[k] = values[k] - p.value;
-  }
-  return rest;
-}
-
-/// Half of the time over which a parabola follows a ship but not the waves that move her, over L/U.
-constexpr double half_of_the_steady = 0.35;
-
-/// Waves that move a ship.
-struct Waves {
-  double period = 0.0;  ///< mean [s]; 0 where there are none
-  bool clear = false;   ///< nothing but waves oscillates so
-};
-
-/// Waves that a ship's yaw rate shows.
-///
-/// What a parabola over most of L/U leaves of the yaw rate oscillates by itself where the sea moves her: its
-/// autocorrelation is negative after half a period and positive after a whole one.
-Waves waves_in(const Recording& run, double time_unit) {
-  const auto channel = run.has(Channel::r) ? Channel::r : Channel::psi;
-  if (!run.has(channel) || run.samples() < 50) return {};
-  const auto rest = rest_of(run.time, run[channel], half_of_the_steady * time_unit);
-  const double h = (run.time.back() - run.time.front()) / static_cast<double>(run.samples() - 1);
-  const auto longest = std::min(rest.size() / 3, static_cast<std::size_t>(0.7 * time_unit / h));
-  double variance = 0.0;
-  for (const double x : rest) variance += x * x;
-  std::vector<double> correlation;
-  for (std::size_t lag = 0; lag <= longest; ++lag) {
-    double sum = 0.0;
-    for (std::size_t i = lag; i < rest.size(); ++i) sum += rest[i] * rest[i - lag];
-    correlation.push_back(sum / variance);
-  }
-  constexpr double oscillates = 0.3, comes_back = 0.15;
-  // on board of simulated ships in waves −0.69 to −0.95 and 0.25 to 0.88, but in a following sea that hardly turns her;
-  // of the noise of smoothed gyros alone −0.31 to −0.65 and −0.02 to 0.29
-  constexpr double clearly_oscillates = 0.67, clearly_comes_back = 0.24;
-  const auto lowest = std::ranges::min_element(correlation);
-  const auto whole = std::max_element(lowest, correlation.end());
-  const auto reach = [&](double down, double up) { return -*lowest > down && *whole > up; };
-  if (!reach(oscillates, comes_back)) return {};
-  return {.period = h * static_cast<double>(whole - correlation.begin()),
-          .clear = reach(clearly_oscillates, clearly_comes_back)};
-}
 
 /// How many rows and values of a channel are kept in the time L/U, and rows of controls if more.
 struct Density {
@@ -123,10 +20,6 @@ struct Density {
 /// the same effects came out of twice the time.
 constexpr Density beside_memory{.rows = 8.0, .values = 8.0, .controls = 24.0},
     beside_white_noise{.rows = 24.0, .values = 24.0, .controls = 24.0};
-
-double rows_in(const Recording& run, double time_unit) {
-  return static_cast<double>(run.samples()) / (run.time.back() - run.time.front()) * time_unit;
-}
 
 /// Means over the time between rows that are kept of every so many, half of it before and half after each.
 std::vector<double> means(std::span<const double> values, std::size_t every) {
@@ -187,46 +80,6 @@ std::vector<Channel> own_channels(std::span<const Channel> channels) {
              c == Channel::course_over_ground;
     });
   return own;
-}
-
-/// Half of a window over the period of waves in which a parabola and an oscillation are told apart: in one of a whole
-/// period its value has seven times the variance that it has in this.
-constexpr double half_beside_waves = 0.75;
-
-/// Whether waves are so short that a parabola follows the ship over the time that tells them.
-bool are_short(double wave, double time_unit) { return half_beside_waves * wave <= half_of_the_steady * time_unit; }
-
-/// An oscillation that is fitted beside a parabola and left out.
-struct Oscillation {
-  double period = 0.0;  ///< [s]; 0 where there is none
-  double half = 0.0;    ///< of a window that tells the two apart, no longer than a parabola follows the ship [s]
-};
-
-/// The waves that the yaw rate shows at times: as she turns she meets them more or less often. At each the oscillation
-/// beside a parabola over most of L/U that leaves least; none where its period is longer.
-std::vector<Oscillation> oscillations(const Recording& run, const std::vector<double>& times, double time_unit,
-                                      double mean) {
-  constexpr int steps = 6;               // of an eighth each, to half and to twice the mean period
-  constexpr double least_samples = 3.5;  // in a period
-  const auto values = run[run.has(Channel::r) ? Channel::r : Channel::psi];
-  const double begin = run.time.front(), end = run.time.back(),
-               half = std::min(0.5 * (end - begin), half_of_the_steady * time_unit),
-               h = (end - begin) / static_cast<double>(run.samples() - 1);
-  std::vector<Oscillation> found;
-  for (const double now : times) {
-    const double middle = std::clamp(now, begin + half, end - half);
-    const auto window = samples_between(run.time, middle - half, middle + half);
-    double best = 0.0, least = HUGE_VAL;
-    for (int step = -steps; step <= steps; ++step) {
-      const double period = mean * std::exp2(static_cast<double>(step) / steps);
-      if (period < least_samples * h) continue;
-      const auto p = parabola<5>(run.time, values, window, middle, half, period);
-      if (!std::isnan(p.value) && p.residual < least) least = p.residual, best = period;
-    }
-    if (best < 2.0 * half) found.push_back({best, std::min(half_beside_waves * best, half_of_the_steady * time_unit)});
-    else found.emplace_back();
-  }
-  return found;
 }
 
 /// When samples are taken, and over which time.
@@ -325,32 +178,6 @@ PreparedRun thinned(PreparedRun run, double time_unit, const Density& density, c
 }
 
 }  // namespace
-
-double wave_motion(const Recording& run, std::span<const double> values, double time_unit) {
-  constexpr double enough = 48.0;     // rows in L/U: waves of L/U/8 have six
-  constexpr std::size_t as_many = 6;  // rows in which she meets waves as often
-  const auto of_every = [](std::size_t every, std::span<const double> all) {
-    std::vector<double> some;
-    for (std::size_t k = 0; k < all.size(); k += every) some.push_back(all[k]);
-    return some;
-  };
-  const auto every = std::max<std::size_t>(1, static_cast<std::size_t>(rows_in(run, time_unit) / enough));
-  Recording few{.name = run.name, .facts = {}, .time = of_every(every, run.time), .channels = {}, .extra = {}};
-  for (const auto yaw : {Channel::r, Channel::psi}) few.channels[index_of(yaw)] = of_every(every, run[yaw]);
-  const auto waves = waves_in(few, time_unit);
-  if (values.empty() || !waves.clear) return 0.0;
-  const auto shown = of_every(every, values);
-  const auto beside = oscillations(few, of_every(as_many, few.time), time_unit, waves.period);
-  double squares = 0.0;
-  for (std::size_t k = 0; k < shown.size(); ++k) {
-    const double now = few.time[k];
-    const auto [period, half] = beside[k / as_many];
-    if (std::isnan(shown[k]) || !(period > 0.0)) continue;
-    const auto p = parabola<5>(few.time, shown, samples_between(few.time, now - half, now + half), now, half, period);
-    if (!std::isnan(p.value)) squares += std::pow(shown[k] - p.value, 2);
-  }
-  return std::sqrt(squares / static_cast<double>(shown.size()));
-}
 
 std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> runs,
                                    std::span<const Channel> channels) {
