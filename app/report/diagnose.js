@@ -377,9 +377,10 @@ function candidateRow(candidate, report, top, withHeldOut) {
   return cells;
 }
 
-// One row for each effect, its best try.
+// One row for each effect that gains something or has a probability that rounds to more than nothing, its best try.
 function bestTries(candidates) {
-  return candidates.filter((candidate, i) => candidates.findIndex(({ effect }) => effect === candidate.effect) === i);
+  const isShown = ({ log_evidence_gain: gain, probability }) => gain > 0 || probability >= 5e-4;
+  return candidates.filter((candidate, i) => isShown(candidate) && candidates.findIndex(({ effect }) => effect === candidate.effect) === i);
 }
 
 function rankingSection(report) {

@@ -369,7 +369,7 @@ std::string verdict_words(const Diagnosis& d) {
 
 /// Whether waves move the ship in half of the runs: then a force that follows nothing may be theirs. Of twelve
 /// simulated ships in waves of 0.12 to 0.35 deg of yaw with nothing else hidden five had a process noise of 5 to 15
-/// times the ordinary, which none had in calm water.
+/// times the ordinary, which none had in calm water. Waves do not count in the errors of replays.
 bool is_in_waves(const Diagnosis& d) {
   constexpr double half = 0.5;
   return d.runs_in_waves >= half;
@@ -490,6 +490,7 @@ void put_holdout_gains(Diagnosis& d, const Trial& trial, const Search& s, std::s
   in_parallel(d.candidates.size(), 0, [&](std::size_t i) {
     const auto tried =
         std::ranges::find_if(s.first, [&](const FittedCandidate& t) { return t.form->id == d.candidates[i].effect; });
+    if (tried == s.first.end()) return;  // it was not fitted
     const auto with_it = [&](const Recording& run) { return ship_at(trial, {tried->form}, tried->fit.point, &run); };
     const double gain = gain_of(with_after(baseline, with_it, holdout));
     if (std::isfinite(gain)) d.candidates[i].holdout_gain = gain;
@@ -680,9 +681,10 @@ void put_form(Diagnosis& d, const Trial& trial, const Search& s, const MapFit& a
 
 // ---------------------------------------------------------------- findings
 
-/// Effects in the order of what they bring; the words of those too small to matter.
+/// Effects in the order of what they bring; the words of those too small to matter; all candidates.
 void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double needed, std::span<const Recording> runs,
                  std::span<const Recording> holdout) {
+  auto tried = s.first;
   Eigen::Index from = trial.baseline_size();
   for (std::size_t i = 0; i < s.accepted.size(); ++i) {
     const auto& accepted = s.accepted[i];
@@ -710,11 +712,15 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
       d.effects.push_back(std::move(found));
     } else {
       if (!too_large) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
-      for (auto& c : d.candidates)
-        if (c.effect == accepted.form->id) c.trace = trace || too_large, c.as_form = !c.trace, c.probability = 0.0;
+      for (auto& t : tried)
+        if (t.form->id == accepted.form->id) {
+          t.trace = trace || too_large, t.as_form = !t.trace;
+          t.may_matter = t.leads = false;
+        }
     }
     from += size;
   }
+  d.candidates = ranked(tried, s.first_unfitted, needed);
 }
 
 /// Does a step after the search; where it fails, that is noted in words and the rest is kept.
@@ -737,7 +743,7 @@ constexpr double unexplained_discrepancy = 0.1;
 /// Whether force or moment across that follows nothing is larger than an ordinary error of the form, or the form itself
 /// is too large to be one, and no effect but the form has a name; or nothing at all has one and much is left.
 bool is_unexplained(const Diagnosis& d) {
-  if (!is_in_waves(d) && d.effects.empty() && d.process_noise > unexplained_scale && d.discrepancy &&
+  if (d.effects.empty() && d.process_noise > unexplained_scale && d.discrepancy &&
       d.discrepancy->after > unexplained_discrepancy)
     return true;
   const auto is_form = [](const FoundEffect& e) { return id_of(e.effect) == form_id; };
@@ -809,7 +815,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
               .effects = {},
               .traces = {},
               .as_form = {},
-              .candidates = ranked(s.first, options.detection),
+              .candidates = {},
               .shifts = shifts_of(trial, s.now.point),
               .train = {},
               .holdout = {},

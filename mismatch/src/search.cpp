@@ -27,8 +27,8 @@ constexpr double worth_of_waves =
            ///< often without them; where waves were hidden they gained 58 to 104 more
 constexpr double stopped_early = 15.0;  ///< log evidence below that without the effect, of a fit that is begun anew
 
-/// Candidates below this share of the best gain are not asked for held-out runs; chosen on gains used and held out of
-/// all candidates of 400 concealed cases.
+/// Candidates below this share of the gain of the best that may stand are not asked for held-out runs; chosen on gains
+/// used and held out of all candidates of 400 concealed cases.
 constexpr double may_lead = 0.4;
 
 /// Held-out runs that lose no more than this share of what an effect gains do not refute it, if it gains
@@ -429,11 +429,39 @@ std::vector<Screened> most_promising(const std::vector<Screened>& candidates, st
   return chosen;
 }
 
-/// Converged fits of the most promising candidates, best first.
+/// Whether an effect is larger than its practical floor somewhere within two deviations of each coordinate.
+/// @param covariance  of its coordinates
+bool may_matter(const Ship& ship, const EffectForm& form, std::span<const double> coordinates,
+                const Eigen::MatrixXd& covariance) {
+  const Eigen::VectorXd reach = 2.0 * widened(form, covariance).diagonal().cwiseMax(0.0).cwiseSqrt();
+  std::vector<double> c(coordinates.begin(), coordinates.end());
+  if (is_finding(ship, form, c)) return true;
+  for (std::size_t i = 0; i < c.size(); ++i)
+    for (const double sign : {1.0, -1.0}) {
+      const double moved = coordinates[i] + sign * reach[static_cast<Eigen::Index>(i)];
+      c[i] = std::clamp(moved, form.coordinates[i].low, form.coordinates[i].high);
+      if (is_finding(ship, form, c)) return true;
+      c[i] = coordinates[i];
+    }
+  return false;
+}
+
+/// Those of the candidates that are not among the chosen.
+std::vector<UnfittedCandidate> all_but(const std::vector<Screened>& chosen, const std::vector<Screened>& candidates,
+                                       const Ship& ship) {
+  std::vector<UnfittedCandidate> result;
+  for (const auto& c : candidates) {
+    if (std::ranges::count(chosen, c.form, &Screened::form) > 0) continue;
+    const auto& [gain, values, covariance] = c.predicted_gain;
+    result.push_back({c.form, gain, may_matter(ship, *c.form, values, covariance)});
+  }
+  return result;
+}
+
+/// Converged fits of candidates, best first.
 std::vector<FittedCandidate> confirmed(const Search& s, const Hypothesis& accepted, const LinearizedFit& linear,
-                                       const std::vector<Screened>& screening, std::size_t most) {
+                                       const std::vector<Screened>& candidates) {
   const auto& now = s.now;
-  const auto candidates = most_promising(screening, most);
   std::vector<std::optional<FittedCandidate>> fits(candidates.size());
   in_parallel(candidates.size(), 0, [&](std::size_t i) {
     const auto& form = *candidates[i].form;
@@ -450,8 +478,11 @@ std::vector<FittedCandidate> confirmed(const Search& s, const Hypothesis& accept
       gain += pruned(form, found).gain + likely_spread(problem_of(trial, hypothesis), form, found).gain;
       if (is_unknown(form)) gain -= worth_of_a_name;
       if (form.id == WaveDrift<>::id) gain -= worth_of_waves;
+      const auto size = std::ssize(form.coordinates);
       fits[i] = FittedCandidate{&form, found, gain, last_effect(form, found.point), is_trace(trial, form, found)};
       fits[i]->sizes = likely.sizes;
+      fits[i]->may_matter = may_matter(trial.ship, form, last_coordinates(form, found.point),
+                                       found.covariance.bottomRightCorner(size, size));
     } catch (const std::exception&) {}
   });
   std::vector<FittedCandidate> result;
@@ -613,7 +644,7 @@ void ask(const HeldOutRuns& held_out, const Trial& trial, const Search& s, Fitte
 // ---------------------------------------------------------------- choice
 
 /// Whether it may stand for what is missing: it matters, and no other run speaks against it.
-bool may_stand(const FittedCandidate& tried) { return !tried.trace && !tried.refuted; }
+bool may_stand(const FittedCandidate& tried) { return !tried.trace && !tried.refuted && !tried.as_form; }
 
 /// In log evidence of runs used and held out.
 double whole_gain(const FittedCandidate& tried) { return tried.gain + tried.held_out.value_or(0.0); }
@@ -627,22 +658,48 @@ double probability_of_name(const FittedCandidate& one) {
   return 1.0 / (1.0 + std::pow(even / std::max(one.as_elsewhere.value_or(one.gain), 1.0), slope));
 }
 
-/// Against nothing, which stands at the gain that is needed, against the others that may stand, or a trace that leads
-/// them all, and against what has another name.
-double probability_of(const FittedCandidate& one, std::span<const FittedCandidate> tried, double needed) {
-  if (!may_stand(one)) return 0.0;
-  const double gain = whole_gain(one);
-  double sum = 1.0 + std::exp((needed - gain) / evidence_excess);
-  for (const auto& t : tried) {
-    const bool itself = t.form->id == one.form->id && t.gain == one.gain;
-    if ((may_stand(t) && !itself) || t.leads) sum += std::exp((whole_gain(t) - gain) / evidence_excess);
-  }
-  return probability_of_name(one) / sum;
+/// Where the evidence prefers nothing.
+double probability_of_name(const UnfittedCandidate&) { return 1.0; }
+
+/// Odds of an effect that an error in the form of her forces explains as well, to nothing: of 22 such answers on ships
+/// of another structure (`swayaw_concealed`, seeds 12 and 13 as on board) nothing was hidden in 14, in 8 something, in
+/// 3 this effect.
+constexpr double odds_beside_form = 1.0 / 3.0;
+
+/// Logarithm of the odds of a candidate to nothing, which stands at the gain that is needed.
+double log_odds(const FittedCandidate& tried, double needed) {
+  if (tried.refuted) return -HUGE_VAL;
+  if (tried.as_form) return std::log(odds_beside_form);
+  if (may_stand(tried) || tried.leads) return (whole_gain(tried) - needed) / evidence_excess;
+  return tried.may_matter ? (std::min(0.0, whole_gain(tried)) - needed) / evidence_excess : -HUGE_VAL;
 }
 
-Accepted accepted_as(const FittedCandidate& best, std::span<const FittedCandidate> tried, double needed) {
-  Accepted result{best, probability_of(best, tried, needed), {}};
-  for (const auto& t : tried) {
+double log_odds(const UnfittedCandidate& one, double needed) {
+  return one.may_matter ? (std::min(0.0, one.predicted_gain) - needed) / evidence_excess : -HUGE_VAL;
+}
+
+/// Candidates beside the same baseline, and the gain in log evidence that one of them needs.
+struct Ranking {
+  std::span<const FittedCandidate> tried;
+  std::span<const UnfittedCandidate> unfitted;
+  double needed;
+
+  /// Against nothing, all others, and what has another name.
+  template <class Candidate>
+  double probability(const Candidate& one) const {
+    const double log_odds_of_one = log_odds(one, needed);
+    if (!std::isfinite(log_odds_of_one)) return 0.0;
+    double sum = std::exp(-log_odds_of_one);
+    const auto add = [&](const auto& other) { sum += std::exp(log_odds(other, needed) - log_odds_of_one); };
+    std::ranges::for_each(tried, add);
+    std::ranges::for_each(unfitted, add);
+    return probability_of_name(one) / sum;
+  }
+};
+
+Accepted accepted_as(const FittedCandidate& best, const Ranking& ranking) {
+  Accepted result{best, ranking.probability(best), {}};
+  for (const auto& t : ranking.tried) {
     if (t.form->id == best.form->id || whole_gain(best) - whole_gain(t) > as_good || t.gain < as_good || !may_stand(t))
       continue;
     if (std::ranges::none_of(result.rivals, [&](const FittedCandidate& r) { return r.form->id == t.form->id; }))
@@ -657,7 +714,7 @@ Accepted accepted_as(const FittedCandidate& best, std::span<const FittedCandidat
 std::optional<FittedCandidate> chosen(const HeldOutRuns& held_out, Search& s, std::span<FittedCandidate> tried,
                                       double needed, bool trace_may) {
   if (tried.empty()) return std::nullopt;
-  const double least = held_out.is_empty() ? needed : std::max(0.5 * needed, may_lead * tried.front().gain);
+  double least = held_out.is_empty() ? needed : 0.5 * needed;
   std::optional<FittedCandidate> best, trace;
   FittedCandidate* leader = nullptr;  // that the trace comes from
   for (auto& t : tried) {
@@ -670,6 +727,7 @@ std::optional<FittedCandidate> chosen(const HeldOutRuns& held_out, Search& s, st
       ask(held_out, trial, s, whole, needed);
       t.held_out = whole.held_out, t.as_elsewhere = whole.as_elsewhere, t.refuted = whole.refuted;
       if (whole.refuted || !(whole_gain(whole) > needed) || (whole.trace && !trace_may)) continue;
+      if (!held_out.is_empty() && !whole.trace) least = std::max(least, may_lead * t.gain);
       auto& place = whole.trace ? trace : best;
       if (place && !(whole_gain(whole) > whole_gain(*place))) continue;
       if (whole.trace) leader = &t;
@@ -722,12 +780,12 @@ void map_unknown(const Trial& unused, Search& s, double needed) try {
   s.reduced.push_back(whole.with_terms(terms));
   Screened start{&s.reduced.back(), {}, s.sizes};
   for (const auto i : terms) start.predicted_gain.values.push_back(guess.values[i]);
-  const auto tried = confirmed(s, before, linear, {start}, 1);
+  const auto tried = confirmed(s, before, linear, {start});
   if (tried.empty() || !(tried.front().gain > needed)) return;
   auto map = reduced(trial, before, tried.front(), s.reduced);
   ask(held_out_runs(unused, s), trial, s, map, needed);
   if (map.refuted) return;
-  s.accepted.push_back(accepted_as(map, {&map, 1}, needed));
+  s.accepted.push_back(accepted_as(map, {{&map, 1}, {}, needed}));
   s.now = map.fit;
 } catch (const std::exception&) {  // she cannot sail with such a force
 }
@@ -816,14 +874,19 @@ ActiveTime active_time(const Trial& trial, const Search& s, std::size_t accepted
   return time_active;
 }
 
-std::vector<Candidate> ranked(std::span<const FittedCandidate> tried, double needed) {
+std::vector<Candidate> ranked(std::span<const FittedCandidate> tried, std::span<const UnfittedCandidate> unfitted,
+                              double needed) {
+  const Ranking ranking{tried, unfitted, needed};
   std::vector<Candidate> result;
-  for (const auto& t : tried) {
-    const double probability = probability_of(t, tried, needed);
-    const auto same = std::ranges::find(result, t.form->id, &Candidate::effect);
-    if (same != result.end()) same->probability += probability;
-    else result.push_back({t.form->id, probability, t.gain, t.held_out, {}, t.trace, t.refuted});
-  }
+  const auto add = [&](Candidate one) {
+    const auto same = std::ranges::find(result, one.effect, &Candidate::effect);
+    if (same != result.end()) same->probability += one.probability;
+    else result.push_back(std::move(one));
+  };
+  for (const auto& t : tried)
+    add({t.form->id, ranking.probability(t), t.gain, t.held_out, {}, t.trace, t.refuted, t.as_form});
+  for (const auto& u : unfitted)
+    add({u.form->id, ranking.probability(u), u.predicted_gain, {}, {}, !u.may_matter, false});
   return result;
 }
 
@@ -860,12 +923,14 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
   auto promising = screened_beside_form(s, before, linear);
   if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale)
     std::erase_if(promising, [](const Screened& c) { return c.predicted_gain.gain < 0.0; });
-  auto tried = confirmed(s, before, linear, promising, options.confirmed);
+  const auto candidates = most_promising(promising, options.confirmed);
+  const auto unfitted = all_but(candidates, promising, s.trial.ship);
+  auto tried = confirmed(s, before, linear, candidates);
   const double needed = progress.findings == 0 ? options.detection : options.further;
   const auto held_out = held_out_runs(unused, s);
   auto best = chosen(held_out, s, tried, needed, progress.traces < most_traces);
   std::ranges::stable_sort(tried, std::greater{}, whole_gain);
-  if (s.accepted.empty()) s.first = tried;
+  if (s.accepted.empty()) s.first = tried, s.first_unfitted = unfitted;
   if (!best) return false;
   if (const auto without = likelier_without(s, before, *best)) {
     const double less = without->log_evidence - s.now.log_evidence;
@@ -889,7 +954,7 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
       if (s.accepted.empty()) s.null = s.now;
       return true;
     }
-  s.accepted.push_back(accepted_as(*best, tried, needed));
+  s.accepted.push_back(accepted_as(*best, {tried, unfitted, needed}));
   s.now = best->fit;
   if (s.on_board) fit_form(s, best->sizes);
   ++(best->trace ? progress.traces : progress.findings);

@@ -25,10 +25,19 @@ struct FittedCandidate {
   std::optional<double> as_elsewhere{};  ///< the gain in log evidence with the likelihood that those gain, or each run
                                          ///< by a fit to the others, for as many rows; beside an inexact form alone
   bool refuted = false;                  ///< by runs that were not used
+  bool as_form = false;                  ///< accepted, and then no more than an error in the form of her forces
+  bool may_matter = true;                ///< within two deviations it is larger than its practical floor
   bool leads = false;                    ///< a trace that is accepted before all others
   FormSizes sizes = usual_sizes;         ///< of the form beside it
   std::vector<double>
       widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
+};
+
+/// A candidate that promised too little to be fitted.
+struct UnfittedCandidate {
+  const EffectForm* form;
+  double predicted_gain;  ///< in log evidence
+  bool may_matter;        ///< within two deviations of what was predicted it is larger than its practical floor
 };
 
 /// Factor on the prior deviations of the baseline's coefficients where the runs speak against them.
@@ -48,13 +57,14 @@ struct Search {
   MapFit null{}, now{};
   double prior_inflation =
       1.0;  ///< factor on what the coefficients of the baseline are known to, where the runs speak against it
-  double named_scale = 0.0;              ///< of the process noise beside all effects that have names
-  Located located{};                     ///< where the baseline alone lacks force
-  std::vector<EffectForm> forms{};       ///< that were tried
-  std::vector<Accepted> accepted{};      ///< in the order of acceptance, traces with them
-  std::vector<FittedCandidate> first{};  ///< all that were tried alone, best first by runs used and held out
-  std::deque<EffectForm> reduced{};      ///< forms made by the search
-  std::vector<std::string> troubles{};   ///< what ended the search early, in words; what was found before stands
+  double named_scale = 0.0;                         ///< of the process noise beside all effects that have names
+  Located located{};                                ///< where the baseline alone lacks force
+  std::vector<EffectForm> forms{};                  ///< that were tried
+  std::vector<Accepted> accepted{};                 ///< in the order of acceptance, traces with them
+  std::vector<FittedCandidate> first{};             ///< all that were tried alone, best first by runs used and held out
+  std::vector<UnfittedCandidate> first_unfitted{};  ///< the others, beside the baseline alone
+  std::deque<EffectForm> reduced{};                 ///< forms made by the search
+  std::vector<std::string> troubles{};  ///< what ended the search early, in words; what was found before stands
 
   Hypothesis hypothesis(std::size_t count) const;
   Hypothesis hypothesis() const { return hypothesis(accepted.size()); }
@@ -71,11 +81,14 @@ struct Trials {
 Search search(const Trials& exact, const std::function<Trials()>& on_board, std::span<const EffectForm> forms,
               const DiagnosisOptions& options, const std::function<bool(std::string_view)>& goes_on);
 
-/// Probabilities of all that were tried, by effect, best first; they add up to less than 1, the rest is for nothing.
+/// Probabilities of all candidates, by effect, those that were fitted first; they add up to less than 1, the rest is
+/// for nothing.
 ///
 /// Evidence of models that are all a little wrong says too much; its logarithm is divided by `evidence_excess` first.
-/// Nothing counts as the gain that is needed, so what just reaches it has one half. A trace has none.
-std::vector<Candidate> ranked(std::span<const FittedCandidate> tried, double needed);
+/// Nothing counts as the gain that is needed, so what just reaches it has one half. What the runs do not tell keeps its
+/// share, exp(−needed/excess) of that of nothing, unless they show that it is too small to matter.
+std::vector<Candidate> ranked(std::span<const FittedCandidate> tried, std::span<const UnfittedCandidate> unfitted,
+                              double needed);
 
 inline constexpr double evidence_excess = 3.0;
 
