@@ -715,7 +715,7 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
       for (auto& t : tried)
         if (t.form->id == accepted.form->id) {
           t.trace = trace || too_large, t.as_form = !t.trace;
-          t.may_matter = t.leads = false;
+          t.leads = false;
         }
     }
     from += size;

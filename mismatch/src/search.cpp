@@ -478,11 +478,8 @@ std::vector<FittedCandidate> confirmed(const Search& s, const Hypothesis& accept
       gain += pruned(form, found).gain + likely_spread(problem_of(trial, hypothesis), form, found).gain;
       if (is_unknown(form)) gain -= worth_of_a_name;
       if (form.id == WaveDrift<>::id) gain -= worth_of_waves;
-      const auto size = std::ssize(form.coordinates);
       fits[i] = FittedCandidate{&form, found, gain, last_effect(form, found.point), is_trace(trial, form, found)};
       fits[i]->sizes = likely.sizes;
-      fits[i]->may_matter = may_matter(trial.ship, form, last_coordinates(form, found.point),
-                                       found.covariance.bottomRightCorner(size, size));
     } catch (const std::exception&) {}
   });
   std::vector<FittedCandidate> result;
@@ -668,10 +665,8 @@ constexpr double odds_beside_form = 1.0 / 3.0;
 
 /// Logarithm of the odds of a candidate to nothing, which stands at the gain that is needed.
 double log_odds(const FittedCandidate& tried, double needed) {
-  if (tried.refuted) return -HUGE_VAL;
   if (tried.as_form) return std::log(odds_beside_form);
-  if (may_stand(tried) || tried.leads) return (whole_gain(tried) - needed) / evidence_excess;
-  return tried.may_matter ? (std::min(0.0, whole_gain(tried)) - needed) / evidence_excess : -HUGE_VAL;
+  return may_stand(tried) || tried.leads ? (whole_gain(tried) - needed) / evidence_excess : -HUGE_VAL;
 }
 
 double log_odds(const UnfittedCandidate& one, double needed) {
@@ -880,7 +875,7 @@ std::vector<Candidate> ranked(std::span<const FittedCandidate> tried, std::span<
   std::vector<Candidate> result;
   const auto add = [&](Candidate one) {
     const auto same = std::ranges::find(result, one.effect, &Candidate::effect);
-    if (same != result.end()) same->probability += one.probability;
+    if (same != result.end()) same->probability += one.probability, same->trace = same->trace && one.trace;
     else result.push_back(std::move(one));
   };
   for (const auto& t : tried)

@@ -26,7 +26,6 @@ struct FittedCandidate {
                                          ///< by a fit to the others, for as many rows; beside an inexact form alone
   bool refuted = false;                  ///< by runs that were not used
   bool as_form = false;                  ///< accepted, and then no more than an error in the form of her forces
-  bool may_matter = true;                ///< within two deviations it is larger than its practical floor
   bool leads = false;                    ///< a trace that is accepted before all others
   FormSizes sizes = usual_sizes;         ///< of the form beside it
   std::vector<double>
@@ -86,7 +85,7 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
 ///
 /// Evidence of models that are all a little wrong says too much; its logarithm is divided by `evidence_excess` first.
 /// Nothing counts as the gain that is needed, so what just reaches it has one half. What the runs do not tell keeps its
-/// share, exp(−needed/excess) of that of nothing, unless they show that it is too small to matter.
+/// share, exp(−needed/excess) of that of nothing, unless they show that it is too small to matter. A trace has none.
 std::vector<Candidate> ranked(std::span<const FittedCandidate> tried, std::span<const UnfittedCandidate> unfitted,
                               double needed);
 
