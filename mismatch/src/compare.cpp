@@ -54,13 +54,37 @@ Conditions conditions_of(const Ship& ship, const Recording& run, const RecordedM
   return conditions;
 }
 
-/// First samples of windows in which the ship makes that way; a short rest joins the last window.
-std::vector<std::size_t> window_starts(const Recording& run, const RecordedMotion& motion, double way) {
+/// For each sample whether all that tells the state was recorded shortly before and after it: within a quarter of L/U,
+/// or twice the time between samples of a slow channel. In a gap the state is only guessed.
+std::vector<bool> is_told(const Recording& run, double time_unit) {
+  std::vector<bool> told(run.samples(), true);
+  for (const auto channel : {Channel::psi, Channel::r, Channel::u, Channel::v, Channel::u_ground, Channel::v_ground,
+                             Channel::speed_through_water, Channel::speed_over_ground, Channel::course_over_ground,
+                             Channel::x, Channel::y}) {
+    if (!run.has(channel)) continue;
+    const Interpolant recorded(run, channel);
+    const auto times = recorded.times();
+    const double interval = (times.back() - times.front()) / std::max(1.0, static_cast<double>(times.size()) - 1.0),
+                 near = std::max(0.25 * time_unit, 2.0 * interval);
+    for (std::size_t i = 0; i < run.samples(); ++i) {
+      const double now = run.time[i];
+      const auto here = std::ranges::lower_bound(times, now), after = std::ranges::upper_bound(times, now);
+      told[i] =
+          told[i] && here != times.begin() && after != times.end() && now - here[-1] <= near && *after - now <= near;
+    }
+  }
+  return told;
+}
+
+/// First samples of windows in which the ship makes that way, or half as much again where her state is not told; a
+/// short rest joins the last window.
+std::vector<std::size_t> window_starts(const Recording& run, const RecordedMotion& motion,
+                                       const std::vector<bool>& told, double way) {
   std::vector<std::size_t> starts{0};
   double made = 0.0;
   for (std::size_t i = 1; i < run.samples(); ++i) {
     made += speed(motion(run.time[i - 1])) * (run.time[i] - run.time[i - 1]);
-    if (made < way) continue;
+    if (made < (told[i] ? way : 1.5 * way)) continue;
     starts.push_back(i);
     made = 0.0;
   }
@@ -127,16 +151,14 @@ double of_quantity(const Recording& run, Quantity quantity, Of&& of) {
   return of(values_of(run, quantity));
 }
 
-/// @param time_unit  L/U [s]
-QuantityError error_of(const Comparison& c, Quantity quantity, double time_unit) {
+QuantityError error_of(const Comparison& c, Quantity quantity, const WaveMotion& of_waves) {
   const auto errors = errors_of(c.restarted, c.recorded, quantity);
   const Sums sums = sums_of(errors);
   auto regions = errors_by_region(errors, c.conditions);
   const auto region = worst_region(regions);
   using Values = std::span<const double>;
   const double scatter = of_quantity(c.recorded, quantity, [](Values values) { return noise_of(values); }),
-               waves = of_quantity(c.recorded, quantity,
-                                   [&](Values values) { return wave_motion(c.recorded, values, time_unit); });
+               waves = of_quantity(c.recorded, quantity, [&](Values values) { return of_waves.size_in(values); });
   return {.quantity = quantity,
           .variation = variation_of(c.recorded, quantity),
           .noise = std::max(scatter, waves),
@@ -157,13 +179,13 @@ Comparison compare(const Ship& ship, const Recording& run, const CompareOptions&
   const RecordedMotion motion(ship, run);
   Comparison c{.recorded = run, .open_loop = {}, .restarted = {}, .window_starts = {}, .conditions = {}, .errors = {}};
   c.open_loop = replay(ship, run, options.replay);
-  c.window_starts =
-      window_starts(run, motion, require_positive(options.window_lengths, "window [ship lengths]") * length(ship));
+  c.window_starts = window_starts(run, motion, is_told(run, length(ship) / service_speed(ship)),
+                                  require_positive(options.window_lengths, "window [ship lengths]") * length(ship));
   c.restarted = restarted_replay(ship, run, controls, c.window_starts, options.replay);
   c.conditions = conditions_of(ship, run, motion, controls);
-  const double time_unit = length(ship) / service_speed(ship);
+  const WaveMotion waves(run, length(ship) / service_speed(ship));
   for (const auto quantity : all_quantities)
-    if (tells(run, quantity)) c.errors.push_back(error_of(c, quantity, time_unit));
+    if (tells(run, quantity)) c.errors.push_back(error_of(c, quantity, waves));
   return c;
 }
 

@@ -148,8 +148,9 @@ TEST_CASE("waves that move a ship are left out of samples, also where she meets 
     CHECK(rms(r) < (change == 0.0 ? 0.02 : 0.1) * size);
     CHECK(rms(there(lean, Channel::x, Curve::position)) < 1e-6 * length(curve.ship));
     CHECK(static_cast<double>(r.size()) < 1500.0 / (0.6 * 0.3 * curve.unit));
-    CHECK_THAT(wave_motion(runs.front(), runs.front()[Channel::r], curve.unit), WithinRel(size / std::sqrt(2.0), 0.05));
-    CHECK(wave_motion(runs.front(), runs.front()[Channel::u], curve.unit) < 1e-9);
+    CHECK_THAT(WaveMotion(runs.front(), curve.unit).size_in(runs.front()[Channel::r]),
+               WithinRel(size / std::sqrt(2.0), 0.05));
+    CHECK(WaveMotion(runs.front(), curve.unit).size_in(runs.front()[Channel::u]) < 1e-9);
   }
 }
 
@@ -180,7 +181,7 @@ TEST_CASE("what a smoothed gyro shows beside the motion is no sea", "[identifica
         sum += std::exp(-0.5 * std::pow(k / 1.3, 2)) * white[static_cast<std::size_t>(static_cast<int>(t) + 4 + k)];
       return channel == Channel::r ? sum : 0.0;
     })};
-    CHECK(wave_motion(runs.front(), runs.front()[Channel::r], curve.unit) == 0.0);
+    CHECK(WaveMotion(runs.front(), curve.unit).size_in(runs.front()[Channel::r]) == 0.0);
   }
 }
 

@@ -189,6 +189,25 @@ TEST_CASE("the true current makes a ship agree with her own recording, from log 
   }
 }
 
+TEST_CASE("gaps of any channel or of all leave errors that are those without them", "[mismatch][second-route]") {
+  const Ship ship = test::kvlcc2_l7();
+  const double unit = length(ship) / service_speed(ship);
+  const auto whole = zigzag_run(with_rudder_force(ship, 0.9));
+  const auto without_gaps = compare(ship, whole);
+  const std::vector<Channel> of_receiver{Channel::x, Channel::y}, of_log{Channel::u, Channel::v}, of_gyro{Channel::r},
+      all{Channel::x, Channel::y, Channel::u, Channel::v, Channel::r, Channel::psi};
+  for (const auto& channels : {of_receiver, of_log, of_gyro, all}) {
+    auto run = whole;
+    for (std::size_t i = 0; i < run.samples(); ++i)  // a length of way in each five
+      if (std::fmod(run.time[i], 5.0 * unit) > 4.0 * unit)
+        for (const auto channel : channels) run.channels[index_of(channel)][i] = missing;
+    const auto c = compare(ship, run);
+    REQUIRE(c.errors.size() == without_gaps.errors.size());
+    for (std::size_t i = 0; i < c.errors.size(); ++i)
+      CHECK_THAT(c.errors[i].window_rms, WithinRel(without_gaps.errors[i].window_rms, 0.25));
+  }
+}
+
 TEST_CASE("senseless comparisons are refused in words", "[mismatch][refusal]") {
   const Ship ship = test::kvlcc2_l7();
   Recording run;

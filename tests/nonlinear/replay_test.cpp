@@ -240,6 +240,26 @@ TEST_CASE("a run that does not tell its speed is refused", "[nonlinear][refusal]
   CHECK_THROWS_WITH(replay(ship, run), "blind.csv: no channel tells the speed of the ship at 0 s");
 }
 
+TEST_CASE("in a gap the state is on straight lines between what was recorded about it", "[nonlinear][limit]") {
+  const Ship ship = test::kvlcc2_l7();
+  auto run = zigzag_run(ship, 0.05);
+  const double unit = length(ship) / service_speed(ship), begin = 20.0, end = begin + 3.0 * unit;
+  const auto before = recorded_state(ship, run, begin - 0.5 * unit),
+             after = recorded_state(ship, run, end + 0.5 * unit);
+  for (auto& channel : run.channels)
+    for (std::size_t i = 0; i < channel.size(); ++i)
+      if (run.time[i] > begin && run.time[i] < end) channel[i] = missing;
+  for (const double share : {0.3, 0.5, 0.7}) {
+    const auto state = recorded_state(ship, run, begin + share * (end - begin));
+    for (const auto part : {&ShipState<double>::x, &ShipState<double>::psi}) {
+      const double low = std::min(before.*part, after.*part), high = std::max(before.*part, after.*part);
+      CHECK(state.*part > low);
+      CHECK(state.*part < high);
+    }
+    CHECK_THAT(state.motion.u, WithinAbs(0.5 * (before.motion.u + after.motion.u), 0.1 * service_speed(ship)));
+  }
+}
+
 TEST_CASE("controls at times in order are those at each time", "[nonlinear][second-route]") {
   Ship late = test::kvlcc2_l7();
   late.effects = {SteeringGearLag<>{.lag = 1.5}};

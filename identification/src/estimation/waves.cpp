@@ -65,27 +65,39 @@ std::vector<detail::Oscillation> detail::oscillations(const Recording& run, cons
   return found;
 }
 
-double wave_motion(const Recording& run, std::span<const double> values, double time_unit) {
-  constexpr double enough = 48.0;     // rows in L/U: waves of L/U/8 have six
-  constexpr std::size_t as_many = 6;  // rows in which she meets waves as often
-  const auto of_every = [](std::size_t every, std::span<const double> all) {
-    std::vector<double> some;
-    for (std::size_t k = 0; k < all.size(); k += every) some.push_back(all[k]);
-    return some;
-  };
-  const auto every = std::max<std::size_t>(1, static_cast<std::size_t>(rows_in(run, time_unit) / enough));
-  Recording few{.name = run.name, .facts = {}, .time = of_every(every, run.time), .channels = {}, .extra = {}};
-  for (const auto yaw : {Channel::r, Channel::psi}) few.channels[index_of(yaw)] = of_every(every, run[yaw]);
+namespace {
+
+constexpr std::size_t as_many = 6;  // samples in which she meets waves as often
+
+std::vector<double> of_every(std::size_t every, std::span<const double> all) {
+  std::vector<double> some;
+  for (std::size_t k = 0; k < all.size(); k += every) some.push_back(all[k]);
+  return some;
+}
+
+}  // namespace
+
+WaveMotion::WaveMotion(const Recording& run, double time_unit) {
+  constexpr double enough = 48.0;  // samples in L/U: waves of L/U/8 have six
+  every_ = std::max<std::size_t>(1, static_cast<std::size_t>(rows_in(run, time_unit) / enough));
+  Recording few{.name = run.name, .facts = {}, .time = of_every(every_, run.time), .channels = {}, .extra = {}};
+  for (const auto yaw : {Channel::r, Channel::psi}) few.channels[index_of(yaw)] = of_every(every_, run[yaw]);
   const auto waves = waves_in(few, time_unit);
-  if (values.empty() || !waves.clear) return 0.0;
-  const auto shown = of_every(every, values);
-  const auto beside = oscillations(few, of_every(as_many, few.time), time_unit, waves.period);
+  if (!waves.clear) return;
+  for (const auto& wave : detail::oscillations(few, of_every(as_many, few.time), time_unit, waves.period))
+    oscillations_.push_back({wave.period, wave.half});
+  times_ = std::move(few.time);
+}
+
+double WaveMotion::size_in(std::span<const double> values) const {
+  if (values.empty() || !exists()) return 0.0;
+  const auto shown = of_every(every_, values);
   double squares = 0.0;
   for (std::size_t k = 0; k < shown.size(); ++k) {
-    const double now = few.time[k];
-    const auto [period, half] = beside[k / as_many];
+    const double now = times_[k];
+    const auto [period, half] = oscillations_[k / as_many];
     if (std::isnan(shown[k]) || !(period > 0.0)) continue;
-    const auto p = parabola<5>(few.time, shown, samples_between(few.time, now - half, now + half), now, half, period);
+    const auto p = parabola<5>(times_, shown, samples_between(times_, now - half, now + half), now, half, period);
     if (!std::isnan(p.value)) squares += std::pow(shown[k] - p.value, 2);
   }
   return std::sqrt(squares / static_cast<double>(shown.size()));

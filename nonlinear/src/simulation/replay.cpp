@@ -47,6 +47,14 @@ Neighbourhood rate_neighbourhood(const Recording& run, const Neighbourhood& near
   return {near.time, near.from, std::max(near.from + 0.25 * time_unit, fourth), 2};
 }
 
+/// The next wider one where samples are missing, of straight lines; nothing where it was the whole run.
+/// @param least  width on each side [s]
+std::optional<Neighbourhood> across_gap(const Recording& run, const Neighbourhood& near, double least) {
+  if (near.from < run.time.front() && near.to > run.time.back()) return std::nullopt;
+  const double half = std::max(least, 2.0 * std::max(near.to - near.time, near.time - near.from));
+  return Neighbourhood{near.time, near.time - half, near.time + half, 1};
+}
+
 std::optional<ValueAndRate> fit(const Recording& run, Channel channel, const Neighbourhood& near) {
   const auto [time, from, to, degree] = near;
   return local_fit(run, channel, time, from, to, degree);
@@ -116,12 +124,21 @@ ShipState<double> state_told(const Ship& ship, const Recording& run, double time
   const auto psi = fit(run, Channel::psi, near);
   const double heading = psi ? psi->value : Interpolant(run, Channel::psi)(time);
   const auto turning = fit(run, Channel::psi, wide);
-  const double r = first_value(run, near, {Channel::r}).value_or(turning ? turning->rate : 0.0);
-  const auto velocity = velocity_told(run, surroundings_at(ship, time).current, heading, near, wide);
+  const auto rate = first_value(run, near, {Channel::r});
+  const double r = rate                  ? *rate
+                   : turning             ? turning->rate
+                   : run.has(Channel::r) ? Interpolant(run, Channel::r)(time)
+                                         : 0.0;
+  const auto current = surroundings_at(ship, time).current;
+  auto velocity = velocity_told(run, current, heading, near, wide);
+  for (auto around = across_gap(run, near, time_unit); !velocity && around; around = across_gap(run, *around, 0.0))
+    velocity = velocity_told(run, current, heading, *around, *around);
   if (!velocity) throw Refusal(fmt::format("{}: no channel tells the speed of the ship at {:.6g} s", run.name, time));
-  const double x = first_value(run, near, {Channel::x}).value_or(0.0);
-  const double y = first_value(run, near, {Channel::y}).value_or(0.0);
-  return {x, y, heading, {velocity->u, velocity->v, r}};
+  const auto there = [&](Channel channel) {
+    const auto told = fit(run, channel, near);
+    return told ? told->value : run.has(channel) ? Interpolant(run, channel)(time) : 0.0;
+  };
+  return {there(Channel::x), there(Channel::y), heading, {velocity->u, velocity->v, r}};
 }
 
 }  // namespace

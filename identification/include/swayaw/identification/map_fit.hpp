@@ -33,16 +33,35 @@ struct PreparedRun {
   Eigen::Index rows() const { return measurements; }
 };
 
+/// The oscillations by which waves move a ship along a run, as her yaw rate shows them.
+class WaveMotion {
+ public:
+  /// @param run        need not outlive this
+  /// @param time_unit  L/U [s]
+  WaveMotion(const Recording& run, double time_unit);
+
+  /// Whether waves move her.
+  bool exists() const { return !oscillations_.empty(); }
+
+  /// What they add to a channel, root mean square in its unit: the channel less parabolas beside the oscillations.
+  /// 0 where no waves move her.
+  ///
+  /// @param values  a number for each sample of the run
+  double size_in(std::span<const double> values) const;
+
+ private:
+  struct Oscillation {
+    double period, half;  ///< [s], of the wave and of the window that tells it; 0 where there is none
+  };
+
+  std::vector<double> times_;              ///< of as few samples as tell them
+  std::size_t every_ = 1;                  ///< of so many samples of the run
+  std::vector<Oscillation> oscillations_;  ///< at every few of the times
+};
+
 /// With all samples, but of a heel one in four L/U: what its equation leaves out lasts as long as the motion.
 std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
                                        std::span<const Channel> channels);
-
-/// What waves add to a channel of a run that shows them, root mean square in its unit: the channel less parabolas
-/// beside oscillations of the period at which the yaw rate shows them. 0 where no waves move her.
-///
-/// @param values     a number for each sample of the run
-/// @param time_unit  L/U [s]
-double wave_motion(const Recording& run, std::span<const double> values, double time_unit);
 
 /// The same with as few samples as tell what they tell: parabolas over an eighth of L/U, as
 /// many in that time; where waves move her over one and a half of their periods, if she is steady for so long, with an
