@@ -242,13 +242,16 @@ std::optional<std::pair<double, double>> common_interval(const Located& located,
   std::vector<double> from, to;
   for (const auto& place : located.places)
     if (place.share > 0.5) from.push_back(place.from), to.push_back(place.to);
-  if (from.empty() || from.size() < located.places.size()) return std::nullopt;
-  const auto spread = [](std::vector<double>& values) {
+  if (from.empty()) return std::nullopt;
+  const auto middle_of = [](std::vector<double> values) {
     std::ranges::sort(values);
-    return values.back() - values.front();
+    return values[values.size() / 2];
   };
-  if (std::max(spread(from), spread(to)) > 2.0 * time_unit) return std::nullopt;
-  return std::pair(from[from.size() / 2], to[to.size() / 2]);
+  const double begin = middle_of(from), end = middle_of(to);
+  std::size_t agreeing = 0;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    agreeing += std::abs(from[i] - begin) <= time_unit && std::abs(to[i] - end) <= time_unit;
+  return 2 * agreeing > located.places.size() ? std::optional(std::pair(begin, end)) : std::nullopt;
 }
 
 }  // namespace swayaw::mismatch::detail

@@ -19,7 +19,8 @@ struct Located {
 /// @param ship  the refitted baseline
 Located located(const Trial& trial, const Ship& ship, const Noise& noise);
 
-/// From when to when most of the missing force acts, if the runs agree within two lengths of way [s].
+/// From when to when most of the missing force acts in the middle of the runs, if more than half of them agree with
+/// that within a length of way [s]. Noise, or waves, may lengthen it in some.
 std::optional<std::pair<double, double>> common_interval(const Located& located, double time_unit);
 
 }  // namespace swayaw::mismatch::detail

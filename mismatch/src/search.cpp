@@ -417,7 +417,7 @@ bool is_trace(const Trial& trial, const EffectForm& form, const MapFit& found) {
 }
 
 /// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels. What
-/// comes and goes is among them wherever all runs lack force at the same time: under the process noise that this makes
+/// comes and goes is among them wherever most runs lack force at the same time: under the process noise that this makes
 /// necessary it predicts too little.
 std::vector<Screened> most_promising(const std::vector<Screened>& candidates, std::size_t most) {
   std::vector<Screened> chosen;

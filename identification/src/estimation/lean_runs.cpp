@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "prepared_runs.hpp"
-#include "swayaw/core/detail/median.hpp"
 #include "waves.hpp"
 
 /// Runs with as few samples as tell what they tell: means over times that are short for the ship and long for the
@@ -151,8 +150,9 @@ FewSamples few_samples(const Recording& full, Channel channel, const std::vector
 
 /// Noise of a channel that waves move: they move her as a whole, and at samples three quarters of a period apart
 /// that is as good as noise. Motion of the ship for a few seconds does not count.
-double noise_of_waves(const Recording& run, Channel channel, double time_unit) {
-  return 1.4826 * core::detail::median_size_of(rest_of(run.time, run[channel], half_of_the_steady * time_unit));
+/// @param half  of parabolas beside which they show [s]
+double noise_of_waves(const Recording& run, Channel channel, double half) {
+  return 1.4826 * median_rest(run.time, run[channel], half);
 }
 
 PreparedRun thinned(PreparedRun run, double time_unit, const Density& density, const Waves& waves) {
@@ -160,14 +160,15 @@ PreparedRun thinned(PreparedRun run, double time_unit, const Density& density, c
   auto fewer = with_fewer_rows(full, time_unit, density.rows);
   run.measurements = 0;
   const double row = fewer.time[1] - fewer.time[0];
-  const bool left_out = waves.clear && are_short(waves.period, time_unit);
+  const bool left_out = waves.clear && waves.are_short(time_unit);
   const auto beside = left_out ? oscillations(full, fewer.time, time_unit, waves.period) : std::vector<Oscillation>();
   for (const auto channel : run.channels) {
     auto samples = few_samples(full, channel, fewer.time,
                                sampling_of(full, channel, time_unit, density.values, row, waves.period), beside);
     auto& deviation = run.deviation[index_of(channel)];
     deviation = samples.deviation(deviation);
-    if (waves.period > 0.0 && !left_out) deviation = std::max(deviation, noise_of_waves(full, channel, time_unit));
+    if (waves.period > 0.0 && !left_out)
+      deviation = std::max(deviation, noise_of_waves(full, channel, waves.half * time_unit));
     run.measurements += samples.kept;
     fewer.channels[index_of(channel)] = std::move(samples.values);
   }

@@ -64,28 +64,35 @@ Parabola parabola(const std::vector<double>& time, std::span<const double> value
 /// What a parabola over ± half leaves of each sample; 0 where there is none.
 std::vector<double> rest_of(const std::vector<double>& time, std::span<const double> values, double half);
 
+/// Median size of that of the samples that are there: root mean square of an oscillation.
+double median_rest(const std::vector<double>& time, std::span<const double> values, double half);
+
 /// Half of the time over which a parabola follows a ship but not the waves that move her, over L/U.
 inline constexpr double half_of_the_steady = 0.35;
 
 /// Waves that move a ship.
 struct Waves {
-  double period = 0.0;  ///< mean [s]; 0 where there are none
-  bool clear = false;   ///< nothing but waves oscillates so
+  double period = 0.0;               ///< mean [s]; 0 where there are none
+  bool clear = false;                ///< nothing but waves oscillates so
+  double half = half_of_the_steady;  ///< of the parabolas beside which they show, over L/U
+
+  /// Whether a parabola follows the ship over the time that tells them.
+  bool are_short(double time_unit) const;
 };
 
 /// Waves that a ship's yaw rate shows.
 ///
 /// What a parabola over most of L/U leaves of the yaw rate oscillates by itself where the sea moves her: its
-/// autocorrelation is negative after half a period and positive after a whole one.
+/// autocorrelation is negative after half a period and positive after a whole one. Waves of most of L/U are followed by
+/// such a parabola, as she is; they show beside one that is twice as long.
 Waves waves_in(const Recording& run, double time_unit);
 
 /// Half of a window over the period of waves in which a parabola and an oscillation are told apart: in one of a whole
 /// period its value has seven times the variance that it has in this.
 inline constexpr double half_beside_waves = 0.75;
 
-/// Whether waves are so short that a parabola follows the ship over the time that tells them.
-inline bool are_short(double wave, double time_unit) {
-  return half_beside_waves * wave <= half_of_the_steady * time_unit;
+inline bool Waves::are_short(double time_unit) const {
+  return half_beside_waves * period <= half_of_the_steady * time_unit;
 }
 
 /// An oscillation that is fitted beside a parabola and left out.

@@ -43,7 +43,8 @@ class WaveMotion {
   /// Whether waves move her.
   bool exists() const { return !oscillations_.empty(); }
 
-  /// What they add to a channel, root mean square in its unit: the channel less parabolas beside the oscillations.
+  /// What they add to a channel, root mean square in its unit: the channel less parabolas beside the oscillations; of
+  /// waves of most of L/U less parabolas over one and a half, which follow the ship but in the first moments of a turn.
   /// 0 where no waves move her.
   ///
   /// @param values  a number for each sample of the run
@@ -54,8 +55,9 @@ class WaveMotion {
     double period, half;  ///< [s], of the wave and of the window that tells it; 0 where there is none
   };
 
-  std::vector<double> times_;              ///< of as few samples as tell them
-  std::size_t every_ = 1;                  ///< of so many samples of the run
+  double half_ = 0.0;          ///< of parabolas, where waves are too long to be told from the ship's motion [s]; or 0
+  std::vector<double> times_;  ///< of as few samples as tell them
+  std::size_t every_ = 1;      ///< of so many samples of the run
   std::vector<Oscillation> oscillations_;  ///< at every few of the times
 };
 
