@@ -26,7 +26,7 @@ struct FittedCandidate {
                                          ///< by a fit to the others, for as many rows; beside an inexact form alone
   bool refuted = false;                  ///< by runs that were not used
   bool as_form = false;                  ///< accepted, and then no more than an error in the form of her forces
-  bool leads = false;                    ///< a trace that is accepted before all others
+  bool leads = false;                    ///< a trace that was accepted: its share of the probability is that of nothing
   FormSizes sizes = usual_sizes;         ///< of the form beside it
   std::vector<double>
       widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
@@ -37,6 +37,7 @@ struct UnfittedCandidate {
   const EffectForm* form;
   double predicted_gain;  ///< in log evidence
   bool may_matter;        ///< within two deviations of what was predicted it is larger than its practical floor
+  double least_odds = 0;  ///< to nothing, whatever was predicted
 };
 
 /// Factor on the prior deviations of the baseline's coefficients where the runs speak against them.
