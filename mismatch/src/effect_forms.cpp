@@ -216,8 +216,8 @@ EffectForm force_form(const Ship& ship, std::span<const Recording> runs) {
     std::string_view key;
     double usual;
   };
-  // of a force that differs from side to side: about half a degree of rudder; and of what differs from turn to turn:
-  // γ_R of KVLCC2 is 0.395 one way and 0.640 the other, and 0.52 ± 0.12 moves the rudder's force by a fortieth
+  // of a push to one side: about half a degree of rudder; of what turning and rudder do to one side more, a third of
+  // what may err on both, for most files have wake and γ_R of either side
   constexpr double small = 0.05, sided = 0.3;
   const double u = 1.0, v = m.v, r = m.r, d = m.delta;
   const std::array terms{Term{"X_u", X / m.u},

@@ -16,9 +16,9 @@ namespace swayaw::inline nonlinear {
 ///     N = q L (the same of N)
 ///
 /// Y_u, Y_rs and Y_ds are what a single screw does to one side: a push straight ahead, and wake and straightening of
-/// the flow at the rudder that differ between a turn to port and one to starboard (γ_R of KVLCC2: 0.395 and 0.640,
-/// Yasukawa and Yoshimura 2015, Table 3). δ₁₅ and δ₂₈ are what of the rudder angle is beyond 15 and 28 deg, either way:
-/// where lift is lost to a gap or to stall.
+/// the flow at the rudder that differ between a turn to port and one to starboard (γ_R of KVLCC2: 0.395 and 0.640
+/// [Yasukawa2015]). δ₁₅ and δ₂₈ are what of the rudder angle is beyond 15 and 28 deg, either way: where lift is lost to
+/// a gap or to stall.
 template <class S = double>
 struct ModelForm {
   S X_u{}, X_uu{}, X_vv{}, X_vr{}, X_rr{}, X_dd{};
