@@ -177,8 +177,7 @@ std::optional<std::vector<double>> coordinates_of(const Ship& ship, const Effect
 }
 
 int axis_of_term(std::string_view name) {
-  const auto of_motion = name.substr(2);
-  if (name[0] != 'X' && (of_motion == "u" || of_motion == "rs" || of_motion == "ds")) return 3;  // from side to side
+  if (name == "Y_u" || name == "N_u") return 3;
   return name[0] == 'X' ? 0 : name[0] == 'Y' ? 1 : 2;
 }
 
@@ -216,40 +215,17 @@ EffectForm force_form(const Ship& ship, std::span<const Recording> runs) {
     std::string_view key;
     double usual;
   };
-  // of a push to one side: about half a degree of rudder; of what turning and rudder do to one side more, a third of
-  // what may err on both, for most files have wake and γ_R of either side
-  constexpr double small = 0.05, sided = 0.3;
+  constexpr double small = 0.05;  // of a force that differs from side to side: about half a degree of rudder
   const double u = 1.0, v = m.v, r = m.r, d = m.delta;
-  const std::array terms{Term{"X_u", X / m.u},
-                         Term{"X_uu", X / m.u},
-                         Term{"X_vv", X / (v * v)},
-                         Term{"X_vr", X / (v * r)},
-                         Term{"X_rr", X / (r * r)},
-                         Term{"X_dd", X / (d * d)},
-                         Term{"Y_v", Y / (u * v)},
-                         Term{"Y_r", Y / (u * r)},
-                         Term{"Y_vv", Y / (v * v)},
-                         Term{"Y_rr", Y / (r * r)},
-                         Term{"Y_vr", Y / (v * r)},
-                         Term{"Y_rv", Y / (v * r)},
-                         Term{"Y_d", Y / (u * d)},
-                         Term{"Y_d15", Y / (u * 0.2)},
-                         Term{"Y_d28", Y / (u * 0.1)},
-                         Term{"Y_u", small * Y / u},
-                         Term{"N_v", N / (u * v)},
-                         Term{"N_r", N / (u * r)},
-                         Term{"N_vv", N / (v * v)},
-                         Term{"N_rr", N / (r * r)},
-                         Term{"N_vr", N / (v * r)},
-                         Term{"N_rv", N / (v * r)},
-                         Term{"N_d", N / (u * d)},
-                         Term{"N_d15", N / (u * 0.2)},
-                         Term{"N_d28", N / (u * 0.1)},
-                         Term{"N_u", small * N / u},
-                         Term{"Y_rs", sided * Y / (u * r)},
-                         Term{"Y_ds", sided * Y / (u * d)},
-                         Term{"N_rs", sided * N / (u * r)},
-                         Term{"N_ds", sided * N / (u * d)}};
+  const std::array terms{Term{"X_u", X / m.u},         Term{"X_uu", X / m.u},        Term{"X_vv", X / (v * v)},
+                         Term{"X_vr", X / (v * r)},    Term{"X_rr", X / (r * r)},    Term{"X_dd", X / (d * d)},
+                         Term{"Y_v", Y / (u * v)},     Term{"Y_r", Y / (u * r)},     Term{"Y_vv", Y / (v * v)},
+                         Term{"Y_rr", Y / (r * r)},    Term{"Y_vr", Y / (v * r)},    Term{"Y_rv", Y / (v * r)},
+                         Term{"Y_d", Y / (u * d)},     Term{"Y_d15", Y / (u * 0.2)}, Term{"Y_d28", Y / (u * 0.1)},
+                         Term{"Y_u", small * Y / u},   Term{"N_v", N / (u * v)},     Term{"N_r", N / (u * r)},
+                         Term{"N_vv", N / (v * v)},    Term{"N_rr", N / (r * r)},    Term{"N_vr", N / (v * r)},
+                         Term{"N_rv", N / (v * r)},    Term{"N_d", N / (u * d)},     Term{"N_d15", N / (u * 0.2)},
+                         Term{"N_d28", N / (u * 0.1)}, Term{"N_u", small * N / u}};
   EffectForm form{.id = std::string(form_id), .coordinates = {}, .at = {}, .starts = {}};
   const auto parameters = parameters_of(ship, ModelForm<>{});
   std::vector<std::pair<std::size_t, double>> moves;

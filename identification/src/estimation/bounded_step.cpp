@@ -60,8 +60,7 @@ Vector bounded_step(const Matrix& H, const Vector& g, const Vector& low, const V
   if (d.norm() <= radius) return d;
   double above = below;
   while ((d = damped(above)).norm() > radius) above *= 100.0;
-  constexpr double near = 0.95;  // of the radius: a region need not be kept to more closely [More1983]
-  for (int i = 0; i < 40 && d.norm() < near * radius; ++i) {
+  for (int i = 0; i < 40; ++i) {
     const double mu = std::sqrt(below * above);
     const Vector at = damped(mu);
     (at.norm() > radius ? below : above) = mu;

@@ -71,7 +71,8 @@ detail::Waves detail::waves_in(const Recording& run, double time_unit) {
   const auto channel = run.has(Channel::r) ? Channel::r : Channel::psi;
   if (!run.has(channel) || run.samples() < 50) return {};
   const auto found = waves_beside(run, channel, time_unit, half_of_the_steady, clearly_oscillates);
-  if (found.clear) return found;
+  constexpr double followed = 1.6;  // of half the parabola: it takes most of longer waves with it
+  if (found.clear && found.period < followed * half_of_the_steady * time_unit) return found;
   const auto longer = waves_beside(run, channel, time_unit, 2.0 * half_of_the_steady, clearly_oscillates_long);
   return longer.clear ? longer : found;
 }

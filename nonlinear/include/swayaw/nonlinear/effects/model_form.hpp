@@ -6,24 +6,21 @@
 namespace swayaw::inline nonlinear {
 
 /// A hull, propeller and rudder of another form than the model's: a smooth force that follows the motion and the rudder
-/// alone, nothing at rest, the same in every run; its mirror image turning the other way, but for the last three terms.
+/// alone, nothing at rest, the same in every run; its mirror image turning the other way, but for the last two terms.
 ///
 /// With q = ½ρL²U_0², u' = u/U_0, v' = v/U_0, r' = rL/U_0:
 ///
 ///     X = q (X_u u' + X_uu u'² + X_vv v'² + X_vr v'r' + X_rr r'² + X_dd u'δ²)
 ///     Y = q (Y_v u'v' + Y_r u'r' + Y_vv v'|v'| + Y_rr r'|r'| + Y_vr v'|r'| + Y_rv r'|v'| + Y_d u'δ + Y_d15 u'δ₁₅ +
-///     Y_d28 u'δ₂₈ + Y_u u' + s u' (Y_rs r' + Y_ds δ)), s = r'/√(r'² + 0.05²)
-///     N = q L (the same of N)
+///     Y_d28 u'δ₂₈ + Y_u u') N = q L (the same of N)
 ///
-/// Y_u, Y_rs and Y_ds are what a single screw does to one side: a push straight ahead, and wake and straightening of
-/// the flow at the rudder that differ between a turn to port and one to starboard (γ_R of KVLCC2: 0.395 and 0.640
-/// [Yasukawa2015]). δ₁₅ and δ₂₈ are what of the rudder angle is beyond 15 and 28 deg, either way: where lift is lost to
-/// a gap or to stall.
+/// δ₁₅ and δ₂₈ are what of the rudder angle is beyond 15 and 28 deg, either way: where lift is lost to a gap or to
+/// stall.
 template <class S = double>
 struct ModelForm {
   S X_u{}, X_uu{}, X_vv{}, X_vr{}, X_rr{}, X_dd{};
-  S Y_v{}, Y_r{}, Y_vv{}, Y_rr{}, Y_vr{}, Y_rv{}, Y_d{}, Y_d15{}, Y_d28{}, Y_u{}, Y_rs{}, Y_ds{};
-  S N_v{}, N_r{}, N_vv{}, N_rr{}, N_vr{}, N_rv{}, N_d{}, N_d15{}, N_d28{}, N_u{}, N_rs{}, N_ds{};
+  S Y_v{}, Y_r{}, Y_vv{}, Y_rr{}, Y_vr{}, Y_rv{}, Y_d{}, Y_d15{}, Y_d28{}, Y_u{};
+  S N_v{}, N_r{}, N_vv{}, N_rr{}, N_vr{}, N_rv{}, N_d{}, N_d15{}, N_d28{}, N_u{};
 
   static constexpr std::string_view id = "model_form";
   static constexpr EffectPlace place = EffectPlace::force;
@@ -44,14 +41,13 @@ struct ModelForm {
       return ParameterOf<F, S>{.key = key, .member = member, .required = false, .prior = 2e-4, .floor = 5e-6};
     };
     return std::array{
-        force("X_u", &F::X_u),    force("X_uu", &F::X_uu),    force("X_vv", &F::X_vv),    force("X_vr", &F::X_vr),
-        force("X_rr", &F::X_rr),  force("X_dd", &F::X_dd),    force("Y_v", &F::Y_v),      force("Y_r", &F::Y_r),
-        force("Y_vv", &F::Y_vv),  force("Y_rr", &F::Y_rr),    force("Y_vr", &F::Y_vr),    force("Y_rv", &F::Y_rv),
-        force("Y_d", &F::Y_d),    force("Y_d15", &F::Y_d15),  force("Y_d28", &F::Y_d28),  force("Y_u", &F::Y_u),
-        force("Y_rs", &F::Y_rs),  force("Y_ds", &F::Y_ds),    moment("N_v", &F::N_v),     moment("N_r", &F::N_r),
-        moment("N_vv", &F::N_vv), moment("N_rr", &F::N_rr),   moment("N_vr", &F::N_vr),   moment("N_rv", &F::N_rv),
-        moment("N_d", &F::N_d),   moment("N_d15", &F::N_d15), moment("N_d28", &F::N_d28), moment("N_u", &F::N_u),
-        moment("N_rs", &F::N_rs), moment("N_ds", &F::N_ds)};
+        force("X_u", &F::X_u),      force("X_uu", &F::X_uu),   force("X_vv", &F::X_vv),   force("X_vr", &F::X_vr),
+        force("X_rr", &F::X_rr),    force("X_dd", &F::X_dd),   force("Y_v", &F::Y_v),     force("Y_r", &F::Y_r),
+        force("Y_vv", &F::Y_vv),    force("Y_rr", &F::Y_rr),   force("Y_vr", &F::Y_vr),   force("Y_rv", &F::Y_rv),
+        force("Y_d", &F::Y_d),      force("Y_d15", &F::Y_d15), force("Y_d28", &F::Y_d28), force("Y_u", &F::Y_u),
+        moment("N_v", &F::N_v),     moment("N_r", &F::N_r),    moment("N_vv", &F::N_vv),  moment("N_rr", &F::N_rr),
+        moment("N_vr", &F::N_vr),   moment("N_rv", &F::N_rv),  moment("N_d", &F::N_d),    moment("N_d15", &F::N_d15),
+        moment("N_d28", &F::N_d28), moment("N_u", &F::N_u)};
   }
 };
 
@@ -65,20 +61,17 @@ S beyond(const S& angle, double limit) {
 template <class Model, class S>
 PlanarForce<S> force(const ModelForm<S>& k, const Model&, const Circumstances<S>& now) {
   const auto& [f, state] = std::tie(now.ship, now.state);
-  using std::sqrt;
   const S q = 0.5 * f.rho * f.L * f.L * f.U_0 * f.U_0, u = state.motion.u / f.U_0, v = state.motion.v / f.U_0,
           r = state.motion.r * f.L / f.U_0, a = size_of(v), b = size_of(r);
   const S& delta = now.recorded.delta;
   const S d2 = delta * delta, d = u * delta, d15 = u * beyond(delta, radians(15.0)),
           d28 = u * beyond(delta, radians(28.0));
-  constexpr double straight = 0.05;  // r' of half a degree of rudder or so: between the two turns the force is smooth
-  const S us = u * r / sqrt(r * r + straight * straight);
   return {.X = q * (u * (k.X_u + k.X_uu * u) + k.X_vv * v * v + k.X_vr * v * r + k.X_rr * r * r + k.X_dd * u * d2),
           .Y = q * (v * (k.Y_v * u + k.Y_vv * a + k.Y_vr * b) + r * (k.Y_r * u + k.Y_rr * b + k.Y_rv * a) + k.Y_d * d +
-                    k.Y_d15 * d15 + k.Y_d28 * d28 + k.Y_u * u + us * (k.Y_rs * r + k.Y_ds * delta)),
+                    k.Y_d15 * d15 + k.Y_d28 * d28 + k.Y_u * u),
           .N = q * f.L *
                (v * (k.N_v * u + k.N_vv * a + k.N_vr * b) + r * (k.N_r * u + k.N_rr * b + k.N_rv * a) + k.N_d * d +
-                k.N_d15 * d15 + k.N_d28 * d28 + k.N_u * u + us * (k.N_rs * r + k.N_ds * delta))};
+                k.N_d15 * d15 + k.N_d28 * d28 + k.N_u * u)};
 }
 
 }  // namespace swayaw::nonlinear
