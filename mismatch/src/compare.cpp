@@ -56,7 +56,7 @@ Conditions conditions_of(const Ship& ship, const Recording& run, const RecordedM
 
 /// For each sample whether all that tells the state was recorded shortly before and after it: within a quarter of L/U,
 /// or twice the time between samples of a slow channel. In a gap the state is only guessed.
-std::vector<bool> is_told(const Recording& run, double time_unit) {
+std::vector<bool> amid_samples(const Recording& run, double time_unit) {
   std::vector<bool> told(run.samples(), true);
   for (const auto channel : {Channel::psi, Channel::r, Channel::u, Channel::v, Channel::u_ground, Channel::v_ground,
                              Channel::speed_through_water, Channel::speed_over_ground, Channel::course_over_ground,
@@ -80,11 +80,12 @@ std::vector<bool> is_told(const Recording& run, double time_unit) {
 /// short rest joins the last window.
 std::vector<std::size_t> window_starts(const Recording& run, const RecordedMotion& motion,
                                        const std::vector<bool>& told, double way) {
+  constexpr double longest = 1.5;
   std::vector<std::size_t> starts{0};
   double made = 0.0;
   for (std::size_t i = 1; i < run.samples(); ++i) {
     made += speed(motion(run.time[i - 1])) * (run.time[i] - run.time[i - 1]);
-    if (made < (told[i] ? way : 1.5 * way)) continue;
+    if (made < (told[i] ? way : longest * way)) continue;
     starts.push_back(i);
     made = 0.0;
   }
@@ -175,15 +176,16 @@ QuantityError error_of(const Comparison& c, Quantity quantity, const WaveMotion&
 
 Comparison compare(const Ship& ship, const Recording& run, const CompareOptions& options) {
   if (run.samples() < 3) throw Refusal(fmt::format("{}: {} samples are too few to compare", run.name, run.samples()));
+  const double time_unit = length(ship) / service_speed(ship);
   const RecordedControls controls(ship, run, options.replay);
   const RecordedMotion motion(ship, run);
   Comparison c{.recorded = run, .open_loop = {}, .restarted = {}, .window_starts = {}, .conditions = {}, .errors = {}};
   c.open_loop = replay(ship, run, options.replay);
-  c.window_starts = window_starts(run, motion, is_told(run, length(ship) / service_speed(ship)),
+  c.window_starts = window_starts(run, motion, amid_samples(run, time_unit),
                                   require_positive(options.window_lengths, "window [ship lengths]") * length(ship));
   c.restarted = restarted_replay(ship, run, controls, c.window_starts, options.replay);
   c.conditions = conditions_of(ship, run, motion, controls);
-  const WaveMotion waves(run, length(ship) / service_speed(ship));
+  const WaveMotion waves(run, time_unit);
   for (const auto quantity : all_quantities)
     if (tells(run, quantity)) c.errors.push_back(error_of(c, quantity, waves));
   return c;

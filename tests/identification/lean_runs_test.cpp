@@ -159,6 +159,7 @@ TEST_CASE("waves too long to be left out leave samples most of a period apart, w
   const Curve curve;
   const double size = 1e-3;
   for (const double period : {0.55 * curve.unit, 0.75 * curve.unit, 0.9 * curve.unit}) {
+    INFO("period over L/U " << period / curve.unit);
     const std::vector runs{curve.recorded(1.0, 1500.0, [&](Channel channel, double t) {
       return channel == Channel::r ? size * std::sin(2.0 * pi * t / period + 0.3 * std::sin(0.01 * t)) : 0.0;
     })};
@@ -167,7 +168,6 @@ TEST_CASE("waves too long to be left out leave samples most of a period apart, w
     CHECK(static_cast<double>(r.size()) < 1500.0 / (0.7 * period));
     CHECK(lean.deviation[index_of(Channel::r)] > 0.5 * size);
     CHECK(lean.deviation[index_of(Channel::r)] < 1.6 * size);
-    INFO("period over L/U " << period / curve.unit);
     const WaveMotion waves(runs.front(), curve.unit);
     CHECK(waves.size_in(runs.front()[Channel::r]) > 0.4 * size);
     CHECK(waves.size_in(runs.front()[Channel::r]) < 0.9 * size);

@@ -71,7 +71,8 @@ detail::Waves detail::waves_in(const Recording& run, double time_unit) {
   const auto channel = run.has(Channel::r) ? Channel::r : Channel::psi;
   if (!run.has(channel) || run.samples() < 50) return {};
   const auto found = waves_beside(run, channel, time_unit, half_of_the_steady, clearly_oscillates);
-  constexpr double followed = 1.6;  // of half the parabola: it takes most of longer waves with it
+  // of half the parabola: it takes most of longer waves with it, of those of 2.1 of it four fifths
+  constexpr double followed = 1.6;
   if (found.clear && found.period < followed * half_of_the_steady * time_unit) return found;
   const auto longer = waves_beside(run, channel, time_unit, 2.0 * half_of_the_steady, clearly_oscillates_long);
   return longer.clear ? longer : found;
@@ -122,8 +123,7 @@ WaveMotion::WaveMotion(const Recording& run, double time_unit) {
   const auto waves = waves_in(few, time_unit);
   if (!waves.clear) return;
   if (waves.half > half_of_the_steady) half_ = waves.half * time_unit;
-  for (const auto& wave : detail::oscillations(few, of_every(as_many, few.time), time_unit, waves.period))
-    oscillations_.push_back({wave.period, wave.half});
+  else oscillations_ = detail::oscillations(few, of_every(as_many, few.time), time_unit, waves.period);
   times_ = std::move(few.time);
 }
 

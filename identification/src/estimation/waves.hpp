@@ -95,11 +95,7 @@ inline bool Waves::are_short(double time_unit) const {
   return half_beside_waves * period <= half_of_the_steady * time_unit;
 }
 
-/// An oscillation that is fitted beside a parabola and left out.
-struct Oscillation {
-  double period = 0.0;  ///< [s]; 0 where there is none
-  double half = 0.0;    ///< of a window that tells the two apart, no longer than a parabola follows the ship [s]
-};
+using Oscillation = WaveMotion::Oscillation;
 
 /// The waves that the yaw rate shows at times: as she turns she meets them more or less often. At each the oscillation
 /// beside a parabola over most of L/U that leaves least; none where its period is longer.

@@ -124,21 +124,20 @@ ShipState<double> state_told(const Ship& ship, const Recording& run, double time
   const auto psi = fit(run, Channel::psi, near);
   const double heading = psi ? psi->value : Interpolant(run, Channel::psi)(time);
   const auto turning = fit(run, Channel::psi, wide);
-  const auto rate = first_value(run, near, {Channel::r});
-  const double r = rate                  ? *rate
-                   : turning             ? turning->rate
-                   : run.has(Channel::r) ? Interpolant(run, Channel::r)(time)
-                                         : 0.0;
   const auto current = surroundings_at(ship, time).current;
   auto velocity = velocity_told(run, current, heading, near, wide);
-  for (auto around = across_gap(run, near, time_unit); !velocity && around; around = across_gap(run, *around, 0.0))
+  for (auto around = across_gap(run, near, time_unit); !velocity && around;
+       around = across_gap(run, *around, time_unit))
     velocity = velocity_told(run, current, heading, *around, *around);
   if (!velocity) throw Refusal(fmt::format("{}: no channel tells the speed of the ship at {:.6g} s", run.name, time));
-  const auto there = [&](Channel channel) {
-    const auto told = fit(run, channel, near);
-    return told ? told->value : run.has(channel) ? Interpolant(run, channel)(time) : 0.0;
+  /// By the samples near the time, else by something else, else across a gap.
+  const auto told = [&](Channel channel, std::optional<double> otherwise) {
+    if (const auto found = fit(run, channel, near)) return found->value;
+    if (otherwise) return *otherwise;
+    return run.has(channel) ? Interpolant(run, channel)(time) : 0.0;
   };
-  return {there(Channel::x), there(Channel::y), heading, {velocity->u, velocity->v, r}};
+  const double r = told(Channel::r, turning ? std::optional(turning->rate) : std::nullopt);
+  return {told(Channel::x, {}), told(Channel::y, {}), heading, {velocity->u, velocity->v, r}};
 }
 
 }  // namespace

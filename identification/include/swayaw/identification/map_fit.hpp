@@ -36,12 +36,18 @@ struct PreparedRun {
 /// The oscillations by which waves move a ship along a run, as her yaw rate shows them.
 class WaveMotion {
  public:
+  /// One that is fitted beside a parabola and left out.
+  struct Oscillation {
+    double period = 0.0;  ///< [s]; 0 where there is none
+    double half = 0.0;    ///< of a window that tells the two apart, no longer than a parabola follows the ship [s]
+  };
+
   /// @param run        need not outlive this
   /// @param time_unit  L/U [s]
   WaveMotion(const Recording& run, double time_unit);
 
   /// Whether waves move her.
-  bool exists() const { return !oscillations_.empty(); }
+  bool exists() const { return !times_.empty(); }
 
   /// What they add to a channel, root mean square in its unit: the channel less parabolas beside the oscillations; of
   /// waves of most of L/U less parabolas over one and a half, which follow the ship but in the first moments of a turn.
@@ -51,10 +57,6 @@ class WaveMotion {
   double size_in(std::span<const double> values) const;
 
  private:
-  struct Oscillation {
-    double period, half;  ///< [s], of the wave and of the window that tells it; 0 where there is none
-  };
-
   double half_ = 0.0;          ///< of parabolas, where waves are too long to be told from the ship's motion [s]; or 0
   std::vector<double> times_;  ///< of as few samples as tell them
   std::size_t every_ = 1;      ///< of so many samples of the run
