@@ -6,16 +6,19 @@ export const chromium = () => ['chromium', 'chromium-browser', 'google-chrome'].
 
 export const HEADLESS = ['--headless', '--no-sandbox', '--disable-gpu', '--hide-scrollbars'];
 
-/// A tab. ask(method, parameters) answers as the protocol does; close() ends the browser.
+/// A tab. ask(method, parameters) answers as the protocol does; when(event) is the next event of that name; each(event,
+/// then) hears all of them; close() ends the browser.
 export async function tab(size = [1400, 900]) {
   const browser = spawn(chromium(), [...HEADLESS, '--remote-debugging-pipe', `--window-size=${size}`], { stdio: ['ignore', 'ignore', 'ignore', 'pipe', 'pipe'] });
   const [, , , to, from] = browser.stdio;
-  const waiting = new Map();
+  const waiting = new Map(), hearing = new Map();
   let rest = '';
   from.on('data', (piece) => {
     const messages = (rest + piece).split('\0');
     rest = messages.pop();
-    for (const { id, result, error } of messages.map(JSON.parse).filter(({ id }) => waiting.has(id))) {
+    for (const { id, result, error, method, params } of messages.map(JSON.parse)) {
+      for (const then of hearing.get(method) ?? []) then(params);
+      if (!waiting.has(id)) continue;
       const { resolve, reject } = waiting.get(id);
       waiting.delete(id);
       if (error) reject(new Error(error.message));
@@ -29,7 +32,19 @@ export async function tab(size = [1400, 900]) {
   });
   const { targetId } = await send('Target.createTarget', { url: 'about:blank' });
   const { sessionId } = await send('Target.attachToTarget', { targetId, flatten: true });
-  return { ask: (method, params = {}) => send(method, params, sessionId), close: () => browser.kill() };
+  const each = (event, then) => hearing.set(event, [...(hearing.get(event) ?? []), then]);
+  const when = (event) => new Promise((then) => each(event, function once(params) {
+    hearing.set(event, hearing.get(event).filter((other) => other !== once));
+    then(params);
+  }));
+  return { ask: (method, params = {}) => send(method, params, sessionId), each, when, close: () => browser.kill() };
+}
+
+/// Opens a file and waits until it is loaded, pictures and all; the domain Page must be enabled.
+export async function open({ ask, when }, file) {
+  const loaded = when('Page.loadEventFired');
+  await ask('Page.navigate', { url: `file://${encodeURI(file)}` });
+  await loaded;
 }
 
 /// The value of an expression in the page, awaited.

@@ -2,10 +2,10 @@
 // and in print; nothing fails in the console; nobody is kept out (axe-core).
 //
 //   node pages.mjs PROGRAM PROJECT FOLDER [SHOTS]      77: there is no Chromium
-import { execFileSync, spawnSync } from 'node:child_process';
+import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { chromium, HEADLESS, tab, valueOf } from './browser.mjs';
+import { chromium, open, tab, valueOf } from './browser.mjs';
 import { fetched } from './npm.mjs';
 import { pagesOf, threeRuns } from './three_runs.mjs';
 
@@ -41,9 +41,9 @@ const PAGES = [
 ];
 
 const SCREENS = [
-  { name: 'wide', size: [1400, 900], height: 900 },
-  { name: 'phone', size: [500, 900], height: 900, width: 400 },  // headless Chromium has no narrower window than 500
-  { name: 'print', size: [794, 1123], height: 1123, style: (html) => html.replaceAll('@media print', '@media all') },
+  { name: 'wide', width: 1400, height: 900 },
+  { name: 'phone', width: 400, height: 900 },
+  { name: 'print', width: 794, height: 1123, media: 'print' },
 ];
 const MOST_BYTES = 2.5e6;
 
@@ -54,16 +54,9 @@ function check(holds, sentence) {
   console.error(`not true: ${sentence}`);
 }
 
-const browser = chromium();
-if (!browser) {
+if (!chromium()) {
   console.log('[skipped] the pages are not looked at: there is no Chromium');
   process.exit(77);
-}
-
-function browse(file, size, more) {
-  const run = spawnSync(browser, [...HEADLESS, '--enable-logging=stderr', `--window-size=${size}`,
-    '--virtual-time-budget=20000', ...more, `file://${file}`], { encoding: 'utf8', maxBuffer: 1 << 28 });
-  return { out: run.stdout, complaints: run.stderr.split('\n').filter((line) => /CONSOLE/.test(line) && /error|uncaught|refused/i.test(line)) };
 }
 
 // The text of axe-core; null where it could not be fetched.
@@ -74,23 +67,7 @@ function axe() {
   return null;
 }
 
-const withoutScripts = (html) => html.replace(/<script[\s\S]*?<\/script>/g, '');
-
-// A page with a script of ours at its end, which leaves what it finds in an element. As it is, a page runs no script but its own.
-function asked(page, script) {
-  const html = page.replace(/script-src [^;]*/, "script-src 'unsafe-inline'");
-  return `${html}<pre id="found" hidden></pre><script>addEventListener('load', async () => {
-    const found = await (${script})();
-    document.getElementById('found').textContent = btoa(unescape(encodeURIComponent(JSON.stringify(found))));
-  });</script>`;
-}
-
-function found(dom) {
-  const text = /<pre id="found" hidden="">([^<]*)<\/pre>/.exec(dom);
-  return text && text[1] ? JSON.parse(Buffer.from(text[1], 'base64').toString('utf8')) : null;
-}
-
-const measure = `async () => ({
+const measure = `({
   width: document.documentElement.scrollWidth, body: document.body.scrollWidth, inner: innerWidth,
   headline: document.querySelector('.verdict').getBoundingClientRect().bottom,
   answers: [...document.querySelectorAll('.answers > div')].map((div) => ({
@@ -98,16 +75,19 @@ const measure = `async () => ({
   pictures: [...document.querySelectorAll('.first img')].map((img) => ({ width: img.naturalWidth, words: img.alt })),
 })`;
 
-function look(page, html, screen) {
-  const file = join(folder, `${page.name}_${screen.name}.html`);
-  const shown = screen.style ? screen.style(html) : html;
-  const narrow = screen.width ? `<style>body { width: ${screen.width}px; }</style>` : '';
-  writeFileSync(file, asked(withoutScripts(phoneStyle(shown, screen)) + narrow, measure));
-  const seen = found(browse(file, screen.size, ['--dump-dom']).out);
+const show = ({ width, height, media = '' }) => Promise.all([
+  browser.ask('Emulation.setDeviceMetricsOverride', { width, height, deviceScaleFactor: 1, mobile: false }),
+  browser.ask('Emulation.setEmulatedMedia', { media })]);
+
+async function look(page, file, screen) {
+  await show(screen);
+  await browser.ask('Emulation.setScriptExecutionDisabled', { value: true });
+  await open(browser, file);
+  const seen = await valueOf(browser, measure);
+  await browser.ask('Emulation.setScriptExecutionDisabled', { value: false });
   const where = `${page.name}, ${screen.name}`;
-  check(seen !== null, `${where}: the page is drawn`);
-  if (!seen) return;
-  check(seen.width <= (screen.width ? screen.size[0] : seen.inner) + 1 && seen.body <= (screen.width || seen.inner) + 1, `${where}: nothing is wider than the screen (${seen.width}, ${seen.body} px)`);
+  check(seen.inner === screen.width, `${where}: the screen is ${screen.width} px wide, not ${seen.inner}`);
+  check(Math.max(seen.width, seen.body) <= seen.inner + 1, `${where}: nothing is wider than the screen (${seen.width}, ${seen.body} px)`);
   check(seen.headline <= screen.height, `${where}: the headline is on the first screen`);
   for (const question of page.asked) {
     const answer = seen.answers.find((one) => one.asked === question);
@@ -117,12 +97,9 @@ function look(page, html, screen) {
   for (const picture of seen.pictures) check(picture.width > 0 && picture.words.length > 20, `${where}: the picture is there, and in words`);
 }
 
-// The rules for narrow screens hold in a frame of the phone's width whatever the window.
-const phoneStyle = (html, screen) => (screen.name === 'phone' ? html.replace(/@media \(max-width: (860|640)px\)/g, '@media all') : html);
-
 // What axe-core finds, and the plots that are not drawn when the page is printed.
-const trial = (withAxe) => `async () => {
-  await new Promise((then) => setTimeout(then, 1500));
+const trial = (withAxe) => `(async () => {
+  await new Promise((then) => setTimeout(then, 300));
   const found = ${withAxe ? 'await axe.run()' : '{ violations: [] }'};
   dispatchEvent(new Event('beforeprint'));
   return {
@@ -131,26 +108,24 @@ const trial = (withAxe) => `async () => {
     drawn: document.querySelectorAll('.js-plotly-plot').length,
     missing: [...document.querySelectorAll('.plot:not(.js-plotly-plot)')].map((plot) => plot.getAttribute('aria-label')),
   };
-}`;
+})()`;
 
-function tryAll(page, html, helper) {
-  const file = join(folder, `${page.name}_whole.html`), script = trial(helper !== null);
-  writeFileSync(file, asked(helper === null ? html : `${html}<script>${helper}</script>`, script));
-  const { out, complaints } = browse(file, [1400, 900], ['--dump-dom']);
+async function tryAll(page, file, helper) {
+  complaints.length = 0;
+  await show(SCREENS[0]);
+  await open(browser, file);
+  if (helper !== null) await valueOf(browser, `${helper}; null`);
+  const seen = await valueOf(browser, trial(helper !== null));
   check(complaints.length === 0, `${page.name}: the console is silent: ${complaints.join(' ')}`);
-  const seen = found(out);
-  check(seen !== null, `${page.name}: its scripts end`);
-  for (const barrier of seen ? seen.barriers : []) check(false, `${page.name}: nobody is kept out: ${barrier}`);
-  if (html.includes('id="data"')) check(seen && seen.drawn > 0, `${page.name}: there are plots`);
-  for (const plot of seen ? seen.missing : []) check(false, `${page.name}: ${plot} is drawn for print`);
+  for (const barrier of seen.barriers) check(false, `${page.name}: nobody is kept out: ${barrier}`);
+  if (readFileSync(file, 'utf8').includes('id="data"')) check(seen.drawn > 0, `${page.name}: there are plots`);
+  for (const plot of seen.missing) check(false, `${page.name}: ${plot} is drawn for print`);
 }
 
 // What is hovered in one plot is marked in the others of the same run, and in no other. In a check it is a run, which need not have every
 // error of an instrument.
 async function lookAtCursor(page, file) {
-  const browser = await tab();
-  await browser.ask('Page.enable');
-  await browser.ask('Page.navigate', { url: `file://${file}` });
+  await open(browser, file);
   const at = await valueOf(browser, `new Promise((then) => {
     const look = () => {
       const [plot] = document.querySelectorAll('.plot[data-cursor]');
@@ -168,7 +143,6 @@ async function lookAtCursor(page, file) {
   for (const step of [0, 1]) await browser.ask('Input.dispatchMouseEvent', { type: 'mouseMoved', x: at.x + step, y: at.y });
   const marks = await valueOf(browser, `new Promise((then) => setTimeout(() => then([...document.querySelectorAll('.plot[data-cursor]')].map((plot) => ({
     cursor: plot.dataset.cursor, label: plot.getAttribute('aria-label'), marked: plot.querySelectorAll('.hoverlayer .hovertext, .hoverlayer .legend').length > 0 }))), 500))`);
-  browser.close();
   const [first, ...others] = marks;
   check(others.some(({ cursor, marked }) => marked && cursor === first.cursor), `${page.name}: hovering "${first.label}" marks other plots`);
   for (const { cursor, label, marked } of others) {
@@ -187,27 +161,34 @@ function lookAtData(page, html) {
 }
 
 for (const place of [folder, shots].filter(Boolean)) mkdirSync(place, { recursive: true });
-const helper = axe();
+const helper = axe(), browser = await tab(), complaints = [];
+for (const domain of ['Page', 'Runtime', 'Log']) await browser.ask(`${domain}.enable`);
+browser.each('Log.entryAdded', ({ entry }) => entry.level === 'error' && complaints.push(entry.text));
+browser.each('Runtime.exceptionThrown', ({ exceptionDetails }) => complaints.push(exceptionDetails.exception?.description ?? exceptionDetails.text));
+browser.each('Runtime.consoleAPICalled', ({ type, args }) => type === 'error' && complaints.push(args.map(({ value }) => value).join(' ')));
 for (const page of PAGES) {
   const file = join(folder, `${page.name}.html`);
   rmSync(file, { force: true });
   execFileSync(program, [...page.words, '--report', file], { stdio: ['ignore', 'ignore', 'ignore'] });
   check(statSync(file).size < MOST_BYTES, `${page.name}: less than ${MOST_BYTES} bytes`);
   const html = readFileSync(file, 'utf8');
-  for (const screen of SCREENS) look(page, html, screen);
+  for (const screen of SCREENS) await look(page, file, screen);
   lookAtData(page, html);
-  tryAll(page, html, helper);
-  if (shots) browse(file, [1400, 900], [`--screenshot=${join(shots, `${page.name}.png`)}`]);
+  await tryAll(page, file, helper);
+  if (!shots) continue;
+  await open(browser, file);
+  writeFileSync(join(shots, `${page.name}.png`), Buffer.from((await browser.ask('Page.captureScreenshot')).data, 'base64'));
 }
 for (const page of pagesOf(threeRuns(program, project, folder))) {
   const file = join(folder, `${page.name}_three_runs.html`);
   execFileSync(program, [...page.words, '--report', file], { stdio: 'ignore' });
   check(statSync(file).size < MOST_BYTES, `${page.name}: three runs of a thousand samples take less than ${MOST_BYTES} bytes`);
-  tryAll({ name: `${page.name} of three runs` }, readFileSync(file, 'utf8'), helper);
+  await tryAll({ name: `${page.name} of three runs` }, file, helper);
   await lookAtCursor(page, file);
   // the wind came from 1 rad
   if (page.name === 'diagnose')
     check(/<img alt="A rose, north up. Wind from 057 ± \d+ deg \(ENE\); headings sailed: all/.test(readFileSync(file, 'utf8')), 'diagnose: a rose shows where the wind came from');
 }
+browser.close();
 console.log(failures ? `${failures} failures` : `${PAGES.length} pages looked at`);
 process.exit(failures ? 1 : 0);
