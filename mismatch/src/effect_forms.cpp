@@ -221,11 +221,11 @@ EffectForm force_form(const Ship& ship, std::span<const Recording> runs) {
                          Term{"X_vr", X / (v * r)},    Term{"X_rr", X / (r * r)},    Term{"X_dd", X / (d * d)},
                          Term{"Y_v", Y / (u * v)},     Term{"Y_r", Y / (u * r)},     Term{"Y_vv", Y / (v * v)},
                          Term{"Y_rr", Y / (r * r)},    Term{"Y_vr", Y / (v * r)},    Term{"Y_rv", Y / (v * r)},
-                         Term{"Y_d", Y / (u * d)},     Term{"Y_d15", Y / (u * 0.2)}, Term{"Y_d28", Y / (u * 0.1)},
+                         Term{"Y_d", Y / (u * d)},     Term{"Y_d15", Y / (u * 0.2)}, Term{"Y_a28", Y / (u * 0.1)},
                          Term{"Y_u", small * Y / u},   Term{"N_v", N / (u * v)},     Term{"N_r", N / (u * r)},
                          Term{"N_vv", N / (v * v)},    Term{"N_rr", N / (r * r)},    Term{"N_vr", N / (v * r)},
                          Term{"N_rv", N / (v * r)},    Term{"N_d", N / (u * d)},     Term{"N_d15", N / (u * 0.2)},
-                         Term{"N_d28", N / (u * 0.1)}, Term{"N_u", small * N / u}};
+                         Term{"N_a28", N / (u * 0.1)}, Term{"N_u", small * N / u}};
   EffectForm form{.id = std::string(form_id), .coordinates = {}, .at = {}, .starts = {}};
   const auto parameters = parameters_of(ship, ModelForm<>{});
   std::vector<std::pair<std::size_t, double>> moves;

@@ -543,22 +543,37 @@ FittedCandidate reduced(const Trial& trial, const Hypothesis& accepted, FittedCa
 // ---------------------------------------------------------------- runs that were not used
 
 /// At the noise that suits these runs: other manoeuvres leave other things unexplained.
-double log_likelihood_of(const Trial& trial, const Hypothesis& hypothesis, const MapFit& found) {
-  return best_noise(problem_of(trial, hypothesis), found.point, found.noise, true).log_likelihood;
+Likelihood likelihood_of(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const Noise& start) {
+  return best_noise(problem_of(trial, hypothesis), point, start, true);
+}
+
+const Likelihood& likelier(const Likelihood& a, const Likelihood& b) {
+  return b.log_likelihood > a.log_likelihood ? b : a;
+}
+
+/// Of runs that both hypotheses predict, what the second gains in log likelihood. Likelihood has several summits by the
+/// sizes of noise: a motion is process noise or an error of instruments. Each hypothesis stands on the highest of those
+/// that either was led to.
+double gain_of_likelihood(const Trial& trial, const Hypothesis& before, const MapFit& a, const Likelihood& from_a,
+                          const Hypothesis& after, const MapFit& b) {
+  const auto with =
+      likelier(likelihood_of(trial, after, b.point, b.noise), likelihood_of(trial, after, b.point, from_a.noise));
+  const auto without = likelier(from_a, likelihood_of(trial, before, a.point, with.noise));
+  return with.log_likelihood - without.log_likelihood;
 }
 
 /// Held-out runs, if any, and the log likelihoods as things stand.
 struct HeldOutRuns {
   const Trial& unused;
-  double now;   ///< of these runs
-  double used;  ///< of the runs used; asked beside an inexact form alone
+  Likelihood now;  ///< of these runs
+  double used;     ///< log likelihood of the runs used; asked beside an inexact form alone
 
   bool is_empty() const { return unused.runs.empty(); }
 };
 
 HeldOutRuns held_out_runs(const Trial& unused, const Search& s) {
   const auto hypothesis = s.hypothesis();
-  return {unused, unused.runs.empty() ? 0.0 : log_likelihood_of(unused, hypothesis, s.now),
+  return {unused, unused.runs.empty() ? Likelihood{} : likelihood_of(unused, hypothesis, s.now.point, s.now.noise),
           s.on_board ? log_likelihood(problem_of(s.trial, hypothesis), s.now.point, s.now.noise) : 0.0};
 }
 
@@ -579,9 +594,10 @@ MapFit without(MapFit fit, const Trial& trial, const Hypothesis& after) {
 double held_out_gain(const Trial& trial, const HeldOutRuns& held_out, const Hypothesis& before, const MapFit& a,
                      const Hypothesis& after, const MapFit& b) {
   if (!held_out.is_empty()) {
-    const double with = log_likelihood_of(held_out.unused, after, b);
-    return with - (moved(a, trial, before, after) ? log_likelihood_of(held_out.unused, before, without(a, trial, after))
-                                                  : held_out.now);
+    const auto& unused = held_out.unused;
+    if (!moved(a, trial, before, after)) return gain_of_likelihood(unused, before, a, held_out.now, after, b);
+    const auto held = without(a, trial, after);
+    return gain_of_likelihood(unused, before, held, likelihood_of(unused, before, held.point, held.noise), after, b);
   }
   std::vector<double> gains(trial.runs.size());
   in_parallel(trial.runs.size(), 0, [&](std::size_t i) {
@@ -591,9 +607,14 @@ double held_out_gain(const Trial& trial, const HeldOutRuns& held_out, const Hypo
     const auto of = [&](const Hypothesis& h, const MapFit& from) {
       MapFit found = fit(others, h, from.point, from.noise, {.rounds = 1});
       found.noise = from.noise;
-      return found.point.size() == 0 ? -HUGE_VAL : log_likelihood_of(one, h, found);
+      return found;
     };
-    gains[i] = of(after, b) - of(before, a);
+    const auto with = of(after, b), without = of(before, a);
+    if (with.point.size() == 0) gains[i] = -HUGE_VAL;
+    else if (without.point.size() == 0) gains[i] = HUGE_VAL;
+    else
+      gains[i] = gain_of_likelihood(one, before, without, likelihood_of(one, before, without.point, without.noise),
+                                    after, with);
   });
   double sum = 0.0;
   for (const double gain : gains) sum += gain;

@@ -324,7 +324,7 @@ void weaken_with_rudder(std::vector<Effect>& effects) {
   if (factor == 1.0) return;
   for (auto& effect : effects)
     if (auto* form = std::get_if<ModelForm<>>(&effect))
-      for (double* term : {&form->X_dd, &form->Y_d, &form->Y_d15, &form->Y_d28, &form->N_d, &form->N_d15, &form->N_d28})
+      for (double* term : {&form->X_dd, &form->Y_d, &form->Y_d15, &form->Y_a28, &form->N_d, &form->N_d15, &form->N_a28})
         *term *= factor;
 }
 

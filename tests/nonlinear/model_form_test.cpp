@@ -62,12 +62,25 @@ TEST_CASE("another form fades with the way of the ship", "[nonlinear][limit]") {
 }
 
 TEST_CASE("terms of the rudder beyond an angle do nothing before it", "[nonlinear][limit]") {
-  const ModelForm<> form{.Y_d15 = 1e-3, .N_d28 = 1e-3};
+  const ModelForm<> form{.Y_d15 = 1e-3, .N_a28 = 1e-3};
   const PlanarMotion<double> ahead{1.1, 0.0, 0.0};
   CHECK(added(form, ahead, radians(14.9)).Y == 0.0);
   CHECK(added(form, ahead, radians(-27.9)).N == 0.0);
   CHECK(added(form, ahead, radians(-20.0)).Y < 0.0);
   CHECK(added(form, ahead, radians(30.0)).N > 0.0);
+}
+
+TEST_CASE("lift is lost to stall where a rudder is put over against a turn, not in it", "[nonlinear][limit]") {
+  const ModelForm<> form{.Y_a28 = 1e-3, .N_a28 = 1e-3};
+  const Ship ship = test::kvlcc2_l7();
+  const double U = service_speed(ship), L = length(ship);
+  const PlanarMotion<double> turning{0.6 * U, -0.2 * U, 0.4 * U / L};  // to starboard
+  const auto in_the_turn = added(form, turning, radians(35.0)), against_it = added(form, turning, radians(-20.0));
+  CHECK(in_the_turn.N == 0.0);
+  CHECK(against_it.N < 0.0);
+  // 20 deg and those of the flow, less 28, beside 30 less 28 on a straight course
+  const double over = 0.6 * radians(20.0) + 0.45 * (0.2 + 0.9 * 0.4) - 0.6 * radians(28.0);
+  CHECK_THAT(against_it.Y / added(form, {U, 0.0, 0.0}, radians(30.0)).Y, WithinAbs(-over / radians(2.0), 1e-9));
 }
 
 }  // namespace swayaw

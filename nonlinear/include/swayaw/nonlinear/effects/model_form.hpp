@@ -12,15 +12,18 @@ namespace swayaw::inline nonlinear {
 ///
 ///     X = q (X_u u' + X_uu u'² + X_vv v'² + X_vr v'r' + X_rr r'² + X_dd u'δ²)
 ///     Y = q (Y_v u'v' + Y_r u'r' + Y_vv v'|v'| + Y_rr r'|r'| + Y_vr v'|r'| + Y_rv r'|v'| + Y_d u'δ + Y_d15 u'δ₁₅ +
-///     Y_d28 u'δ₂₈ + Y_u u') N = q L (the same of N)
+///     Y_a28 u'α₂₈ + Y_u u')
+///     N = q L (the same of N)
 ///
-/// δ₁₅ and δ₂₈ are what of the rudder angle is beyond 15 and 28 deg, either way: where lift is lost to a gap or to
-/// stall.
+/// δ₁₅ is what of the rudder angle is beyond 15 deg, either way, where lift is lost to a gap; α₂₈ what of the angle of
+/// the flow at the rudder, α = δ + 0.45 (v' − 0.9 r')/u', is beyond 28 deg, where it is lost to stall: while the rudder
+/// is put over against a turn, not in it. Flow straightening is that of `estimated_interaction` for a block coefficient
+/// times B/L of 0.15.
 template <class S = double>
 struct ModelForm {
   S X_u{}, X_uu{}, X_vv{}, X_vr{}, X_rr{}, X_dd{};
-  S Y_v{}, Y_r{}, Y_vv{}, Y_rr{}, Y_vr{}, Y_rv{}, Y_d{}, Y_d15{}, Y_d28{}, Y_u{};
-  S N_v{}, N_r{}, N_vv{}, N_rr{}, N_vr{}, N_rv{}, N_d{}, N_d15{}, N_d28{}, N_u{};
+  S Y_v{}, Y_r{}, Y_vv{}, Y_rr{}, Y_vr{}, Y_rv{}, Y_d{}, Y_d15{}, Y_a28{}, Y_u{};
+  S N_v{}, N_r{}, N_vv{}, N_rr{}, N_vr{}, N_rv{}, N_d{}, N_d15{}, N_a28{}, N_u{};
 
   static constexpr std::string_view id = "model_form";
   static constexpr EffectPlace place = EffectPlace::force;
@@ -44,17 +47,17 @@ struct ModelForm {
         force("X_u", &F::X_u),      force("X_uu", &F::X_uu),   force("X_vv", &F::X_vv),   force("X_vr", &F::X_vr),
         force("X_rr", &F::X_rr),    force("X_dd", &F::X_dd),   force("Y_v", &F::Y_v),     force("Y_r", &F::Y_r),
         force("Y_vv", &F::Y_vv),    force("Y_rr", &F::Y_rr),   force("Y_vr", &F::Y_vr),   force("Y_rv", &F::Y_rv),
-        force("Y_d", &F::Y_d),      force("Y_d15", &F::Y_d15), force("Y_d28", &F::Y_d28), force("Y_u", &F::Y_u),
+        force("Y_d", &F::Y_d),      force("Y_d15", &F::Y_d15), force("Y_a28", &F::Y_a28), force("Y_u", &F::Y_u),
         moment("N_v", &F::N_v),     moment("N_r", &F::N_r),    moment("N_vv", &F::N_vv),  moment("N_rr", &F::N_rr),
         moment("N_vr", &F::N_vr),   moment("N_rv", &F::N_rv),  moment("N_d", &F::N_d),    moment("N_d15", &F::N_d15),
-        moment("N_d28", &F::N_d28), moment("N_u", &F::N_u)};
+        moment("N_a28", &F::N_a28), moment("N_u", &F::N_u)};
   }
 };
 
-/// What of an angle is beyond a limit, either way.
+/// What of an angle, or of what goes with it, is beyond a limit, either way.
 template <class S>
-S beyond(const S& angle, double limit) {
-  const S size = size_of(angle), over = select(size > S(limit), size - limit, S(0.0));
+S beyond(const S& angle, const S& limit) {
+  const S size = size_of(angle), over = select(size > limit, size - limit, S(0.0));
   return select(angle < S(0.0), -over, over);
 }
 
@@ -64,14 +67,15 @@ PlanarForce<S> force(const ModelForm<S>& k, const Model&, const Circumstances<S>
   const S q = 0.5 * f.rho * f.L * f.L * f.U_0 * f.U_0, u = state.motion.u / f.U_0, v = state.motion.v / f.U_0,
           r = state.motion.r * f.L / f.U_0, a = size_of(v), b = size_of(r);
   const S& delta = now.recorded.delta;
-  const S d2 = delta * delta, d = u * delta, d15 = u * beyond(delta, radians(15.0)),
-          d28 = u * beyond(delta, radians(28.0));
+  constexpr double straightening = 0.45, lever = -0.9;
+  const S d2 = delta * delta, d = u * delta, d15 = u * beyond(delta, S(radians(15.0))),
+          a28 = beyond(d + straightening * (v + lever * r), radians(28.0) * size_of(u));
   return {.X = q * (u * (k.X_u + k.X_uu * u) + k.X_vv * v * v + k.X_vr * v * r + k.X_rr * r * r + k.X_dd * u * d2),
           .Y = q * (v * (k.Y_v * u + k.Y_vv * a + k.Y_vr * b) + r * (k.Y_r * u + k.Y_rr * b + k.Y_rv * a) + k.Y_d * d +
-                    k.Y_d15 * d15 + k.Y_d28 * d28 + k.Y_u * u),
+                    k.Y_d15 * d15 + k.Y_a28 * a28 + k.Y_u * u),
           .N = q * f.L *
                (v * (k.N_v * u + k.N_vv * a + k.N_vr * b) + r * (k.N_r * u + k.N_rr * b + k.N_rv * a) + k.N_d * d +
-                k.N_d15 * d15 + k.N_d28 * d28 + k.N_u * u)};
+                k.N_d15 * d15 + k.N_a28 * a28 + k.N_u * u)};
 }
 
 }  // namespace swayaw::nonlinear
