@@ -469,6 +469,9 @@ std::vector<UnfittedCandidate> all_but(const std::vector<Screened>& chosen, cons
 std::vector<FittedCandidate> confirmed(const Search& s, const Hypothesis& accepted, const LinearizedFit& linear,
                                        const std::vector<Screened>& candidates) {
   const auto& now = s.now;
+  const Trial usual = trial_with(s, usual_sizes);
+  // a form of another size may be likelier without any of them, too
+  const double gain_without = s.on_board ? likely_form(usual, s.trial, s.sizes, accepted, now).gain : 0.0;
   std::vector<std::optional<FittedCandidate>> fits(candidates.size());
   in_parallel(candidates.size(), 0, [&](std::size_t i) {
     const auto& form = *candidates[i].form;
@@ -479,8 +482,8 @@ std::vector<FittedCandidate> confirmed(const Search& s, const Hypothesis& accept
       double gain = found.log_evidence - now.log_evidence;
       if (!std::isfinite(gain)) return;
       LikelyForm likely{candidates[i].sizes, 0.0};
-      if (s.on_board) likely = likely_form(trial_with(s, usual_sizes), trial, likely.sizes, hypothesis, found);
-      gain += likely.gain;
+      if (s.on_board) likely = likely_form(usual, trial, likely.sizes, hypothesis, found);
+      gain += likely.gain - gain_without;
       if (is_as_ordinary(trial, form, found.point, found.point.size() - std::ssize(form.coordinates))) return;
       gain += pruned(form, found).gain + likely_spread(problem_of(trial, hypothesis), form, found).gain;
       if (is_unknown(form)) gain -= worth_of_a_name;

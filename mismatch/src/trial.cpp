@@ -100,14 +100,21 @@ Eigen::MatrixXd with_wider_prior(const Eigen::MatrixXd& precision, const Eigen::
 }
 
 double gain_by_prior(const EstimationProblem& problem, const MapFit& fit, const Eigen::MatrixXd& precision) {
-  // −2 ln of the posterior is K + (p − p̂)ᵀA(p − p̂) with A = H + Λ; with Λ' in place of Λ it is least at (H + Λ')⁻¹ A d̂
-  // from the mean, where d̂ is p̂
+  // −2 ln of the posterior is K + (p − p̂)ᵀA(p − p̂) with A = H + Λ; Λ' = Λ + D in place of Λ adds dᵀDd to it, d from the
+  // mean, and the least of both lies dᵀDd − gᵀA'⁻¹g above K, where d is d̂ and g = Dd̂. What has come to its end stays
+  // there: of g and A' the others count
   Eigen::MatrixXd other = problem.precision;
   other.topLeftCorner(precision.rows(), precision.cols()) = precision;
   const Eigen::MatrixXd A = fit.information + problem.precision, A_other = fit.information + other;
-  const Eigen::VectorXd d = fit.point - problem.mean(), Ad = A * d;
-  const double cost = d.dot(Ad) - Ad.dot(core::detail::solve_symmetric(A_other, Ad));
-  using core::detail::log_determinant;
+  const Eigen::VectorXd d = fit.point - problem.mean(), Dd = (other - problem.precision) * d;
+  std::vector<Eigen::Index> moving;
+  for (Eigen::Index i = 0; i < d.size(); ++i) {
+    const auto& unknown = problem.unknowns[static_cast<std::size_t>(i)];
+    if (unknown.low < fit.point[i] && fit.point[i] < unknown.high) moving.push_back(i);
+  }
+  using namespace core::detail;
+  const Eigen::VectorXd g = Dd(moving);
+  const double cost = d.dot(Dd) - g.dot(solve_symmetric(Eigen::MatrixXd(A_other(moving, moving)), g));
   return 0.5 * (log_determinant(other) - log_determinant(problem.precision) - log_determinant(A_other) +
                 log_determinant(A) - cost);
 }

@@ -46,7 +46,7 @@ Trial with_inflated_prior(Trial trial, double factor);
 Eigen::MatrixXd with_wider_prior(const Eigen::MatrixXd& precision, const Eigen::VectorXd& factors);
 
 /// What the log evidence of a converged fit gains by another prior of the first coordinates, its data as they are,
-/// linear about the point.
+/// linear about the point; what stands at an end of its range stays there.
 double gain_by_prior(const EstimationProblem& problem, const MapFit& fit, const Eigen::MatrixXd& precision);
 
 /// Root mean square of the heel that runs record [rad], 0 where they record none.

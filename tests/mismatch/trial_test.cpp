@@ -150,6 +150,28 @@ TEST_CASE("what another prior brings is what a fit beside it brings", "[mismatch
   CHECK(std::abs(again.log_evidence - f.null.log_evidence - predicted) < 0.2 + 0.05 * std::abs(predicted));
 }
 
+TEST_CASE("what another prior brings leaves what stands at an end of its range there", "[mismatch][second-route]") {
+  const Ship ship = well_known_ship();
+  const Fitted f(ship, runs_of(with_effect(ship, AddedResistance<double>{.relative_increase = 0.2}), 9));
+  auto problem = problem_of(f.trial, Hypothesis{});
+  // the coefficient that moved farthest may go a quarter of that way
+  Eigen::Index i = 0;
+  const Eigen::VectorXd moved = f.null.point - problem.mean();
+  moved.cwiseAbs().maxCoeff(&i);
+  auto& unknown = problem.unknowns[static_cast<std::size_t>(i)];
+  (moved[i] > 0.0 ? unknown.high : unknown.low) = unknown.mean + 0.25 * moved[i];
+  const auto held = fit(problem, problem.within_bounds(f.null.point), f.null.noise, problem.size());
+  REQUIRE((held.point[i] == unknown.low || held.point[i] == unknown.high));
+  Eigen::VectorXd factors = Eigen::VectorXd::Constant(problem.size(), 1.4);
+  const Eigen::MatrixXd wider = with_wider_prior(problem.precision, factors);
+  const double predicted = gain_by_prior(problem, held, wider);
+  problem.precision = wider;
+  const auto again = fit(problem, held.point, held.noise, problem.size());
+  REQUIRE(again.noise == held.noise);
+  CHECK(std::abs(predicted) > 0.1);
+  CHECK(std::abs(again.log_evidence - held.log_evidence - predicted) < 0.2 + 0.05 * std::abs(predicted));
+}
+
 TEST_CASE("sizes of noise with a memory are the likeliest", "[mismatch][limit]") {
   const Ship ship = well_known_ship();
   const Fitted f(ship, runs_of(ship, 13));
