@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::app {
@@ -117,6 +118,9 @@ constexpr std::array<std::string_view, 7> build_variables{"ASAN_OPTIONS",     "L
                                                           "TSAN_OPTIONS",     "GCOV_PREFIX",  "GCOV_PREFIX_STRIP",
                                                           "LLVM_PROFILE_FILE"};
 
+/// A program that a part of a work starts is a part, too: it keeps to one core, as the others are busy.
+constexpr const char* variable_of_a_part = "SWAYAW_ON_A_PART";
+
 bool is_needed(std::string_view name) {
   return name.starts_with("LC_") || std::ranges::count(needed_variables, name) > 0 ||
          std::ranges::count(build_variables, name) > 0;
@@ -156,8 +160,11 @@ std::vector<std::string> child_variables() {
   for (char** variable = environ; *variable != nullptr; ++variable)
     if (const std::string_view text = *variable; is_needed(text.substr(0, text.find('='))))
       variables.emplace_back(text);
+  if (core::on_a_part) variables.push_back(fmt::format("{}=1", variable_of_a_part));
   return variables;
 }
+
+void take_part() { core::on_a_part = std::getenv(variable_of_a_part) != nullptr; }
 
 std::optional<ProgramEnd> run_program(std::vector<std::string> words, std::string_view input) {
   Sheet in, out, err;

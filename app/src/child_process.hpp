@@ -28,7 +28,12 @@ std::optional<ProgramEnd> run_program(std::vector<std::string> words, std::strin
 
 /// "NAME=value" of each variable that a program which is started may see: the folders of PATH that are told from the
 /// root; language, zone, folder of temporary files; where libraries are; what sanitizers and coverage of a build of
-/// swayaw are told. All else stays here: tokens, keys, passwords.
+/// swayaw are told; where a part of a work starts it (`core::on_a_part`), that it is one, too. All else stays here:
+/// tokens, keys, passwords.
 std::vector<std::string> child_variables();
+
+/// Keeps this thread to one core if the program was started by a part of a work, whose other parts keep the others
+/// busy.
+void take_part();
 
 }  // namespace swayaw::app

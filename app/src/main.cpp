@@ -12,6 +12,7 @@
 
 #include <unistd.h>
 
+#include "child_process.hpp"
 #include "commands.hpp"
 #include "help.hpp"
 #include "swayaw/core/detail/spelling.hpp"
@@ -583,6 +584,7 @@ int run(int count, char** words) {
 }  // namespace swayaw::app
 
 int main(int count, char** words) {
+  swayaw::app::take_part();
   try {
     return swayaw::app::run(count, words);
   } catch (const swayaw::FileError& error) {

@@ -3,12 +3,16 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <catch.hpp>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
+#include <thread>
 
 #include "files.hpp"
 #include "swayaw/core/atomic_file.hpp"
+#include "swayaw/core/parallel.hpp"
 
 /// What programs that are started see of this one.
 namespace swayaw::app {
@@ -55,6 +59,21 @@ TEST_CASE("words are words, whatever a shell would make of them", "[app][refusal
   REQUIRE(end);
   CHECK(end->out == evil);
   CHECK_FALSE(std::filesystem::exists("made"));
+}
+
+TEST_CASE("what a part of a work starts keeps to one core", "[app]") {
+  const auto told = [] { return run_program({"sh", "-c", "echo \"$SWAYAW_ON_A_PART\""}, {})->out; };
+  std::array<std::string, 2> parts;
+  core::in_parallel(parts.size(), 2, [&](std::size_t i) { parts[i] = told(); });
+  for (const auto& part : parts) CHECK(part == "1\n");
+  CHECK(told() == "\n");
+
+  const Variable variable("SWAYAW_ON_A_PART", "1");
+  take_part();
+  std::set<std::thread::id> threads;
+  core::in_parallel(8, 4, [&](std::size_t) { threads.insert(std::this_thread::get_id()); });
+  CHECK(threads == std::set{std::this_thread::get_id()});
+  core::on_a_part = false;
 }
 
 TEST_CASE("a program sees no variable that it does not need", "[app][refusal]") {
