@@ -565,6 +565,11 @@ double gain_of_likelihood(const Trial& trial, const Hypothesis& before, const Ma
   return with.log_likelihood - without.log_likelihood;
 }
 
+double gain_of_likelihood(const Trial& trial, const Hypothesis& before, const MapFit& a, const Hypothesis& after,
+                          const MapFit& b) {
+  return gain_of_likelihood(trial, before, a, likelihood_of(trial, before, a.point, a.noise), after, b);
+}
+
 /// Held-out runs, if any, and the log likelihoods as things stand.
 struct HeldOutRuns {
   const Trial& unused;
@@ -599,8 +604,7 @@ double held_out_gain(const Trial& trial, const HeldOutRuns& held_out, const Hypo
   if (!held_out.is_empty()) {
     const auto& unused = held_out.unused;
     if (!moved(a, trial, before, after)) return gain_of_likelihood(unused, before, a, held_out.now, after, b);
-    const auto held = without(a, trial, after);
-    return gain_of_likelihood(unused, before, held, likelihood_of(unused, before, held.point, held.noise), after, b);
+    return gain_of_likelihood(unused, before, without(a, trial, after), after, b);
   }
   std::vector<double> gains(trial.runs.size());
   in_parallel(trial.runs.size(), 0, [&](std::size_t i) {
@@ -615,9 +619,7 @@ double held_out_gain(const Trial& trial, const HeldOutRuns& held_out, const Hypo
     const auto with = of(after, b), without = of(before, a);
     if (with.point.size() == 0) gains[i] = -HUGE_VAL;
     else if (without.point.size() == 0) gains[i] = HUGE_VAL;
-    else
-      gains[i] = gain_of_likelihood(one, before, without, likelihood_of(one, before, without.point, without.noise),
-                                    after, with);
+    else gains[i] = gain_of_likelihood(one, before, without, after, with);
   });
   double sum = 0.0;
   for (const double gain : gains) sum += gain;

@@ -4,7 +4,7 @@ import { spawn, spawnSync } from 'node:child_process';
 /// The name of its program; undefined where there is none.
 export const chromium = () => ['chromium', 'chromium-browser', 'google-chrome'].find((name) => spawnSync(name, ['--version']).status === 0);
 
-export const HEADLESS = ['--headless', '--no-sandbox', '--disable-gpu', '--hide-scrollbars'];
+const HEADLESS = ['--headless', '--no-sandbox', '--disable-gpu', '--hide-scrollbars'];
 
 /// A tab. ask(method, parameters) answers as the protocol does; when(event) is the next event of that name; each(event,
 /// then) hears all of them; close() ends the browser.

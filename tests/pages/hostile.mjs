@@ -6,7 +6,7 @@
 import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
-import { chromium, tab, valueOf } from './browser.mjs';
+import { chromium, open, tab, valueOf } from './browser.mjs';
 
 const [program, project, folder] = process.argv.slice(2).map((path) => resolve(path));
 
@@ -203,8 +203,8 @@ const browser = await tab();
 await browser.ask('Page.enable');
 
 async function opened(file) {
-  await browser.ask('Page.navigate', { url: `file://${encodeURI(file)}` });
-  await valueOf(browser, `new Promise((then) => { const look = () => (document.readyState === 'complete' ? setTimeout(then, 200) : setTimeout(look, 20)); look(); })`);
+  await open(browser, file);
+  await valueOf(browser, 'new Promise((then) => setTimeout(then, 200))');
   return valueOf(browser, FOUND);
 }
 

@@ -17,8 +17,8 @@ namespace swayaw::inline nonlinear {
 ///
 /// δ₁₅ is what of the rudder angle is beyond 15 deg, either way, where lift is lost to a gap; α₂₈ what of the angle of
 /// the flow at the rudder, α = δ + 0.45 (v' − 0.9 r')/u', is beyond 28 deg, where it is lost to stall: while the rudder
-/// is put over against a turn, not in it. Flow straightening is that of `estimated_interaction` for a block coefficient
-/// times B/L of 0.15.
+/// is put over against a turn, not in it. Flow straightening is that of `yoshimura_masumoto_interaction` where C_B B/L
+/// is 0.15.
 template <class S = double>
 struct ModelForm {
   S X_u{}, X_uu{}, X_vv{}, X_vr{}, X_rr{}, X_dd{};
