@@ -1,9 +1,11 @@
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "catch.hpp"
 #include "concealed_case.hpp"
+#include "fair_ship.hpp"
 #include "files.hpp"
 #include "on_board_case.hpp"
 #include "random_source.hpp"
@@ -15,6 +17,7 @@
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/mismatch/compare.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 
 using namespace swayaw;
 using namespace swayaw::concealed;
@@ -55,6 +58,37 @@ Ship with_label(Ship ship, const Label& label) {
       if (n.key == told.key) parameter_value(effect, n.index) = told.value;
   ship.effects.push_back(effect);
   return ship;
+}
+
+/// Half of the errors in dv/dt and L dr/dt of a file in the motions of trials and in their mirror images: what no
+/// mirror-odd force has.
+Eigen::VectorXd even_errors(const TrueShip& truth, const Ship& file, const std::vector<TruePoint>& points) {
+  Eigen::VectorXd e(2 * static_cast<Eigen::Index>(points.size()));
+  const auto error = [&](const States& q, const Moment& now) -> Eigen::Vector2d {
+    const auto d = rates(truth, {}, q, now);
+    const ShipState<double> state{0.0, 0.0, 0.0, {q[State::u], q[State::v], q[State::r]}};
+    const auto a = force_breakdown(file, state, {.delta = now.delta, .rev = q[State::shaft]}).acceleration;
+    return {a.v - d[State::v], truth.L * (a.r - d[State::r])};
+  };
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    auto [q, now] = points[i];
+    const auto here = error(q, now);
+    for (const auto k : {State::psi, State::v, State::r, State::phi, State::roll_rate}) q[k] = -q[k];
+    now.delta = -now.delta;
+    e.segment<2>(2 * static_cast<Eigen::Index>(i)) = 0.5 * (here + error(q, now));
+  }
+  return e;
+}
+
+/// Share of what is even that a file has right once it has these parameters of another form, by least squares.
+double share_held(const TrueShip& truth, const Ship& file, const std::vector<TruePoint>& points,
+                  const std::vector<ModelForm<>>& terms) {
+  const Eigen::VectorXd bare = even_errors(truth, file, points);
+  Eigen::MatrixXd slopes(bare.size(), std::ssize(terms));
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    slopes.col(static_cast<Eigen::Index>(i)) = even_errors(truth, with_effect(file, terms[i]), points) - bare;
+  const Eigen::VectorXd best = slopes.colPivHouseholderQr().solve(bare);
+  return 1.0 - (bare - slopes * best).squaredNorm() / bare.squaredNorm();
 }
 
 /// A line of answers with one hidden effect, or none, and the name that was given.
@@ -221,6 +255,23 @@ TEST_CASE("ships of every structure sail like ships, alike to both sides, and fi
     CHECK(residue.N < 0.20);
     CHECK(std::max({residue.X, residue.Y, residue.N}) > 0.01);  // none is of the form of its file
   }
+}
+
+TEST_CASE(
+    "what differs from side to side behind a single screw is held by two terms of the rudder, not by a constant force",
+    "[bench][on_board][second-route]") {
+  const std::vector<ModelForm<>> rudder{{.Y_Rg = 1e-4}, {.Y_Rw = 1e-4}}, constant{{.Y_u = 1e-4}, {.N_u = 1e-4}};
+  const auto check = [&](std::string_view kind, FileForm form) {
+    INFO(kind << " in form " << name_of(form));
+    const auto truth = true_ship(kind, 31);
+    const auto file = fair_ship(truth, form, 0.05).ship;
+    const auto points = trial_points(truth);
+    CHECK(share_held(truth, file, points, rudder) > 0.85);
+    CHECK(share_held(truth, file, points, constant) < 0.75);
+  };
+  for (const auto kind : {"cross_flow", "rolling", "tanker", "training"})
+    for (const auto form : {FileForm::pi, FileForm::abkowitz}) check(kind, form);
+  check("polynomial", FileForm::pi);  // steered alike, but the file has a wake for each side
 }
 
 TEST_CASE("sizes between two severities go in equal ratios", "[bench][on_board][limit]") {

@@ -70,7 +70,8 @@ std::optional<EffectForm> ordinary_lift_loss(const Ship& ship);
 /// Of the force that stands for what is wrong in the form of hull, propeller and rudder.
 inline constexpr std::string_view form_id = ModelForm<>::id;
 
-/// Of a coordinate of that force: 0 along, 1 across, 2 of the moment, 3 where it differs from side to side.
+/// Of a coordinate of that force: 0 along, 1 across, 2 of the moment; 3 a constant that differs from side to side, 4
+/// what the rudder differs by.
 int axis_of_term(std::string_view name);
 
 /// The channel that an effect is of, if it is of one.
@@ -103,7 +104,7 @@ bool is_finding(const Ship& ship, const Effect& effect);
 /// The same in any part of the runs.
 bool is_finding(const Ship& ship, const EffectForm& form, std::span<const double> c);
 
-/// Whether an effect of one number is as large as it can be: it stands for something else then.
+/// Whether an effect of one number is as large as it can be, either way: it stands for something else then.
 bool is_at_its_end(const EffectForm& form, std::span<const double> coordinates);
 
 }  // namespace swayaw::mismatch::detail

@@ -166,7 +166,7 @@ LikelyForm likely_form(const Trial& usual, const Trial& now, const FormSizes& si
   const auto try_size = [&](std::size_t axis, double factor) {
     auto other = best.sizes;
     other[axis] *= factor;
-    if (other[axis] < least || other[axis] > (axis == asymmetric_axis ? 1.0 : most)) return false;
+    if (other[axis] < least || other[axis] > (axis >= asymmetric_axis ? 1.0 : most)) return false;
     const double gain = gain_by_prior(problem, fit, with_wider_prior(usual.precision, form_factors(usual, other)));
     if (!(gain > best.gain)) return false;
     best = {other, gain};
@@ -331,7 +331,8 @@ void weaken_with_rudder(std::vector<Effect>& effects) {
   if (factor == 1.0) return;
   for (auto& effect : effects)
     if (auto* form = std::get_if<ModelForm<>>(&effect))
-      for (double* term : {&form->X_dd, &form->Y_d, &form->Y_d15, &form->Y_a28, &form->N_d, &form->N_d15, &form->N_a28})
+      for (double* term : {&form->X_dd, &form->Y_d, &form->Y_d15, &form->Y_a28, &form->Y_Rg, &form->Y_Rw, &form->N_d,
+                           &form->N_d15, &form->N_a28})
         *term *= factor;
 }
 

@@ -58,10 +58,10 @@ Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<cons
 /// and stream of every day are part of the baseline, each with a prior of ordinary size.
 Trial as_on_board(Trial trial, std::span<const Recording> runs, std::span<const Channel> channels);
 
-/// How large the form of her forces may be wrong, over its usual size: along, across, of the moment, and where it
-/// differs from side to side.
-using FormSizes = std::array<double, 4>;
-inline constexpr FormSizes usual_sizes{1.0, 1.0, 1.0, 1.0};
+/// How large the form of her forces may be wrong, over its usual size: along, across, of the moment, a constant force
+/// from side to side, and what the rudder differs by from side to side.
+using FormSizes = std::array<double, 5>;
+inline constexpr FormSizes usual_sizes{1.0, 1.0, 1.0, 1.0, 1.0};
 
 /// The trial with a form of these sizes in place of the usual ones.
 Trial with_form_sizes(Trial usual, const FormSizes& sizes);
@@ -90,10 +90,9 @@ std::optional<Effect> in_whose_place(const Trial& trial, const EffectForm& form,
 /// How many coordinates of the baseline come first that are of the ship and not of a day or an instrument.
 Eigen::Index ship_size(const Trial& trial);
 
-inline constexpr int asymmetric_axis = 3;
+inline constexpr int asymmetric_axis = 3, rudder_sides_axis = 4;  ///< the last: what differs from side to side
 
-/// Coordinates of the baseline that are of the form of her forces: along, across, of the moment, and of either that
-/// differs from side to side (`asymmetric_axis`); −1 for others.
+/// Coordinates of the baseline that are of the form of her forces, by their place in `FormSizes`; −1 for others.
 std::vector<int> form_axes(const Trial& trial);
 
 /// Unknowns: coordinates of the baseline, then of each effect. The trial must outlive the problem.

@@ -107,6 +107,12 @@ TEST_CASE("an effect of one number is not searched beyond what a ship can have, 
   const auto& resistance = form("added_resistance");
   CHECK(value(resistance, {resistance.coordinates.front().low}, "relative_increase") == 0.0);
   CHECK_FALSE(is_at_its_end(resistance, std::vector{1e6}));
+  CHECK_FALSE(is_at_its_end(resistance, std::vector{0.0}));  // none is no end
+  const auto& side = form("propeller_side_force");
+  CHECK_THAT(value(side, {side.coordinates.front().high}, "share_of_thrust"), WithinRel(0.2, 1e-9));
+  for (const double end : {side.coordinates.front().low, side.coordinates.front().high})
+    CHECK(is_at_its_end(side, std::vector{end}));
+  CHECK_FALSE(is_at_its_end(side, std::vector{0.0}));
 
   // what has several numbers may have one at its end
   const auto& roll = form("roll_coupling");

@@ -41,7 +41,7 @@ TEST_CASE("another form turns the other way as its mirror image, but for what di
     const PlanarMotion<double> motion{1.0 + 0.3 * uniform(engine), 0.3 * uniform(engine), 0.1 * uniform(engine)};
     const double delta = radians(35.0) * uniform(engine);
     const auto sided = form;
-    form.Y_u = form.N_u = 0.0;
+    form.Y_u = form.N_u = form.Y_Rg = form.Y_Rw = 0.0;
     const auto a = added(form, motion, delta), b = added(form, {motion.u, -motion.v, -motion.r}, -delta);
     CHECK_THAT(a.X - b.X, WithinAbs(0.0, 1e-9 * std::abs(a.X) + 1e-9));
     CHECK_THAT(a.Y + b.Y, WithinAbs(0.0, 1e-9 * std::abs(a.Y) + 1e-9));
@@ -49,6 +49,23 @@ TEST_CASE("another form turns the other way as its mirror image, but for what di
     const auto c = added(sided, motion, delta), d = added(sided, {motion.u, -motion.v, -motion.r}, -delta);
     CHECK(std::abs(c.Y + d.Y) > 0.0);
   }
+}
+
+TEST_CASE("what a rudder differs by from side to side is the same force in a motion and in its mirror image",
+          "[nonlinear][symmetry]") {
+  const Ship ship = test::kvlcc2_l7();
+  const double U = service_speed(ship), L = length(ship), q = 0.5 * 1000.0 * L * L * U * U;
+  const PlanarMotion<double> turning{0.8 * U, -0.15 * U, 0.5 * U / L}, other{0.8 * U, 0.15 * U, -0.5 * U / L};
+  const double beta_R = 0.15 + 0.9 * 0.5, beta_P = 0.15 + 0.48 * 0.5, alpha = 0.8 * radians(20.0) - 0.45 * beta_R;
+  const auto check = [&](const ModelForm<>& form, double Y) {
+    const auto a = added(form, turning, radians(20.0)), b = added(form, other, radians(-20.0));
+    CHECK_THAT(a.Y / q, WithinAbs(Y, 1e-9));
+    CHECK_THAT(b.Y / q, WithinAbs(Y, 1e-9));
+    CHECK_THAT(a.N, WithinAbs(-0.48 * L * a.Y, 1e-6 * std::abs(L * a.Y)));
+    CHECK_THAT(a.X, WithinAbs(0.0, 1e-9 * q));
+  };
+  check({.Y_Rg = 1e-3}, 1e-3 * 0.8 * beta_R);
+  check({.Y_Rw = 1e-3}, 1e-3 * -beta_P * alpha);
 }
 
 TEST_CASE("another form fades with the way of the ship", "[nonlinear][limit]") {
