@@ -177,8 +177,8 @@ std::optional<std::vector<double>> coordinates_of(const Ship& ship, const Effect
 }
 
 int axis_of_term(std::string_view name) {
-  if (name == "Y_u" || name == "N_u") return 3;
-  if (name == "Y_Rg" || name == "Y_Rw") return 4;
+  if (name == "Y_u" || name == "N_u") return asymmetric_axis;
+  if (name == "Y_Rg" || name == "Y_Rw") return rudder_sides_axis;
   return name[0] == 'X' ? 0 : name[0] == 'Y' ? 1 : 2;
 }
 

@@ -74,6 +74,8 @@ inline constexpr std::string_view form_id = ModelForm<>::id;
 /// what the rudder differs by.
 int axis_of_term(std::string_view name);
 
+inline constexpr int asymmetric_axis = 3, rudder_sides_axis = 4;  ///< the last: what differs from side to side
+
 /// The channel that an effect is of, if it is of one.
 std::optional<Channel> channel_of(const EffectForm& form);
 

@@ -19,6 +19,8 @@
 namespace swayaw::inline mismatch {
 using namespace detail;
 
+static constexpr double seconds_of_a_day = 86400.0;
+
 std::string_view name_of(ChangeShape shape) { return shape == ChangeShape::sudden ? "sudden" : "gradual"; }
 
 double VesselReport::worst() const {
@@ -29,7 +31,6 @@ double VesselReport::worst() const {
 }
 
 std::string date_text(double day) {
-  constexpr double seconds_of_a_day = 86400.0;
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(std::floor(day) * seconds_of_a_day)));
 }
 
@@ -37,7 +38,6 @@ namespace {
 
 /// Days of vessels in the order of time, runs of the same `group` or date together.
 std::vector<Day> days_of(std::span<const FleetRun> runs, const std::vector<std::string>& vessels) {
-  constexpr double seconds_of_a_day = 86400.0;
   std::map<std::pair<std::size_t, std::string>, Day> days;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const auto start = start_utc(runs[i].run);

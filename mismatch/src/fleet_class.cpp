@@ -126,8 +126,7 @@ void move_day(Day& day, const ClassTrial& whole, const Eigen::VectorXd& kept) {
   const Eigen::MatrixXd A =
       day.all.A(whole.of_a_day, whole.of_a_day) + Eigen::MatrixXd(trial.precision(whole.of_a_day, whole.of_a_day));
   const Eigen::VectorXd b = day.all.b(whole.of_a_day) - day.all.A(whole.of_a_day, whole.kept) * kept;
-  Point point = trial.mean;
-  point(whole.kept) += kept;
+  Point point = whole_point(whole, kept);
   point(whole.of_a_day) += core::detail::solve_symmetric(A, b);
   const auto problem = problem_of(trial, Hypothesis{});
   point = problem.within_bounds(point);

@@ -943,7 +943,7 @@ constexpr int until_it_stays = 30;
 void stand_on_highest_summit(Search& s) {
   const auto hypothesis = s.hypothesis();
   const auto problem = problem_of(s.trial, hypothesis);
-  const auto other = likelihood_of(s.trial, hypothesis, s.now.point, Noise::on_board());
+  const auto other = best_noise(problem, s.now.point, Noise::on_board(), true);
   if (!(other.log_likelihood > log_likelihood(problem, s.now.point, s.now.noise) + as_good)) return;
   auto found = fit(s.trial, hypothesis, s.now.point, other.noise, {.rounds = until_it_stays});
   if (found.log_evidence > s.now.log_evidence) s.now = std::move(found);

@@ -90,8 +90,6 @@ std::optional<Effect> in_whose_place(const Trial& trial, const EffectForm& form,
 /// How many coordinates of the baseline come first that are of the ship and not of a day or an instrument.
 Eigen::Index ship_size(const Trial& trial);
 
-inline constexpr int asymmetric_axis = 3, rudder_sides_axis = 4;  ///< the last: what differs from side to side
-
 /// Coordinates of the baseline that are of the form of her forces, by their place in `FormSizes`; −1 for others.
 std::vector<int> form_axes(const Trial& trial);
 

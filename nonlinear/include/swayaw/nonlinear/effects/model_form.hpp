@@ -76,10 +76,10 @@ PlanarForce<S> force(const ModelForm<S>& k, const Model&, const Circumstances<S>
   const S& delta = now.recorded.delta;
   constexpr double straightening = 0.45, lever = -0.9, propeller = -0.48;
   const S beta_R = v + lever * r, beta_P = v + propeller * r;
-  const S d2 = delta * delta, d = u * delta, d15 = u * beyond(delta, S(radians(15.0))),
-          alpha = d + straightening * beta_R,  // u'α
-
-      a28 = beyond(alpha, radians(28.0) * size_of(u)), sides = k.Y_Rg * u * size_of(beta_R) + k.Y_Rw * beta_P * alpha;
+  const S d = u * delta, alpha = d + straightening * beta_R;  // u'δ, u'α
+  const S d2 = delta * delta, d15 = u * beyond(delta, S(radians(15.0))),
+          a28 = beyond(alpha, radians(28.0) * size_of(u));
+  const S sides = k.Y_Rg * u * size_of(beta_R) + k.Y_Rw * beta_P * alpha;
   return {.X = q * (u * (k.X_u + k.X_uu * u) + k.X_vv * v * v + k.X_vr * v * r + k.X_rr * r * r + k.X_dd * u * d2),
           .Y = q * (v * (k.Y_v * u + k.Y_vv * a + k.Y_vr * b) + r * (k.Y_r * u + k.Y_rr * b + k.Y_rv * a) + k.Y_d * d +
                     k.Y_d15 * d15 + k.Y_a28 * a28 + k.Y_u * u + sides),

@@ -49,9 +49,9 @@ PlanarForce<S> force(const PropellerSideForce<S>& e, const Model& model, const C
   return {.X = S(0.0), .Y = Y, .N = now.ship.x_P * Y};
 }
 
-/// The share alone: a constant force is a rudder offset's twin. What a tenth of the thrust does, 1.0
-/// deg of rudder undo on the Nawigator, 1.9 on the KCS, 2.2 on the KVLCC2, 3.9 on the Esso Osaka; single screws need
-/// one or two, so that a fifth is more than any.
+/// The share alone: a constant force is a rudder offset's twin. What a tenth of the thrust does is undone by 1.0 deg of
+/// rudder on the Nawigator, 1.9 on the KCS, 2.2 on the KVLCC2, 3.9 on the Esso Osaka; single screws need one or two, so
+/// that a fifth is more than any.
 inline SearchForm<PropellerSideForce<>> search_form(const PropellerSideForce<>& null, const SearchContext& context) {
   constexpr double most = 0.2;
   return by_moves(null, {from_null(context["share_of_thrust"], -most, most)}, {{0.0}});
