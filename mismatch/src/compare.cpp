@@ -95,23 +95,13 @@ std::vector<std::size_t> window_starts(const Recording& run, const RecordedMotio
 
 // ---------------------------------------------------------------- simulation
 
-void append(Recording& to, const Recording& from) {
-  to.time.insert(to.time.end(), from.time.begin(), from.time.end());
-  for (std::size_t c = 0; c < channel_count; ++c)
-    to.channels[c].insert(to.channels[c].end(), from.channels[c].begin(), from.channels[c].end());
-}
-
 /// Simulation that takes up the recorded state at every window.
 Recording restarted_replay(const Ship& ship, const Recording& run, const RecordedControls& controls,
                            const std::vector<std::size_t>& starts, const ReplayOptions& options) {
-  Recording all;
+  std::vector<ReplayStart> states;
+  for (const auto i : starts) states.push_back({i, recorded_state(ship, run, run.time[i])});
+  auto all = replay_anew(ship, controls, states, run.time, options);
   all.name = ship.name;
-  const std::span<const double> times(run.time);
-  for (std::size_t k = 0; k < starts.size(); ++k) {
-    const std::size_t end = k + 1 < starts.size() ? starts[k + 1] : times.size();
-    const auto window = times.subspan(starts[k], end - starts[k]);
-    append(all, replay_from(ship, controls, recorded_state(ship, run, window.front()), window, options));
-  }
   return all;
 }
 

@@ -562,13 +562,30 @@ bool could_be_form(const Trial& trial, const EffectForm& form, const Effect& eff
 /// 105, 194, 222, 230 and 516 where forces had a memory.
 constexpr double clearly_late = 100.0;
 
+/// Fall of the errors of replays, mean over runs of their share of the variation, quantity by quantity.
+std::map<Quantity, double> falls_of(const ShipInRun& from, const ShipInRun& to, std::span<const Recording> runs) {
+  std::map<Quantity, std::pair<double, int>> sums;
+  for (const auto& run : runs) {
+    const auto a = errors_of(from(run), run), b = errors_of(to(run), run);
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+      auto& [sum, count] = sums[a[i].quantity];
+      sum += a[i].normalised_beyond_waves() - b[i].normalised_beyond_waves(), ++count;
+    }
+  }
+  std::map<Quantity, double> falls;
+  for (const auto& [quantity, sum] : sums) falls[quantity] = sum.first / sum.second;
+  return falls;
+}
+
 /// Whether an effect that follows the motion is more than a form that is wrong by a few per cent: without it, all else
-/// fitted once more, replays of all runs err by more, the form is larger than any and with it is not, or she cannot
-/// sail them at all; or it is late, and the evidence tells that clearly.
+/// fitted once more, replays of all runs err by more, and those of runs that were not used do not err less with the
+/// coefficients alone; or the form is larger than any and with it is not, or she cannot sail them at all; or it is
+/// late, and the evidence tells that clearly.
 /// @param first   coordinate of the effect
 /// @param budget  with all effects
+/// @param alone   the coefficients alone refitted
 bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, Eigen::Index first,
-                       std::span<const ForceBudget> budget, std::span<const Recording> runs,
+                       std::span<const ForceBudget> budget, const ShipInRun& alone, std::span<const Recording> runs,
                        std::span<const Recording> holdout) try {
   constexpr double a_few_per_cent = 0.03;  // of the variation of a quantity
   if (!s.on_board || !could_be_form(trial, *s.accepted[accepted].form, s.accepted[accepted].effect)) return true;
@@ -583,18 +600,14 @@ bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted
   if (follows(s.accepted[accepted].effect) == Follows::past && s.now.log_evidence - found.log_evidence > clearly_late)
     return true;
   if (!has_large_form(budget) && has_large_form(budget_of(trial, without, found))) return true;
-  std::map<Quantity, std::pair<double, int>> falls;
-  for (const auto& some : {runs, holdout})
-    for (const auto& run : some) {
-      const auto a = errors_of(ship_at(trial, without, found.point, &run), run),
-                 b = errors_of(ship_at(trial, all, s.now.point, &run), run);
-      for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-        auto& [sum, count] = falls[a[i].quantity];
-        sum += a[i].normalised_beyond_waves() - b[i].normalised_beyond_waves(), ++count;
-      }
-    }
-  return std::ranges::any_of(
-      falls, [](const auto& fall) { return fall.second.first / std::max(1, fall.second.second) > a_few_per_cent; });
+  const auto with_all = [&](const Recording& run) { return ship_at(trial, all, s.now.point, &run); };
+  const auto less = [&](const Recording& run) { return ship_at(trial, without, found.point, &run); };
+  std::vector<Recording> every(runs.begin(), runs.end());
+  every.insert(every.end(), holdout.begin(), holdout.end());
+  auto beside_alone = falls_of(alone, with_all, holdout);
+  return std::ranges::any_of(falls_of(less, with_all, every), [&](const auto& fall) {
+    return fall.second > a_few_per_cent && beside_alone[fall.first] > -a_few_per_cent;
+  });
 } catch (const std::exception&) {
   return true;
 }
@@ -692,8 +705,8 @@ void put_form(Diagnosis& d, const Trial& trial, const Search& s, const MapFit& a
 // ---------------------------------------------------------------- findings
 
 /// Effects in the order of what they bring; the words of those too small to matter; all candidates.
-void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double needed, std::span<const Recording> runs,
-                 std::span<const Recording> holdout) {
+void put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipInRun& alone, double needed,
+                 std::span<const Recording> runs, std::span<const Recording> holdout) {
   auto tried = s.first;
   Eigen::Index from = trial.baseline_size();
   for (std::size_t i = 0; i < s.accepted.size(); ++i) {
@@ -718,7 +731,7 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, double neede
     const bool trace = accepted.trace || !is_told(trial.ship, *accepted.form, beside_all) ||
                        is_as_ordinary(trial, *accepted.form, s.now.point, from) ||
                        changes_little(trial, s, i, runs, holdout);
-    if (!trace && !too_large && is_more_than_form(trial, s, i, from, d.budget, runs, holdout)) {
+    if (!trace && !too_large && is_more_than_form(trial, s, i, from, d.budget, alone, runs, holdout)) {
       d.effects.push_back(std::move(found));
     } else {
       if (!too_large) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
@@ -843,9 +856,9 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   if (s.on_board) d.runs_in_waves = runs_in_waves(ship, runs);
   d.troubles = s.troubles;
   attempt(d, "what the missing force follows", [&] { d.budget = budget_of(trial, s.hypothesis(), s.now); });
-  put_effects(d, trial, s, options.detection, runs, holdout);
-  put_untold_surroundings(d, s, runs, options.detection);
   const auto refitted = [&](const Recording& run) { return ship_at(trial, {}, alone.point, &run); };
+  put_effects(d, trial, s, refitted, options.detection, runs, holdout);
+  put_untold_surroundings(d, s, runs, options.detection);
   const auto improved = [&](const Recording& run) { return ship_at(trial, s.hypothesis(), s.now.point, &run); };
   d.train = errors_of(ship, refitted, improved, runs);
   d.holdout = errors_of(ship, refitted, improved, holdout);

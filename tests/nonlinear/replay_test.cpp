@@ -233,6 +233,79 @@ TEST_CASE("a track tells the velocity in a steady turn in a current to the last 
   }
 }
 
+TEST_CASE("a receiver that is late tells no sway by its velocities, the track does", "[nonlinear][regression]") {
+  // 2026-11-25: positions 10 s late of a ship of 250 m, with velocities of the same receiver, made a sway of U r τ at
+  // every start of a comparison
+  test::RandomShips random(16);
+  for (int i = 0; i < 6; ++i) {
+    Ship ship{.name = "test ship", .model = random.ship(), .confidence = {}, .surroundings = {}};
+    const double U = service_speed(ship), time_unit = length(ship) / U, delay = 0.3 * time_unit;
+    const auto run = with_instruments(
+        zigzag(ship, {.rudder = radians(10), .heading = radians(10)}, {.duration = 15 * time_unit}).run, {});
+    // in axes of the earth everything of the receiver is late, the heading with which it is turned is not
+    auto late = run;
+    Recording earth{.name = "earth", .facts = {}, .time = run.time, .channels = {}, .extra = {}};
+    const auto north = earth.fill(Channel::u), east = earth.fill(Channel::v);
+    for (std::size_t k = 0; k < run.samples(); ++k) {
+      const double c = std::cos(run[Channel::psi][k]), s = std::sin(run[Channel::psi][k]);
+      north[k] = run[Channel::u][k] * c - run[Channel::v][k] * s;
+      east[k] = run[Channel::u][k] * s + run[Channel::v][k] * c;
+    }
+    const Interpolant x(run, Channel::x), y(run, Channel::y), to_north(earth, Channel::u), to_east(earth, Channel::v);
+    for (std::size_t k = 0; k < run.samples(); ++k) {
+      const double then = run.time[k] - delay, c = std::cos(run[Channel::psi][k]), s = std::sin(run[Channel::psi][k]);
+      late.fill(Channel::x)[k] = x(then), late.fill(Channel::y)[k] = y(then);
+      late.fill(Channel::u_ground)[k] = to_north(then) * c + to_east(then) * s;
+      late.fill(Channel::v_ground)[k] = to_east(then) * c - to_north(then) * s;
+    }
+    late = without(std::move(late), {Channel::u, Channel::v});
+    ship.effects.push_back(ChannelDelay<>{.channel = Channel::x, .delay = delay});
+    double worst = 0.0, by_receiver = 0.0;
+    for (double t = 3.0; t < 12.0; t += 1.0) {
+      const double time = t * time_unit, v = Interpolant(run, Channel::v)(time);
+      worst = std::max(worst, std::abs(recorded_state(ship, late, time).motion.v - v));
+      by_receiver = std::max(by_receiver, std::abs(Interpolant(late, Channel::v_ground)(time) - v));
+    }
+    INFO("ship " << i);
+    CHECK(by_receiver > 0.04 * U);
+    CHECK(worst < 0.015 * U);
+  }
+}
+
+TEST_CASE("a simulation that is taken up where it is goes on as if nothing had been", "[nonlinear][round-trip]") {
+  // what the water remembers, and the heel, are in no state that is taken up
+  const Ship calm = test::kvlcc2();
+  const double time_unit = length(calm) / service_speed(calm);
+  for (const Effect& effect : {Effect{FluidMemory<>{.tau = 0.8 * time_unit, .share = 0.5}},
+                               Effect{RollCoupling<>{.GM = 1.5, .Y_phi = -0.02, .N_phi = -0.01}}}) {
+    Ship ship = calm;
+    ship.effects.push_back(effect);
+    const auto run = zigzag(ship, {.rudder = radians(20), .heading = radians(20)},
+                            {.duration = 12 * time_unit, .step = 0.02 * time_unit})
+                         .run;
+    const RecordedControls controls(ship, run);
+    const auto start = recorded_state(ship, run, 0.0);
+    const auto whole = replay_from(ship, controls, start, run.time);
+    std::vector<ReplayStart> starts;
+    double by_steady = 0.0;
+    for (std::size_t k = 0; k < run.samples(); k += 100) {
+      const auto of = [&](Channel channel) { return whole[channel][k]; };
+      starts.push_back(
+          {k, {of(Channel::x), of(Channel::y), of(Channel::psi), {of(Channel::u), of(Channel::v), of(Channel::r)}}});
+      const auto piece = std::span<const double>(run.time).subspan(k, std::min<std::size_t>(100, run.samples() - k));
+      const auto steady = replay_from(ship, controls, starts.back().state, piece);
+      for (std::size_t i = 0; i < piece.size(); ++i)
+        by_steady = std::max(by_steady, std::abs(steady[Channel::r][i] - whole[Channel::r][k + i]));
+    }
+    const auto anew = replay_anew(ship, controls, starts, run.time);
+    INFO(id_of(effect));
+    CHECK(anew.time == whole.time);
+    CHECK(largest_difference(anew, whole, Channel::r) < 1e-6 / time_unit);
+    CHECK(largest_difference(anew, whole, Channel::psi) < 1e-6);
+    CHECK(by_steady > 1e-3 / time_unit);
+  }
+}
+
 TEST_CASE("a run that does not tell its speed is refused", "[nonlinear][refusal]") {
   const Ship ship = test::kvlcc2_l7();
   auto run = without(zigzag_run(ship, 0.05), {Channel::u, Channel::v, Channel::x, Channel::y});

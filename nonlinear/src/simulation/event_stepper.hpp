@@ -146,6 +146,11 @@ class EventStepper final : public ShipStepper {
 
   void show_along(const Interpolant& angle) override { shown_along_ = &angle; }
 
+  void remember(const Hidden<double>& hidden) override {
+    state_ = joined<HiddenStates>(vector_of(visible(state_)), hidden);
+    running_ = false;
+  }
+
   void drive(const Controls<double>& rate) override {
     propulsion_ = {time_, controls(), rate};
     running_ = false;

@@ -140,12 +140,25 @@ ShipState<double> state_told(const Ship& ship, const Recording& run, double time
   return {told(Channel::x, {}), told(Channel::y, {}), heading, {velocity->u, velocity->v, r}};
 }
 
+/// Whether a receiver is so late that its velocities cannot be taken for those of the moment: they are as late as its
+/// positions, in axes of a heading that is not. A delay of τ makes a sway of U r τ, and a degree of drift, in a turn
+/// with r' = 0.35, comes of 0.05 L/U.
+bool is_late(const Ship& ship, const Instruments<>& instruments) {
+  constexpr double late = 0.05;  // [L/U]
+  return std::abs(instruments[Channel::x].delay) > late * length(ship) / service_speed(ship);
+}
+
 }  // namespace
 
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time) {
   const auto instruments = instruments_of(ship);
-  return instruments == Instruments<>{} ? state_told(ship, run, time)
-                                        : state_told(ship, as_it_was(run, instruments), time);
+  if (instruments == Instruments<>{}) return state_told(ship, run, time);
+  auto was = as_it_was(run, instruments);
+  if (is_late(ship, instruments) && was.has(Channel::x) && was.has(Channel::y))
+    for (const Channel channel :
+         {Channel::u_ground, Channel::v_ground, Channel::speed_over_ground, Channel::course_over_ground})
+      was.channels[index_of(channel)].clear();
+  return state_told(ship, was, time);
 }
 
 // ---------------------------------------------------------------- recorded controls
@@ -274,23 +287,55 @@ std::vector<Sample> integrate_along(ShipStepper& stepper, const RecordedControls
   return stepper.samples();
 }
 
+void append(Recording& to, const Recording& from) {
+  to.time.insert(to.time.end(), from.time.begin(), from.time.end());
+  for (std::size_t c = 0; c < channel_count; ++c)
+    to.channels[c].insert(to.channels[c].end(), from.channels[c].begin(), from.channels[c].end());
+}
+
+/// Piece by piece from a state that is taken up; instruments know nothing of the piece before.
+template <class Acting>
+Recording pieces_of(const Acting& acting, const RecordedControls& controls, std::span<const ReplayStart> starts,
+                    std::span<const double> times, double tolerance) {
+  Recording all;
+  std::optional<Hidden<double>> remembered;
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const bool last = k + 1 == starts.size();
+    const auto to = last ? times.size() : starts[k + 1].sample + 1;
+    const auto piece = times.subspan(starts[k].sample, to - starts[k].sample);
+    const double begin = piece.front();
+    const auto stepper = make_stepper(
+        acting, {begin, starts[k].state, with_rudder(controls.at(begin), controls.shown()(begin))}, tolerance);
+    if (remembered) stepper->remember(*remembered);
+    auto samples = integrate_along(*stepper, controls, piece);
+    if (!last) {
+      remembered = samples.back().hidden;
+      samples.pop_back();
+    }
+    append(all, recording_of(samples, acting));
+  }
+  return all;
+}
+
 }  // namespace
 
-Recording replay_from(const Ship& deep, const RecordedControls& controls, const ShipState<double>& start,
+Recording replay_anew(const Ship& deep, const RecordedControls& controls, std::span<const ReplayStart> starts,
                       std::span<const double> times, const ReplayOptions& options) {
   const auto shallow = in_depth(deep, controls.depth());
   const auto& ship = shallow ? *shallow : deep;
-  require_valid(ship, start.motion, controls.at(times.front()));
+  for (const auto& [sample, state] : starts) require_valid(ship, state.motion, controls.at(times[sample]));
   if (const auto astern = controls.shaft_astern(times.front(), times.back()))
     throw Refusal(
         fmt::format("{}: the recorded shaft turns astern at {:.6g} s", words_for(Validity::shaft_astern), *astern));
   const auto wind = wind_between(controls.wind(), times.front(), times.back());
   return visit_acting(ship, [&](const auto& calm) {
-    const auto acting = in_wind(calm, wind);
-    const Sample from{times.front(), start, with_rudder(controls.at(times.front()), controls.shown()(times.front()))};
-    const auto stepper = make_stepper(acting, from, options.tolerance);
-    return recording_of(integrate_along(*stepper, controls, times), acting);
+    return pieces_of(in_wind(calm, wind), controls, starts, times, options.tolerance);
   });
+}
+
+Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
+                      std::span<const double> times, const ReplayOptions& options) {
+  return replay_anew(ship, controls, std::vector{ReplayStart{0, start}}, times, options);
 }
 
 Recording replay(const Ship& ship, const Recording& run, const ReplayOptions& options) {

@@ -52,6 +52,9 @@ class ShipStepper {
   /// The indicator shows that angle, whatever the rudder does.
   virtual void show_along(const Interpolant& angle) = 0;
 
+  /// Effects remember that, not what goes with a steady motion.
+  virtual void remember(const Hidden<double>& hidden) = 0;
+
   /// From now on the propulsion changes at that rate per second.
   virtual void drive(const Controls<double>& rate) = 0;
 

@@ -36,7 +36,8 @@ struct ReplayOptions {
 ///     x, y   position; else 0
 ///
 /// The track is followed along the recorded heading, so a ship that turns already is told too. What the instruments of
-/// the ship did to the recording is undone first.
+/// the ship did to the recording is undone first. Where her positions are late by more than 0.05 L/U the track tells in
+/// place of velocities over ground: they come from the same receiver, late by as much or not.
 ///
 /// @throws Refusal  if no channel tells the speed of the ship
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time);
@@ -96,6 +97,17 @@ class RecordedControls {
 ///
 /// @throws Refusal  if no force model holds for the start, or for the shaft on the way (validity.hpp)
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
+                      std::span<const double> times, const ReplayOptions& options = {});
+
+/// A state that a simulation takes up at a sample.
+struct ReplayStart {
+  std::size_t sample;
+  ShipState<double> state;
+};
+
+/// The same, taken up anew at several samples, in order, the first of them 0. What effects remember goes on as it was
+/// simulated: heel, and the motion that the water knows, are in no recorded state and rarely steady.
+Recording replay_anew(const Ship& ship, const RecordedControls& controls, std::span<const ReplayStart> starts,
                       std::span<const double> times, const ReplayOptions& options = {});
 
 /// The whole run simulated from its recorded start, sampled at the recorded times, in the wind and depth that were
