@@ -98,8 +98,11 @@ std::vector<std::size_t> window_starts(const Recording& run, const RecordedMotio
 /// Simulation that takes up the recorded state at every window.
 Recording restarted_replay(const Ship& ship, const Recording& run, const RecordedControls& controls,
                            const std::vector<std::size_t>& starts, const ReplayOptions& options) {
+  std::vector<double> times;
+  for (const auto i : starts) times.push_back(run.time[i]);
+  const auto told = recorded_states(ship, run, times);
   std::vector<ReplayStart> states;
-  for (const auto i : starts) states.push_back({i, recorded_state(ship, run, run.time[i])});
+  for (std::size_t k = 0; k < starts.size(); ++k) states.push_back({starts[k], told[k]});
   auto all = replay_anew(ship, controls, states, run.time, options);
   all.name = ship.name;
   return all;

@@ -52,7 +52,7 @@ struct RunControls {
   RudderActuator actuator;
   ChannelError<double> rudder_record;
   ChannelError<double> wind_speed_record, wind_from_record;
-  bool whatever_ship;  ///< whether the recording tells the propulsion, so that no other ship has other thrust
+  bool rudder_recorded, propulsion_recorded;  ///< what the recording tells is that of any ship
 
   /// @param run    must outlive the controls
   /// @param finer  recording of the same run, if its samples are too few to tell the controls between them
@@ -61,8 +61,9 @@ struct RunControls {
   /// Over a step of the filter on the way to sample k.
   Controls<double> in_step(const Recording& run, std::size_t k, double from, double to) const;
 
-  /// Whether they are those of another ship too.
-  bool serve(const Ship& ship) const;
+  /// Those of another ship; nothing where they are the same.
+  /// @param run, finer  that these were made of
+  std::optional<RunControls> differing(const Ship& ship, const Recording& run, const Recording* finer) const;
 };
 
 /// A filtered run, with what the smoother and residuals with the same gains need, unless it is not kept.

@@ -18,8 +18,7 @@ class RunFilterOf final : public RunFilter<N> {
       : run_(run),
         finer_(finer),
         channels_(channels),
-        controls_(known && known->serve(ship) ? std::move(known)
-                                              : std::make_shared<const RunControls>(ship, run, finer)),
+        controls_(controls_of(ship, run, finer, std::move(known))),
         predictor_(ship, controls_->recorded.wind(), tau, longest_step),
         observer_(instruments_of(ship), predictor_.current()),
         start_(start),
@@ -260,6 +259,13 @@ class RunFilterOf final : public RunFilter<N> {
   const Recording& run_;
   const Recording* finer_;
   std::span<const Channel> channels_;
+  static std::shared_ptr<const RunControls> controls_of(const Ship& ship, const Recording& run, const Recording* finer,
+                                                        std::shared_ptr<const RunControls> known) {
+    if (!known) return std::make_shared<const RunControls>(ship, run, finer);
+    auto other = known->differing(ship, run, finer);
+    return other ? std::make_shared<const RunControls>(*std::move(other)) : known;
+  }
+
   std::shared_ptr<const RunControls> controls_;
   ShipPredictor<N> predictor_;
   ChannelObserver observer_;

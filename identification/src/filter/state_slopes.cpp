@@ -10,6 +10,11 @@ bool same_actuator(const RudderActuator& a, const RudderActuator& b) {
          a.record_delay == b.record_delay;
 }
 
+bool same_propulsion(const Controls<double>& a, const Controls<double>& b) {
+  return a.by_thrust == b.by_thrust && a.rev == b.rev && a.thrust.port == b.thrust.port &&
+         a.thrust.starboard == b.thrust.starboard;
+}
+
 /// Whether the numbers of two ships tell how the one becomes the other: the same effects act at the same times, and no
 /// direction swings round, as that of a stream of no speed.
 bool comparable(const ShipNumbers& a, const ShipNumbers& b, double step) {
@@ -62,7 +67,8 @@ RunControls::RunControls(const Ship& ship, const Recording& run, const Recording
       rudder_record(instruments_of(ship)[Channel::delta]),
       wind_speed_record(instruments_of(ship)[Channel::wind_speed]),
       wind_from_record(instruments_of(ship)[Channel::wind_from]),
-      whatever_ship(run.has(Channel::delta) && propulsion_is_recorded(ship, run)) {
+      rudder_recorded(run.has(Channel::delta)),
+      propulsion_recorded(propulsion_is_recorded(ship, run)) {
   at_samples = recorded.at(run.time);
   if (!finer) return;
   std::vector<double> middles;
@@ -80,11 +86,21 @@ Controls<double> RunControls::in_step(const Recording& run, std::size_t k, doubl
   return between(at_samples[k - 1], at_samples[k], (middle - begin) / (end - begin));
 }
 
-bool RunControls::serve(const Ship& ship) const {
+std::optional<RunControls> RunControls::differing(const Ship& ship, const Recording& run,
+                                                  const Recording* finer) const {
   const auto instruments = instruments_of(ship);
-  return whatever_ship && same_actuator(actuator, rudder_actuator(ship)) &&
-         rudder_record == instruments[Channel::delta] && wind_speed_record == instruments[Channel::wind_speed] &&
-         wind_from_record == instruments[Channel::wind_from];
+  if (!(rudder_recorded && same_actuator(actuator, rudder_actuator(ship)) &&
+        rudder_record == instruments[Channel::delta] && wind_speed_record == instruments[Channel::wind_speed] &&
+        wind_from_record == instruments[Channel::wind_from]))
+    return RunControls(ship, run, finer);
+  if (propulsion_recorded) return std::nullopt;
+  const auto constant = recorded.propulsion_of(ship, finer ? *finer : run);
+  if (same_propulsion(constant, recorded.constant())) return std::nullopt;
+  RunControls other = *this;
+  other.recorded.propel(constant);
+  for (auto* all : {&other.at_samples, &other.thirds})
+    for (auto& controls : *all) controls = with_rudder(constant, controls.delta);
+  return other;
 }
 
 NeighbourDifferences differences_between(const Ship& ship, std::span<const Neighbour> neighbours, const Recording& run,
@@ -107,8 +123,8 @@ NeighbourDifferences differences_between(const Ship& ship, std::span<const Neigh
     for (std::size_t i = 0; i < here.values.size(); ++i)
       if (const double d = there->values[i] - here.values[i]; d != 0.0 && std::isfinite(d))
         moved.push_back({unknown, i, d / neighbour.step}), result.variable[i] = true;
-    if (!controls.serve(*neighbour.ship))
-      result.controls.push_back({unknown, neighbour.step, RunControls(*neighbour.ship, run, finer)});
+    if (auto other = controls.differing(*neighbour.ship, run, finer))
+      result.controls.push_back({unknown, neighbour.step, *std::move(other)});
     const auto current = surroundings_at(*neighbour.ship, 0.0).current;
     if (const ChannelObserver other(instruments_of(*neighbour.ship), current); observer.differs(other))
       result.observers.push_back({unknown, neighbour.step, other});

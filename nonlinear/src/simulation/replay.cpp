@@ -150,15 +150,24 @@ bool is_late(const Ship& ship, const Instruments<>& instruments) {
 
 }  // namespace
 
-ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time) {
+std::vector<ShipState<double>> recorded_states(const Ship& ship, const Recording& run, std::span<const double> times) {
   const auto instruments = instruments_of(ship);
-  if (instruments == Instruments<>{}) return state_told(ship, run, time);
+  const auto told_by = [&](const Recording& by) {
+    std::vector<ShipState<double>> states;
+    for (const double time : times) states.push_back(state_told(ship, by, time));
+    return states;
+  };
+  if (instruments == Instruments<>{}) return told_by(run);
   auto was = as_it_was(run, instruments);
   if (is_late(ship, instruments) && was.has(Channel::x) && was.has(Channel::y))
     for (const Channel channel :
          {Channel::u_ground, Channel::v_ground, Channel::speed_over_ground, Channel::course_over_ground})
       was.channels[index_of(channel)].clear();
-  return state_told(ship, was, time);
+  return told_by(was);
+}
+
+ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time) {
+  return recorded_states(ship, run, {&time, 1}).front();
 }
 
 // ---------------------------------------------------------------- recorded controls
@@ -206,6 +215,33 @@ void require_samples_near(const Recording& run, const Ship& ship) {
       gap[1] - gap[0], gap[0], longest));
 }
 
+/// The first samples of a run: all that tell the start of one without gaps, whatever the delays of its channels.
+Recording beginning_of(const Recording& run, double time_unit, const Instruments<>& instruments) {
+  constexpr double more_than_enough = 4.0;  // [L/U]
+  double delay = 0.0;
+  for (std::size_t c = 0; c < channel_count; ++c)
+    delay = std::max(delay, std::abs(instruments[static_cast<Channel>(c)].delay));
+  const double end = run.time.front() + more_than_enough * time_unit + delay;
+  const auto count = std::ranges::upper_bound(run.time, end) - run.time.begin();
+  const auto first = [&](const std::vector<double>& all) {
+    return std::vector(all.begin(), all.begin() + std::min(count, std::ssize(all)));
+  };
+  Recording beginning{.name = run.name, .facts = run.facts, .time = first(run.time), .channels = {}, .extra = {}};
+  std::ranges::transform(run.channels, beginning.channels.begin(), first);
+  return beginning;
+}
+
+/// Speed through the water at the start; by all of the run only where its first samples do not tell.
+double starting_speed(const Ship& ship, const Recording& run) {
+  const double begin = run.time.front();
+  try {
+    const auto beginning = beginning_of(run, length(ship) / service_speed(ship), instruments_of(ship));
+    return speed(recorded_state(ship, beginning, begin).motion);
+  } catch (const Refusal&) {
+    return speed(recorded_state(ship, run, begin).motion);
+  }
+}
+
 /// The run itself.
 const Recording& within_reach(const Recording& run, const Ship& ship) {
   require_samples_near(run, ship);
@@ -220,13 +256,16 @@ RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const
   if (recorded && run.has(Channel::rev) && takes_shaft_speed(ship)) rev_.emplace(run, Channel::rev);
   else if (recorded && run.has(Channel::thrust)) thrust_.emplace(run, Channel::thrust);
   else if (!std::holds_alternative<AbkowitzShip<double>>(ship.model))  // whose polynomial holds her propulsion
-    constant_ = self_propulsion(in_depth(ship, depth_).value_or(ship),
-                                speed(recorded_state(ship, run, run.time.front()).motion));
+    constant_ = propulsion_of(ship, run);
   const auto& propulsion = rev_ ? rev_ : thrust_;
   const auto propulsion_times = propulsion ? propulsion->times() : std::span<const double>{};
   std::ranges::set_union(rudder_.times(), propulsion_times, std::back_inserter(knots_));
   if (const auto actuator = rudder_actuator(ship); actuator.any())
     track_.emplace(actuator, lines_through(rudder_.times(), rudder_.values()));
+}
+
+Controls<double> RecordedControls::propulsion_of(const Ship& ship, const Recording& run) const {
+  return self_propulsion(in_depth(ship, depth_).value_or(ship), starting_speed(ship, run));
 }
 
 std::optional<double> RecordedControls::shaft_astern(double from, double to) const {

@@ -42,6 +42,9 @@ struct ReplayOptions {
 /// @throws Refusal  if no channel tells the speed of the ship
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time);
 
+/// The same at several times.
+std::vector<ShipState<double>> recorded_states(const Ship& ship, const Recording& run, std::span<const double> times);
+
 /// Rudder and propulsion of a recording as functions of time, joined by straight lines; wind and depth as measured.
 /// An ordered rudder angle passes through the steering gear of the ship first; then any passes through what the effects
 /// of the ship put between the indicator and the rudder. Thrust is taken where the recording or the ship does not tell
@@ -68,6 +71,14 @@ class RecordedControls {
 
   /// When the recorded shaft turns astern first between two times, if it does.
   std::optional<double> shaft_astern(double from, double to) const;
+
+  /// What carries a ship at the speed with which the run starts, where nothing else tells her propulsion.
+  /// @param run  that the controls are of
+  Controls<double> propulsion_of(const Ship& ship, const Recording& run) const;
+
+  /// Propulsion where none was recorded.
+  const Controls<double>& constant() const { return constant_; }
+  void propel(const Controls<double>& constant) { constant_ = constant; }
 
   /// Times at which the slope of a control changes, in order.
   std::span<const double> knots() const { return knots_; }
@@ -105,8 +116,9 @@ struct ReplayStart {
   ShipState<double> state;
 };
 
-/// The same, taken up anew at several samples, in order, the first of them 0. What effects remember goes on as it was
-/// simulated: heel, and the motion that the water knows, are in no recorded state and rarely steady.
+/// The same, taken up anew at several samples, in order, the first of them 0, none the last of the run. What effects
+/// remember goes on as it was simulated: heel, and the motion that the water knows, are in no recorded state and rarely
+/// steady.
 Recording replay_anew(const Ship& ship, const RecordedControls& controls, std::span<const ReplayStart> starts,
                       std::span<const double> times, const ReplayOptions& options = {});
 
