@@ -256,9 +256,7 @@ class RunFilterOf final : public RunFilter<N> {
 
   bool has_memory() const { return N == 9 && std::isfinite(predictor_.tau()); }
 
-  const Recording& run_;
-  const Recording* finer_;
-  std::span<const Channel> channels_;
+  /// Those that are known, where they serve this ship too.
   static std::shared_ptr<const RunControls> controls_of(const Ship& ship, const Recording& run, const Recording* finer,
                                                         std::shared_ptr<const RunControls> known) {
     if (!known) return std::make_shared<const RunControls>(ship, run, finer);
@@ -266,6 +264,9 @@ class RunFilterOf final : public RunFilter<N> {
     return other ? std::make_shared<const RunControls>(*std::move(other)) : known;
   }
 
+  const Recording& run_;
+  const Recording* finer_;
+  std::span<const Channel> channels_;
   std::shared_ptr<const RunControls> controls_;
   ShipPredictor<N> predictor_;
   ChannelObserver observer_;
