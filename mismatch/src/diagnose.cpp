@@ -563,15 +563,17 @@ bool could_be_form(const Trial& trial, const EffectForm& form, const Effect& eff
 constexpr double clearly_late = 100.0;
 
 /// Fall of the errors of replays, mean over runs of their share of the variation, quantity by quantity.
-std::map<Quantity, double> falls_of(const ShipInRun& from, const ShipInRun& to, std::span<const Recording> runs) {
+std::map<Quantity, double> falls_of(const ShipInRun& from, const ShipInRun& to,
+                                    std::initializer_list<std::span<const Recording>> sets) {
   std::map<Quantity, std::pair<double, int>> sums;
-  for (const auto& run : runs) {
-    const auto a = errors_of(from(run), run), b = errors_of(to(run), run);
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
-      auto& [sum, count] = sums[a[i].quantity];
-      sum += a[i].normalised_beyond_waves() - b[i].normalised_beyond_waves(), ++count;
+  for (const auto& runs : sets)
+    for (const auto& run : runs) {
+      const auto a = errors_of(from(run), run), b = errors_of(to(run), run);
+      for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+        auto& [sum, count] = sums[a[i].quantity];
+        sum += a[i].normalised_beyond_waves() - b[i].normalised_beyond_waves(), ++count;
+      }
     }
-  }
   std::map<Quantity, double> falls;
   for (const auto& [quantity, sum] : sums) falls[quantity] = sum.first / sum.second;
   return falls;
@@ -602,10 +604,8 @@ bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted
   if (!has_large_form(budget) && has_large_form(budget_of(trial, without, found))) return true;
   const auto with_all = [&](const Recording& run) { return ship_at(trial, all, s.now.point, &run); };
   const auto less = [&](const Recording& run) { return ship_at(trial, without, found.point, &run); };
-  std::vector<Recording> every(runs.begin(), runs.end());
-  every.insert(every.end(), holdout.begin(), holdout.end());
-  auto beside_alone = falls_of(alone, with_all, holdout);
-  return std::ranges::any_of(falls_of(less, with_all, every), [&](const auto& fall) {
+  auto beside_alone = falls_of(alone, with_all, {holdout});
+  return std::ranges::any_of(falls_of(less, with_all, {runs, holdout}), [&](const auto& fall) {
     return fall.second > a_few_per_cent && beside_alone[fall.first] > -a_few_per_cent;
   });
 } catch (const std::exception&) {

@@ -332,9 +332,9 @@ void append(Recording& to, const Recording& from) {
     to.channels[c].insert(to.channels[c].end(), from.channels[c].begin(), from.channels[c].end());
 }
 
-/// Piece by piece from a state that is taken up; instruments know nothing of the piece before.
+/// Piece by piece from a state that is taken up, in the wind of the piece; instruments know nothing of the one before.
 template <class Acting>
-Recording pieces_of(const Acting& acting, const RecordedControls& controls, std::span<const ReplayStart> starts,
+Recording pieces_of(const Acting& calm, const RecordedControls& controls, std::span<const ReplayStart> starts,
                     std::span<const double> times, double tolerance) {
   Recording all;
   std::optional<Hidden<double>> remembered;
@@ -343,6 +343,7 @@ Recording pieces_of(const Acting& acting, const RecordedControls& controls, std:
     const auto to = last ? times.size() : starts[k + 1].sample + 1;
     const auto piece = times.subspan(starts[k].sample, to - starts[k].sample);
     const double begin = piece.front();
+    const auto acting = in_wind(calm, wind_between(controls.wind(), begin, piece.back()));
     const auto stepper = make_stepper(
         acting, {begin, starts[k].state, with_rudder(controls.at(begin), controls.shown()(begin))}, tolerance);
     if (remembered) stepper->remember(*remembered);
@@ -366,10 +367,8 @@ Recording replay_anew(const Ship& deep, const RecordedControls& controls, std::s
   if (const auto astern = controls.shaft_astern(times.front(), times.back()))
     throw Refusal(
         fmt::format("{}: the recorded shaft turns astern at {:.6g} s", words_for(Validity::shaft_astern), *astern));
-  const auto wind = wind_between(controls.wind(), times.front(), times.back());
-  return visit_acting(ship, [&](const auto& calm) {
-    return pieces_of(in_wind(calm, wind), controls, starts, times, options.tolerance);
-  });
+  return visit_acting(ship,
+                      [&](const auto& calm) { return pieces_of(calm, controls, starts, times, options.tolerance); });
 }
 
 Recording replay_from(const Ship& ship, const RecordedControls& controls, const ShipState<double>& start,
