@@ -234,17 +234,23 @@ TEST_CASE("a track tells the velocity in a steady turn in a current to the last 
   }
 }
 
-TEST_CASE("a receiver that is late tells no sway by its velocities, the track does", "[nonlinear][regression]") {
+TEST_CASE("a receiver that is late, or beside a wrong heading, tells no sway by its velocities, the track does",
+          "[nonlinear][regression]") {
   // 2026-11-25: positions 10 s late of a ship of 250 m, with velocities of the same receiver, made a sway of U r τ at
-  // every start of a comparison
+  // every start of a comparison; 2026-11-26: those in axes of a compass that is off by 4 deg made one of U sin 4 deg
+  struct Wrong {
+    double position_delay, heading_delay;  // [L/U]
+    double compass;
+  };
+  const auto wrong = GENERATE(Wrong{0.3, 0.0, 0.0}, Wrong{0.0, 0.3, 0.0}, Wrong{0.0, 0.0, radians(-4.0)});
+  CAPTURE(wrong.position_delay, wrong.heading_delay, wrong.compass);
   test::RandomShips random(16);
   for (int i = 0; i < 6; ++i) {
     Ship ship{.name = "test ship", .model = random.ship(), .confidence = {}, .surroundings = {}};
-    const double U = service_speed(ship), time_unit = length(ship) / U, delay = 0.3 * time_unit;
+    const double U = service_speed(ship), time_unit = length(ship) / U;
+    const double late = wrong.position_delay * time_unit, heading_late = wrong.heading_delay * time_unit;
     const auto run = with_instruments(
         zigzag(ship, {.rudder = radians(10), .heading = radians(10)}, {.duration = 15 * time_unit}).run, {});
-    // in axes of the earth everything of the receiver is late, the heading with which it is turned is not
-    auto late = run;
     Recording earth{.name = "earth", .facts = {}, .time = run.time, .channels = {}, .extra = {}};
     const auto north = earth.fill(Channel::u), east = earth.fill(Channel::v);
     for (std::size_t k = 0; k < run.samples(); ++k) {
@@ -252,20 +258,26 @@ TEST_CASE("a receiver that is late tells no sway by its velocities, the track do
       north[k] = run[Channel::u][k] * c - run[Channel::v][k] * s;
       east[k] = run[Channel::u][k] * s + run[Channel::v][k] * c;
     }
-    const Interpolant x(run, Channel::x), y(run, Channel::y), to_north(earth, Channel::u), to_east(earth, Channel::v);
+    // in axes of the earth everything of the receiver is late; it is turned by the heading that is shown
+    const Interpolant x(run, Channel::x), y(run, Channel::y), psi(run, Channel::psi), to_north(earth, Channel::u),
+        to_east(earth, Channel::v);
+    auto shown = run;
     for (std::size_t k = 0; k < run.samples(); ++k) {
-      const double then = run.time[k] - delay, c = std::cos(run[Channel::psi][k]), s = std::sin(run[Channel::psi][k]);
-      late.fill(Channel::x)[k] = x(then), late.fill(Channel::y)[k] = y(then);
-      late.fill(Channel::u_ground)[k] = to_north(then) * c + to_east(then) * s;
-      late.fill(Channel::v_ground)[k] = to_east(then) * c - to_north(then) * s;
+      const double then = run.time[k] - late, heading = psi(run.time[k] - heading_late) + wrong.compass;
+      const double c = std::cos(heading), s = std::sin(heading);
+      shown.fill(Channel::x)[k] = x(then), shown.fill(Channel::y)[k] = y(then), shown.fill(Channel::psi)[k] = heading;
+      shown.fill(Channel::u_ground)[k] = to_north(then) * c + to_east(then) * s;
+      shown.fill(Channel::v_ground)[k] = to_east(then) * c - to_north(then) * s;
     }
-    late = without(std::move(late), {Channel::u, Channel::v});
-    ship.effects.push_back(ChannelDelay<>{.channel = Channel::x, .delay = delay});
+    shown = without(std::move(shown), {Channel::u, Channel::v});
+    ship.effects = {ChannelDelay<>{.channel = Channel::x, .delay = late},
+                    ChannelDelay<>{.channel = Channel::psi, .delay = heading_late},
+                    HeadingBias<>{.bias = wrong.compass}};
     double worst = 0.0, by_receiver = 0.0;
     for (double t = 3.0; t < 12.0; t += 1.0) {
       const double time = t * time_unit, v = Interpolant(run, Channel::v)(time);
-      worst = std::max(worst, std::abs(recorded_state(ship, late, time).motion.v - v));
-      by_receiver = std::max(by_receiver, std::abs(Interpolant(late, Channel::v_ground)(time) - v));
+      worst = std::max(worst, std::abs(recorded_state(ship, shown, time).motion.v - v));
+      by_receiver = std::max(by_receiver, std::abs(Interpolant(shown, Channel::v_ground)(time) - v));
     }
     INFO("ship " << i);
     CHECK(by_receiver > 0.04 * U);

@@ -140,12 +140,16 @@ ShipState<double> state_told(const Ship& ship, const Recording& run, double time
   return {told(Channel::x, {}), told(Channel::y, {}), heading, {velocity->u, velocity->v, r}};
 }
 
-/// Whether a receiver is so late that its velocities cannot be taken for those of the moment: they are as late as its
-/// positions, in axes of a heading that is not. A delay of τ makes a sway of U r τ, and a degree of drift, in a turn
-/// with r' = 0.35, comes of 0.05 L/U.
-bool is_late(const Ship& ship, const Instruments<>& instruments) {
+/// Whether velocities over ground cannot be taken for those of the moment in her axes: a receiver makes them of its
+/// positions, as late as these, in axes of the heading that the compass shows. A delay of τ between the two makes a
+/// drift of r τ, a degree of it in a turn with r' = 0.35 comes of 0.05 L/U; an error of the compass is all drift.
+bool tells_false_drift(const Ship& ship, const Instruments<>& instruments) {
   constexpr double late = 0.05;  // [L/U]
-  return std::abs(instruments[Channel::x].delay) > late * length(ship) / service_speed(ship);
+  const double askew = radians(1.0);
+  const auto &position = instruments[Channel::x], &heading = instruments[Channel::psi];
+  const double time_unit = length(ship) / service_speed(ship);
+  return std::max(std::abs(position.delay), std::abs(heading.delay)) > late * time_unit ||
+         std::abs(heading.bias) > askew;
 }
 
 }  // namespace
@@ -159,7 +163,7 @@ std::vector<ShipState<double>> recorded_states(const Ship& ship, const Recording
   };
   if (instruments == Instruments<>{}) return told_by(run);
   auto was = as_it_was(run, instruments);
-  if (is_late(ship, instruments) && was.has(Channel::x) && was.has(Channel::y))
+  if (tells_false_drift(ship, instruments) && was.has(Channel::x) && was.has(Channel::y))
     for (const Channel channel :
          {Channel::u_ground, Channel::v_ground, Channel::speed_over_ground, Channel::course_over_ground})
       was.channels[index_of(channel)].clear();

@@ -36,8 +36,9 @@ struct ReplayOptions {
 ///     x, y   position; else 0
 ///
 /// The track is followed along the recorded heading, so a ship that turns already is told too. What the instruments of
-/// the ship did to the recording is undone first. Where her positions are late by more than 0.05 L/U the track tells in
-/// place of velocities over ground: they come from the same receiver, late by as much or not.
+/// the ship did to the recording is undone first. Where her positions or heading are late by more than 0.05 L/U, or her
+/// compass is off by more than 1 deg, the track tells in place of velocities over ground: a receiver makes them of its
+/// positions, in axes of the heading that was shown.
 ///
 /// @throws Refusal  if no channel tells the speed of the ship
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time);
