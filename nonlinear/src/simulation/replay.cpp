@@ -141,8 +141,8 @@ ShipState<double> state_told(const Ship& ship, const Recording& run, double time
 }
 
 /// Whether velocities over ground cannot be taken for those of the moment in her axes: a receiver makes them of its
-/// positions, as late as these, in axes of the heading that the compass shows. A delay of τ between the two makes a
-/// drift of r τ, a degree of it in a turn with r' = 0.35 comes of 0.05 L/U; an error of the compass is all drift.
+/// positions, as late as these, in axes of the heading that the compass shows. Either being late by τ makes a drift of
+/// r τ, a degree of it in a turn with r' = 0.35 comes of 0.05 L/U; an error of the compass is all drift.
 bool tells_false_drift(const Ship& ship, const Instruments<>& instruments) {
   constexpr double late = 0.05;  // [L/U]
   const double askew = radians(1.0);
