@@ -100,7 +100,7 @@ std::string script_of(const Plot& plot) {
                  "set lmargin 10\nset rmargin 3\nset grid linecolor rgb '#e8ebee' linewidth 1\nset border linecolor "
                  "rgb '#5a6470'\n");
   fmt::format_to(
-      to, "set key tmargin horizontal center Left reverse samplen 2.5 width -3\nset multiplot layout {},1 title {}\n",
+      to, "set key tmargin horizontal center Left reverse samplen 2.5 width -1\nset multiplot layout {},1 title {}\n",
       panels, literal(plot.title));
   for (std::size_t i = 0; i < plot.panels.size(); ++i) put_panel(to, i, plot.panels[i]);
   fmt::format_to(to, "unset multiplot\n");

@@ -44,8 +44,8 @@ Json effect_of(const FoundEffect& e) {
 }
 
 /// Mean of error with the effects over error of the refitted baseline, heading and yaw rate of the runs held out as
-/// they truly went.
-std::optional<double> holdout_ratio(const Diagnosis& d, const std::vector<Recording>& true_runs) {
+/// they truly went; infinite where the ship that was found cannot sail one of them.
+std::optional<double> holdout_ratio(const Diagnosis& d, const std::vector<Recording>& true_runs) try {
   double sum = 0.0;
   int count = 0;
   for (const auto& run : true_runs) {
@@ -60,6 +60,8 @@ std::optional<double> holdout_ratio(const Diagnosis& d, const std::vector<Record
     }
   }
   return count ? std::optional(sum / count) : std::nullopt;
+} catch (const Refusal&) {
+  return HUGE_VAL;
 }
 
 /// Errors of each quantity in each run held out: given model, refitted, with the effects; and the noise that is in all
@@ -84,11 +86,10 @@ Json diagnosis_of(const Riddle& riddle) {
   for (const auto& c : d.candidates)
     candidates.push_back(
         {{"effect", c.effect}, {"probability", number(c.probability)}, {"gain", number(c.log_evidence_gain)}});
-  return {{"verdict", name_of(d.verdict)},
-          {"imperfection", number(d.process_noise)},
-          {"effects", std::move(effects)},
-          {"candidates", std::move(candidates)},
-          {"holdout_ratio", number(holdout_ratio(d, riddle.true_holdout))},
+  const auto ratio = holdout_ratio(d, riddle.true_holdout);
+  return {{"verdict", name_of(d.verdict)},  {"imperfection", number(d.process_noise)},
+          {"effects", std::move(effects)},  {"candidates", std::move(candidates)},
+          {"holdout_ratio", number(ratio)}, {"runs_away", ratio && std::isinf(*ratio)},
           {"holdout", holdout_errors(d)}};
 }
 

@@ -141,8 +141,9 @@ struct Group {
     add_numbers(line, parameters);
     add_onset(line, onsets);
     const auto& ratio = line.at("answer").at("holdout_ratio");
-    if (!ratio.is_null() && !line["answer"]["effects"].empty() && !is_of_instrument(line))
-      ratios.push_back(ratio.get<double>());
+    const bool runs_away = line["answer"].value("runs_away", false);
+    if ((runs_away || !ratio.is_null()) && !line["answer"]["effects"].empty() && !is_of_instrument(line))
+      ratios.push_back(runs_away ? HUGE_VAL : ratio.get<double>());
   }
 };
 
@@ -399,11 +400,12 @@ std::string overview_on_board(const std::vector<Json>& lines) {
   for (const auto* line : one) (line->at("effects")[0].at("level") == "strong" ? strong : moderate).push_back(line);
   Group known;
   std::vector<double> work;
-  int failed = 0;
+  int failed = 0, away = 0;
   for (const auto& line : lines) {
     if (!line.contains("answer")) continue;
     if (line.contains("seconds")) work.push_back(line["seconds"].get<double>());
     failed += line["answer"].at("verdict") == "failed";
+    away += line["answer"].value("runs_away", false);
     if (!truth_of(line).empty() && !is_unknown(truth_of(line))) known.add(line);
   }
   const auto s = group_of(strong), m = group_of(moderate), pairs = group_of(two), alarms = group_of(none),
@@ -425,6 +427,7 @@ std::string overview_on_board(const std::vector<Json>& lines) {
   add("unknown: called unknown or unexplained", share(unknown.first, unknown.cases));
   add("unknown: misnamed with more than 0.8", share(misnamed, unknown.cases));
   add("without an answer", share(failed, static_cast<int>(work.size())));
+  add("without a ship that can sail the runs held out", share(away, static_cast<int>(work.size())));
   add("median error of numbers", per_cent(median(known.parameters.errors)));
   add("numbers in their 95 % interval", inside(known.parameters));
   add("median held-out ratio to the refitted baseline, effects of instruments left out", plain(median(known.ratios)));

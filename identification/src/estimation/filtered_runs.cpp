@@ -28,8 +28,8 @@ void for_each_run(const EstimationProblem& problem, const Point& point, const No
   const double tau = noise.memory * length(problem.scale) / service_speed(problem.scale);
   in_parallel(problem.runs.size(), 0, [&](std::size_t i) {
     const auto& run = problem.runs[i];
-    f(i, *run_filter<9>(problem.ship_in(point, i), *run.run, run.channels, run.start, tau, run.longest_step,
-                        passes ? passes->runs[i].controls : nullptr, run.finer_controls.get()));
+    f(i, *run_filter<9>(problem.ship_in(point, i), *run.run, run.channels, run.start, tau, SampleTimes::shown,
+                        run.longest_step, passes ? passes->runs[i].controls : nullptr, run.finer_controls.get()));
   });
 }
 
@@ -69,7 +69,8 @@ FilterNoise noises_seen(const EstimationProblem& problem, const Noise& noise, co
     const auto& run = problem.runs[i];
     const auto R = variances(problem.scale, run, noise);
     for (const auto& now : passes.runs[i].innovations)
-      seen[place_of(now.channel)] += std::pow(R[place_of(now.channel)] * now.widening / now.variance, 2);
+      seen[place_of(now.reading.channel)] +=
+          std::pow(R[place_of(now.reading.channel)] * now.widening / now.variance, 2);
     const double ship_times = (run.run->time.back() - run.run->time.front()) / time_unit;
     seen[place_of_walk] += ship_times;
     seen.tail<3>().array() += ship_times;
@@ -149,8 +150,8 @@ std::vector<bool> tangents(const EstimationProblem& problem, const Point& point,
     try {
       const auto& prepared = problem.runs[run];
       found[run] =
-          run_filter<9>(*ship, *prepared.run, prepared.channels, prepared.start, 0.0, prepared.longest_step,
-                        passes.runs[run].controls, prepared.finer_controls.get())
+          run_filter<9>(*ship, *prepared.run, prepared.channels, prepared.start, 0.0, SampleTimes::shown,
+                        prepared.longest_step, passes.runs[run].controls, prepared.finer_controls.get())
               ->slopes(passes.runs[run], *ship, neighbours, slopes.block(rows[run], first, prepared.rows(), columns));
     } catch (const std::exception&) {  // her motion runs away
     }

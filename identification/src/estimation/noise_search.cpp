@@ -38,12 +38,7 @@ std::vector<std::vector<double>> log_likelihoods(const EstimationProblem& proble
                                                  const Noise& noise) {
   std::vector<std::vector<double>> runs;
   const auto passes = filtered(problem, point, noise);
-  for (const auto& run : passes->runs) {
-    double before = 0.0;
-    auto& samples = runs.emplace_back();
-    for (const auto& passed : run.passed)
-      samples.push_back(passed.log_likelihood - std::exchange(before, passed.log_likelihood));
-  }
+  for (const auto& run : passes->runs) runs.push_back(run.log_likelihoods());
   return runs;
 }
 

@@ -12,8 +12,11 @@
 /// What the channels of a run show of the state of a filter, and how that changes with the state. Not installed.
 namespace swayaw::inline identification::detail {
 
-/// Derivative of a channel by x, y, psi, u, v, r.
-using ChannelSlope = Eigen::Matrix<double, 6, 1>;
+/// Derivatives of a channel.
+struct ChannelSlope {
+  Eigen::Matrix<double, 6, 1> by_state = Eigen::Matrix<double, 6, 1>::Zero();  ///< x, y, psi, u, v, r
+  Eigen::Vector3d by_acceleration = Eigen::Vector3d::Zero();                   ///< u, v, r; where the channel is late
+};
 
 /// What there is to look at on a ship at a sample.
 struct Sight {
@@ -29,12 +32,21 @@ inline double compared(Channel channel, double measured, double expected) {
 }
 
 /// The instruments of a ship in a stream.
+///
+/// A reading with a delay τ shows the motion τ ago, so it is compared with the sample nearest to that time; what is
+/// left of the delay there, ρ = τ − (time of the reading − time of the sample), moves the state back:
+///
+///     ψ − ρ r + ρ²/2 a_r,   u − ρ a_u,   v − ρ a_v,   r − ρ a_r
 class ChannelObserver {
  public:
-  ChannelObserver(const Instruments<double>& instruments, const Current<double>& current)
-      : instruments_(instruments), in_duals_(cast<D>(instruments)), current_(current) {
-    for (const auto& error : instruments.channels) late_ = late_ || error.delay != 0.0;
+  /// @param lateness  of the samples of the filter [s], from which delays are counted
+  ChannelObserver(const Instruments<double>& instruments, const Current<double>& current, double lateness)
+      : instruments_(counted_from(lateness, instruments)),
+        in_duals_(cast<Dual<6>>(instruments_)),
+        late_in_duals_(cast<Dual<9>>(instruments_)),
+        current_(current) {
     for (const Channel channel : motion_channels()) {
+      late_ = late_ || late(channel);
       sums_[index_of(channel)] = sum_shown(channel);
       alone_[index_of(channel)] = state_shown_alone(channel);
     }
@@ -42,6 +54,12 @@ class ChannelObserver {
 
   /// Whether some channel is late, so that accelerations are needed.
   bool late() const { return late_; }
+
+  /// Whether accelerations matter to a channel.
+  bool late(Channel channel) const { return delay(channel) != 0.0; }
+
+  /// [s]
+  double delay(Channel channel) const { return instruments_[channel].delay; }
 
   /// The state that the channel shows alone, but for a bias; nothing for the others.
   std::optional<int> state_alone(Channel channel) const {
@@ -53,32 +71,32 @@ class ChannelObserver {
   double bias(Channel channel) const { return instruments_[channel].bias; }
 
   /// Whether the channel shows a sum of states, accelerations and heel, so that its slopes are the same everywhere.
-  bool linear(Channel channel) const { return sums_[index_of(channel)].has_value(); }
+  bool linear(Channel channel) const { return sum_of(channel) != nullptr; }
 
-  double value(Channel channel, const Sight& sight) const {
-    const auto& sum = sums_[index_of(channel)];
-    return sum ? sum->at(sight) : computed(channel, sight);
+  /// @param since  seconds from the sample that is looked at to the reading, 0 where no channel is late
+  double value(Channel channel, const Sight& sight, double since) const {
+    const double left = delay(channel) - since;
+    const auto* sum = sum_of(channel);
+    return sum ? at(*sum, sight, left) : computed(channel, sight, left);
   }
 
   /// The value with its derivatives.
-  double value(Channel channel, const Sight& sight, ChannelSlope& slope) const {
-    const auto& sum = sums_[index_of(channel)];
-    if (!sum) return computed(channel, sight, slope);
-    slope = sum->by_state;
-    return sum->at(sight);
+  double value(Channel channel, const Sight& sight, double since, ChannelSlope& slope) const {
+    const double left = delay(channel) - since;
+    const auto* sum = sum_of(channel);
+    if (!sum) return computed(channel, sight, left, slope);
+    slope = slope_of(*sum, left);
+    return at(*sum, sight, left);
   }
 
   /// Derivative of the channel by the heel, along which it is about straight.
-  double by_phi(Channel channel, const Sight& sight) const {
-    if (const auto& sum = sums_[index_of(channel)]) return sum->by_phi;
+  double by_phi(Channel channel, const Sight& sight, double since) const {
+    if (const auto* sum = sum_of(channel)) return sum->by_phi;
     constexpr double step = 1e-4;  // rad
     Sight more = sight, less = sight;
     more.phi += step, less.phi -= step;
-    return (computed(channel, more) - computed(channel, less)) / (2.0 * step);
+    return (value(channel, more, since) - value(channel, less, since)) / (2.0 * step);
   }
-
-  /// Whether accelerations matter to a channel.
-  bool late(Channel channel) const { return instruments_[channel].delay != 0.0; }
 
   /// Whether another observer may see something else.
   bool differs(const ChannelObserver& other) const { return !same_place(other) || instruments_ != other.instruments_; }
@@ -87,7 +105,12 @@ class ChannelObserver {
   }
 
  private:
-  using D = Dual<6>;
+  using Slopes = Eigen::Matrix<double, 6, 1>;
+
+  static Instruments<double> counted_from(double lateness, Instruments<double> instruments) {
+    for (const Channel channel : motion_channels()) instruments[channel].delay -= lateness;
+    return instruments;
+  }
 
   bool same_place(const ChannelObserver& other) const {
     return instruments_.antenna_x == other.instruments_.antenna_x &&
@@ -95,74 +118,96 @@ class ChannelObserver {
            current_.to == other.current_.to;
   }
 
-  /// What a channel shows as constant + slopes · (state, acceleration, heel).
+  /// What a channel without delay shows as constant + slopes · state + slope · heel.
   struct Sum {
-    ChannelSlope by_state;
-    Eigen::Vector3d by_acceleration;
+    Slopes by_state;
     double by_phi, constant;
-
-    double at(const Sight& sight) const {
-      const auto& [s, a, phi] = sight;
-      return constant + by_state[0] * s.x + by_state[1] * s.y + by_state[2] * s.psi + by_state[3] * s.motion.u +
-             by_state[4] * s.motion.v + by_state[5] * s.motion.r + by_acceleration[0] * a.u + by_acceleration[1] * a.v +
-             by_acceleration[2] * a.r + by_phi * phi;
-    }
   };
 
-  double computed(Channel channel, const Sight& sight) const {
-    return observe(channel, instruments_, [&](double delay) {
-      const bool now = delay == 0.0;
-      return kinematics(now ? sight.state : moved_back(sight.state, current_, sight.acceleration, delay), current_,
-                        sight.phi);
+  /// That of a channel; nothing where it is no sum, or is late and shows a place, which goes back along the heading.
+  const Sum* sum_of(Channel channel) const {
+    const auto& sum = sums_[index_of(channel)];
+    return sum && !(late(channel) && sum->by_state.head<2>().any()) ? &*sum : nullptr;
+  }
+
+  static ChannelSlope slope_of(const Sum& sum, double left) {
+    const double psi = sum.by_state[2];
+    ChannelSlope slope{.by_state = sum.by_state};
+    slope.by_state[5] -= left * psi;
+    slope.by_acceleration = -left * sum.by_state.tail<3>();
+    slope.by_acceleration[2] += 0.5 * left * left * psi;
+    return slope;
+  }
+
+  static double at(const Sum& sum, const Sight& sight, double left) {
+    const auto& [s, a, phi] = sight;
+    const auto& by = sum.by_state;
+    const double now = sum.constant + by[0] * s.x + by[1] * s.y + by[2] * s.psi + by[3] * s.motion.u +
+                       by[4] * s.motion.v + by[5] * s.motion.r + sum.by_phi * phi;
+    return now - left * (by[2] * (s.motion.r - 0.5 * left * a.r) + by[3] * a.u + by[4] * a.v + by[5] * a.r);
+  }
+
+  double computed(Channel channel, const Sight& sight, double left) const {
+    return observe(channel, instruments_, [&](double) {
+      return kinematics(left == 0.0 ? sight.state : moved_back(sight.state, current_, sight.acceleration, left),
+                        current_, sight.phi);
     });
   }
 
-  double computed(Channel channel, const Sight& sight, ChannelSlope& slope) const {
+  double computed(Channel channel, const Sight& sight, double left, ChannelSlope& slope) const {
+    if (left == 0.0) return computed<6>(channel, in_duals_, sight, left, slope);
+    return computed<9>(channel, late_in_duals_, sight, left, slope);
+  }
+
+  /// By the six states, and the three accelerations where there are nine numbers.
+  template <int Size>
+  double computed(Channel channel, const Instruments<Dual<Size>>& instruments, const Sight& sight, double left,
+                  ChannelSlope& slope) const {
+    using D = Dual<Size>;
     const auto& s = sight.state;
     const ShipState<D> state{D(s.x, 0), D(s.y, 1), D(s.psi, 2), {D(s.motion.u, 3), D(s.motion.v, 4), D(s.motion.r, 5)}};
     const Current<D> current{D(current_.speed), D(current_.to)};
-    const D shown = observe(channel, in_duals_, [&](const D& delay) {
-      const bool now = delay == D(0.0);
-      return kinematics(now ? state : moved_back(state, current, sight.acceleration, delay), current, D(sight.phi));
+    const D shown = observe(channel, instruments, [&](const D&) {
+      if constexpr (Size == 9) {
+        const auto& a = sight.acceleration;
+        const PlanarAcceleration<D> acceleration{D(a.u, 6), D(a.v, 7), D(a.r, 8)};
+        return kinematics(moved_back(state, current, acceleration, D(left)), current, D(sight.phi));
+      } else {
+        return kinematics(state, current, D(sight.phi));
+      }
     });
-    slope = shown.v;
+    slope = {.by_state = shown.v.template head<6>()};
+    if constexpr (Size == 9) slope.by_acceleration = shown.v.template tail<3>();
     return shown.a;
   }
 
   /// By what it shows at places where no state is 0, and elsewhere; nothing where that is no such sum.
   std::optional<Sum> sum_shown(Channel channel) const {
     constexpr double rounding = 1e-12;
-    const Sight here{{1.1, 1.2, 0.3, {1.4, 0.5, 0.6}}, {0.7, 0.8, 0.9}, 0.1};
-    const Sight there{{-2.0, 0.7, -1.9, {2.3, -0.6, -1.2}}, {-0.4, 0.3, -1.1}, -0.2};
-    Sum sum{
-        .by_state = ChannelSlope::Zero(), .by_acceleration = Eigen::Vector3d::Zero(), .by_phi = 0.0, .constant = 0.0};
-    ChannelSlope elsewhere;
-    const double shown = computed(channel, here, sum.by_state), expected = computed(channel, there, elsewhere);
-    if (sum.by_state != elsewhere) return std::nullopt;
-    const auto change = [&](double PlanarAcceleration<double>::*part) {
-      Sight more = here, less = here;
-      more.acceleration.*part += 1.0, less.acceleration.*part -= 1.0;
-      return 0.5 * (computed(channel, more) - computed(channel, less));
-    };
-    using A = PlanarAcceleration<double>;
-    if (late(channel)) sum.by_acceleration << change(&A::u), change(&A::v), change(&A::r);
+    const Sight here{{1.1, 1.2, 0.3, {1.4, 0.5, 0.6}}, {0.0, 0.0, 0.0}, 0.1};
+    const Sight there{{-2.0, 0.7, -1.9, {2.3, -0.6, -1.2}}, {0.0, 0.0, 0.0}, -0.2};
+    ChannelSlope slope, elsewhere;
+    const double shown = computed(channel, here, 0.0, slope), expected = computed(channel, there, 0.0, elsewhere);
+    if (slope.by_state != elsewhere.by_state) return std::nullopt;
+    Sum sum{.by_state = slope.by_state, .by_phi = 0.0, .constant = 0.0};
     Sight heeled = here;
     heeled.phi += 1.0;
-    sum.by_phi = computed(channel, heeled) - shown;
-    sum.constant = shown - sum.at(here);
-    return std::abs(sum.at(there) - expected) < rounding ? std::optional(sum) : std::nullopt;
+    sum.by_phi = computed(channel, heeled, 0.0) - shown;
+    sum.constant = shown - at(sum, here, 0.0);
+    return std::abs(at(sum, there, 0.0) - expected) < rounding ? std::optional(sum) : std::nullopt;
   }
 
   int state_shown_alone(Channel channel) const {
     const auto& sum = sums_[index_of(channel)];
     if (late(channel) || !sum) return -1;
     for (int i = 0; i < 6; ++i)
-      if (sum->by_state == ChannelSlope::Unit(i)) return i;
+      if (sum->by_state == Slopes::Unit(i)) return i;
     return -1;
   }
 
   Instruments<double> instruments_;
-  Instruments<D> in_duals_;
+  Instruments<Dual<6>> in_duals_;
+  Instruments<Dual<9>> late_in_duals_;
   Current<double> current_;
   bool late_ = false;
   std::array<std::optional<Sum>, channel_count> sums_{};

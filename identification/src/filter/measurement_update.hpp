@@ -15,10 +15,17 @@ struct Gaussian {
   FilterMatrix<N> P;
 };
 
+/// What was recorded of a channel, at the sample of the filter that it is compared with.
+struct Reading {
+  Channel channel;
+  std::size_t sample;  ///< of the recording
+  double since = 0.0;  ///< seconds from the sample of the filter to that of the recording
+};
+
 /// What a measurement told: error e and variance S of its prediction, and the gain K.
 template <int N>
 struct Innovation {
-  Channel channel;
+  Reading reading;
   int state;  ///< that the channel shows alone, or −1
   double error;
   double variance;
@@ -44,11 +51,11 @@ inline double widening_of(double error, double S, double c) {
 /// of one scalar, P⁺ is symmetric by construction, and positive since R is not below rounding of h P hᵀ.
 /// @param outlying  standard deviations beyond which a measurement is an outlier
 template <int N>
-Innovation<N> updated(Gaussian<N>& estimate, Channel channel, int state, double measured, double R,
+Innovation<N> updated(Gaussian<N>& estimate, const Reading& reading, int state, double measured, double R,
                       double outlying = HUGE_VAL) {
-  const double error = compared(channel, measured, estimate.mean[state]), S_0 = estimate.P(state, state) + R,
+  const double error = compared(reading.channel, measured, estimate.mean[state]), S_0 = estimate.P(state, state) + R,
                widening = widening_of(error, S_0, outlying), S = S_0 * widening;
-  const Innovation<N> innovation{.channel = channel,
+  const Innovation<N> innovation{.reading = reading,
                                  .state = state,
                                  .error = error,
                                  .variance = S,
@@ -60,17 +67,17 @@ Innovation<N> updated(Gaussian<N>& estimate, Channel channel, int state, double 
 }
 
 /// The same for any channel, linearized again where the first update leads, unless it is linear.
-/// @param expected  double expected(const FilterVector<N>& x, ChannelSlope& slope)
+/// @param expected  double expected(const FilterVector<N>& x, FilterVector<N>& slope)
 template <int N, class Expected>
-Innovation<N> updated(Gaussian<N>& estimate, Channel channel, Expected&& expected, bool linear, double measured,
-                      double R, ChannelSlope& slope, double outlying = HUGE_VAL) {
-  Innovation<N> innovation{.channel = channel, .state = -1};
+Innovation<N> updated(Gaussian<N>& estimate, const Reading& reading, Expected&& expected, bool linear, double measured,
+                      double R, FilterVector<N>& slope, double outlying = HUGE_VAL) {
+  Innovation<N> innovation{.reading = reading, .state = -1};
   FilterVector<N> x = estimate.mean;
   for (int pass = 0; pass < (linear ? 1 : 2); ++pass) {
     const double h = expected(x, slope);
-    const FilterVector<N> Ph = estimate.P.template leftCols<6>() * slope;
-    innovation.error = compared(channel, measured, h) - slope.dot((estimate.mean - x).template head<6>());
-    const double S = slope.dot(Ph.template head<6>()) + R;
+    const FilterVector<N> Ph = estimate.P * slope;
+    innovation.error = compared(reading.channel, measured, h) - slope.dot(estimate.mean - x);
+    const double S = slope.dot(Ph) + R;
     innovation.widening = widening_of(innovation.error, S, outlying);
     innovation.variance = S * innovation.widening;
     innovation.K = Ph / innovation.variance;
@@ -104,7 +111,7 @@ struct Smoother {
   ///
   /// @param h  slope of a channel that shows no state alone
   /// @return ½ (e_s² − D), the slope of the log likelihood by R. Source: [Koopman1992]
-  double step_back(const Innovation<N>& now, const ChannelSlope& h) {
+  double step_back(const Innovation<N>& now, const FilterVector<N>& h) {
     const FilterVector<N> MK = M * now.K;
     const double e_s = now.error / now.variance - now.K.dot(r), D = 1.0 / now.variance + now.K.dot(MK);
     if (const int i = now.state; i >= 0) {
@@ -113,10 +120,9 @@ struct Smoother {
       M.col(i) -= MK;
       M(i, i) += D;
     } else {
-      r.template head<6>() += h * e_s;
-      M.template topRows<6>() -= h * MK.transpose();
-      M.template leftCols<6>() -= MK * h.transpose();
-      M.template topLeftCorner<6, 6>() += D * h * h.transpose();
+      r += h * e_s;
+      M.noalias() += (D * h - MK) * h.transpose();
+      M.noalias() -= h * MK.transpose();
     }
     return 0.5 * (e_s * e_s - D);
   }

@@ -1,5 +1,6 @@
 #include "run_filter_of.hpp"
 
 template std::unique_ptr<swayaw::identification::detail::RunFilter<6>> swayaw::identification::detail::run_filter(
-    const Ship&, const Recording&, std::span<const Channel>, const ShipState<double>&, double, double,
-    std::shared_ptr<const RunControls>, const swayaw::core::Recording*);
+    const Ship&, const Recording&, std::span<const Channel>, const ShipState<double>&, double,
+    swayaw::identification::detail::SampleTimes, double, std::shared_ptr<const RunControls>,
+    const swayaw::core::Recording*);

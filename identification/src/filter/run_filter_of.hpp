@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 #include "run_filter.hpp"
 #include "state_slopes.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/replay.hpp"
+#include "timeline.hpp"
 
 /// What a filter of N states does, for the two files that compile it. Not installed.
 namespace swayaw::inline identification::detail {
@@ -14,30 +17,34 @@ template <int N>
 class RunFilterOf final : public RunFilter<N> {
  public:
   RunFilterOf(const Ship& ship, const Recording& run, std::span<const Channel> channels, const ShipState<double>& start,
-              double tau, double longest_step, std::shared_ptr<const RunControls> known, const Recording* finer)
+              double tau, SampleTimes times, double longest_step, std::shared_ptr<const RunControls> known,
+              const Recording* finer)
       : run_(run),
         finer_(finer),
         channels_(channels),
-        controls_(controls_of(ship, run, finer, std::move(known))),
+        times_(times),
+        controls_(controls_of(ship, run, finer, std::move(known), lateness_of(ship, channels, times))),
         predictor_(ship, controls_->recorded.wind(), tau, longest_step),
-        observer_(instruments_of(ship), predictor_.current()),
+        observer_(instruments_of(ship), predictor_.current(), controls_->lateness),
         start_(start),
         L_(length(ship)),
         U_0_(service_speed(ship)) {}
 
   void forward(const FilterNoise& noise, FilteredRun<N>& pass,
                const std::function<void(std::size_t, const Gaussian<N>&)>& tell) override {
-    pass.restart(run_.samples(), channels_.size());
+    place_readings();
+    pass.restart(timeline_.size(), channels_.size());
+    pass.before = timeline_.before(), pass.after = timeline_.after();
     pass.tau = predictor_.tau();
     pass.controls = controls_;
     Gaussian<N> estimate = start(noise);
     predictor_.restart(estimate.mean);
     double log_likelihood = 0.0;
-    for (std::size_t k = 0; k < run_.samples(); ++k) {
+    for (std::size_t k = 0; k < timeline_.size(); ++k) {
       if (k > 0) predict(estimate, k, noise, pass);
       log_likelihood += measure(estimate, k, noise, pass);
       pass.passed.push_back({pass.steps.size(), pass.innovations.size(), log_likelihood});
-      if (tell) tell(k, estimate);
+      if (tell && timeline_.recorded(k)) tell(timeline_.sample(k), estimate);
       if (!pass.kept) pass.forget_steps();
     }
   }
@@ -47,16 +54,17 @@ class RunFilterOf final : public RunFilter<N> {
     FilterNoise slope = FilterNoise::Zero();
     Smoother<N> smoother;
     std::size_t slope_count = pass.slopes.size();
+    const Timeline timeline(run_.time, pass.before, pass.after);
     for (std::size_t k = pass.passed.size(); k-- > 0;) {
-      if (tell) tell(k, smoother);
+      if (tell && timeline.recorded(k)) tell(timeline.sample(k), smoother);
       const auto before = k == 0 ? Passed{} : pass.passed[k - 1];
       for (std::size_t i = pass.passed[k].innovations; i-- > before.innovations;) {
         const auto& now = pass.innovations[i];
-        const int place = place_of(now.channel);
+        const int place = place_of(now.reading.channel);
         // S' = |e| √S/c of an outlier grows with R half as fast as its widening says
         const double share = now.widening > 1.0 ? 0.5 * now.widening : 1.0;
         slope[place] += share * noise[place] *
-                        smoother.step_back(now, now.state >= 0 ? ChannelSlope() : pass.slopes[--slope_count]);
+                        smoother.step_back(now, now.state >= 0 ? FilterVector<N>() : pass.slopes[--slope_count]);
       }
       for (std::size_t i = pass.passed[k].steps; i-- > before.steps;) {
         slope[place_of_walk] += noise[place_of_walk] * pass.steps[i].h * (smoother.slope(0) + smoother.slope(1));
@@ -71,11 +79,11 @@ class RunFilterOf final : public RunFilter<N> {
 
   void residuals(const FilteredRun<N>& pass, Eigen::Ref<Eigen::VectorXd> out) override {
     walk(
-        pass,
+        pass, observer_.late(),
         [&](FilterVector<N>& x, const Interval& step, const Controls<double>& controls, const Transition<N>& t) {
           predictor_.repeat(x, controls, step.from, step.to, t);
         },
-        [](const FilterVector<N>&, std::size_t) {},
+        [](const FilterVector<N>&, std::size_t, std::span<const Innovation<N>>) {},
         [&](const FilterVector<N>&, const Sight&, std::size_t row, double e) {
           out[static_cast<Eigen::Index>(row)] = e / std::sqrt(pass.innovations[row].variance);
         });
@@ -86,7 +94,7 @@ class RunFilterOf final : public RunFilter<N> {
     const auto& recorded = controls_->recorded;
     const bool surrounded = !recorded.wind().empty() || in_depth(ship, recorded.depth());  // which no tape knows
     if (surrounded) return std::vector<bool>(neighbours.size(), false);
-    const auto differences = differences_between(ship, neighbours, run_, *controls_, finer_);
+    const auto differences = differences_between(ship, neighbours, run_, channels_, times_, *controls_, finer_);
     predictor_.tape(ship, differences.variable);
     StateSlopes<N> X(differences, observer_);
     StepSlopes by;
@@ -96,29 +104,35 @@ class RunFilterOf final : public RunFilter<N> {
       predictor_.slopes_of_hidden(first_state(), at_first);
       X.begin(at_first);
     }
+    const bool late =
+        observer_.late() || std::ranges::any_of(differences.observers, [](const auto& d) { return d.observer.late(); });
     walk(
-        pass,
+        pass, late,
         [&](FilterVector<N>& x, const Interval& step, const Controls<double>& controls, const Transition<N>& t) {
           predictor_.repeat(x, controls, step.from, step.to, t, by);
-          X.step(t, by, controls,
-                 [&](const RunControls& c) { return c.in_step(run_, step.sample, step.from, step.to); });
+          X.step(t, by, controls, [&](const RunControls& c) { return controls_in(c, step); });
         },
-        [&](const FilterVector<N>& x, std::size_t k) {
-          if (!observer_.late()) return;
-          predictor_.slopes(x, at_samples()[k], at_sample);
-          X.accelerate(at_sample, k, at_samples()[k]);
+        [&](const FilterVector<N>& x, std::size_t k, std::span<const Innovation<N>> readings) {
+          if (!late) return;
+          const double shown = furthest_shown(observer_, readings);
+          const auto controls = controls_towards(*controls_, k, shown);
+          predictor_.slopes(x, controls, at_sample);
+          X.accelerate(
+              at_sample, controls, [&](const RunControls& c) { return controls_towards(c, k, shown); },
+              [&](const ChannelObserver& o) { return controls_towards(*controls_, k, furthest_shown(o, readings)); });
         },
         [&](const FilterVector<N>& x, const Sight& sight, std::size_t row, double) {
-          X.observe({ship_state<N>(x), sight.acceleration, sight.phi}, pass.innovations[row],
-                    out.row(static_cast<Eigen::Index>(row)));
+          X.observe(seen_from(x, sight), pass.innovations[row], out.row(static_cast<Eigen::Index>(row)));
         });
     return differences.found;
   }
 
  private:
+  /// The recorded state, or where a ship that keeps her motion comes from if readings show times before the run.
   FilterVector<N> first_state() const {
+    const auto first = moved_back(start_, Current<double>{}, PlanarAcceleration<double>{}, timeline_.lead());
     FilterVector<N> x = FilterVector<N>::Zero();
-    x.template head<6>() << start_.x, start_.y, start_.psi, start_.motion.u, start_.motion.v, start_.motion.r;
+    x.template head<6>() << first.x, first.y, first.psi, first.motion.u, first.motion.v, first.motion.r;
     return x;
   }
 
@@ -138,7 +152,7 @@ class RunFilterOf final : public RunFilter<N> {
   void require_motion(const FilterVector<N>& x, std::size_t k) const {
     constexpr double runaway = 1e3;  // speeds over the service speed that no ship has
     if (!(x[3] * x[3] + x[4] * x[4] < std::pow(runaway * U_0_, 2)))
-      throw Refusal(fmt::format("{}: the ship loses her way at {:.6g} s", run_.name, run_.time[k]));
+      throw Refusal(fmt::format("{}: the ship loses her way at {:.6g} s", run_.name, timeline_[k]));
   }
 
   /// A step of the filter on the way to a sample [s].
@@ -148,11 +162,13 @@ class RunFilterOf final : public RunFilter<N> {
   };
 
   /// The way through a run with the gains and the steps of a pass.
+  /// @param late                                whether accelerations are needed
   /// @param move(x, step, controls, transition)  moves a state over a step
-  /// @param arrived(x, k)                        before the measurements of a sample
+  /// @param arrived(x, k, readings)              before the measurements of a sample
   /// @param told(x, sight, row, e)            a residual, before the state takes it
   template <class Move, class Arrived, class Told>
-  void walk(const FilteredRun<N>& pass, Move&& move, Arrived&& arrived, Told&& told) {
+  void walk(const FilteredRun<N>& pass, bool late, Move&& move, Arrived&& arrived, Told&& told) {
+    timeline_ = {run_.time, pass.before, pass.after};
     FilterVector<N> x = first_state();
     predictor_.set_tau(pass.tau);
     predictor_.restart(x);
@@ -162,13 +178,16 @@ class RunFilterOf final : public RunFilter<N> {
       const int count = static_cast<int>(pass.passed[k].steps - step);
       for (int i = 0; i < count; ++i, ++step) {
         const auto interval = step_in(k, i, count);
-        move(x, interval, controls_in(interval), pass.steps[step]);
+        move(x, interval, controls_in(*controls_, interval), pass.steps[step]);
       }
-      const auto sight = sight_at(x, k);
-      arrived(x, k);
+      const auto readings =
+          std::span<const Innovation<N>>(pass.innovations).subspan(row, pass.passed[k].innovations - row);
+      const auto sight = sight_at(x, k, furthest_shown(observer_, readings), late);
+      arrived(x, k, readings);
       for (; row < pass.passed[k].innovations; ++row) {
         const auto& now = pass.innovations[row];
-        const double e = compared(now.channel, run_[now.channel][k], expected(now.channel, x, sight));
+        const auto& [channel, sample, since] = now.reading;
+        const double e = compared(channel, run_[channel][sample], expected(now.reading, x, sight));
         told(x, sight, row, e);
         x += now.K * e;
       }
@@ -177,21 +196,48 @@ class RunFilterOf final : public RunFilter<N> {
 
   /// The i-th of the steps from sample k − 1 to k.
   Interval step_in(std::size_t k, int i, int count) const {
-    const double begin = run_.time[k - 1], h = run_.time[k] - begin;
-    return {begin + h * i / count, i + 1 == count ? run_.time[k] : begin + h * (i + 1) / count, k};
+    const double begin = timeline_[k - 1], h = timeline_[k] - begin;
+    return {begin + h * i / count, i + 1 == count ? timeline_[k] : begin + h * (i + 1) / count, k};
   }
 
-  Controls<double> controls_in(const Interval& step) const {
-    return controls_->in_step(run_, step.sample, step.from, step.to);
+  /// Before and after the run they are as at its ends.
+  Controls<double> controls_in(const RunControls& controls, const Interval& step) const {
+    const bool within = timeline_.recorded(step.sample - 1) && timeline_.recorded(step.sample);
+    const auto k = timeline_.sample(step.sample);
+    return within ? controls.in_step(run_, k, step.from, step.to) : controls.at_samples[k];
+  }
+
+  /// From a sample to a time this long after it [s], within the step there.
+  Controls<double> controls_towards(const RunControls& controls, std::size_t k, double after) const {
+    const double at = timeline_[k];
+    if (after > 0.0 && k + 1 < timeline_.size())
+      return controls_in(controls, {at, std::min(at + after, timeline_[k + 1]), k + 1});
+    if (after < 0.0 && k > 0) return controls_in(controls, {std::max(at + after, timeline_[k - 1]), at, k});
+    return controls.at_samples[timeline_.sample(k)];
+  }
+
+  static const Reading& reading_of(const Reading& reading) { return reading; }
+  static const Reading& reading_of(const Innovation<N>& innovation) { return innovation.reading; }
+
+  /// The time furthest from their sample that readings show, after it [s].
+  template <class One>
+  static double furthest_shown(const ChannelObserver& observer, std::span<const One> readings) {
+    double furthest = 0.0;
+    for (const auto& one : readings) {
+      const auto& [channel, sample, since] = reading_of(one);
+      if (const double shown = since - observer.delay(channel); std::abs(shown) > std::abs(furthest)) furthest = shown;
+    }
+    return furthest;
   }
 
   /// To sample k, in steps that are short for the ship.
   void predict(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
     require_motion(estimate.mean, k - 1);
-    const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), run_.time[k] - run_.time[k - 1]);
+    const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), timeline_[k] - timeline_[k - 1]);
     for (int i = 0; i < count; ++i) {
       const auto step = step_in(k, i, count);
-      const auto& t = pass.steps.emplace_back(predictor_.step(estimate.mean, controls_in(step), step.from, step.to));
+      const auto& t =
+          pass.steps.emplace_back(predictor_.step(estimate.mean, controls_in(*controls_, step), step.from, step.to));
       estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
       estimate.P = carried<N>(estimate.P, t);
       estimate.P.diagonal().template head<2>().array() += noise[place_of_walk] * t.h;
@@ -203,12 +249,14 @@ class RunFilterOf final : public RunFilter<N> {
   /// @return log likelihood of the sample
   double measure(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
     double product = 1.0, squares = 0.0;  // of variances, whose logarithm is slow
-    const auto before = sight_at(estimate.mean, k);
-    for (const Channel channel : channels_) {
-      const auto samples = run_[channel];
-      if (samples.empty() || std::isnan(samples[k])) continue;
+    const auto readings =
+        std::span<const Reading>(readings_).subspan(first_reading_[k], first_reading_[k + 1] - first_reading_[k]);
+    const double shown = furthest_shown(observer_, readings);
+    const auto before = sight_at(estimate.mean, k, shown, observer_.late());
+    for (const auto& reading : readings) {
+      const Channel channel = reading.channel;
       const auto& now =
-          pass.innovations.emplace_back(update(estimate, channel, k, before, noise[place_of(channel)], pass));
+          pass.innovations.emplace_back(update(estimate, reading, before, noise[place_of(channel)], pass));
       const double square = now.error * now.error / now.variance;
       squares += square;
       product *= 2.0 * pi * now.variance;
@@ -218,31 +266,47 @@ class RunFilterOf final : public RunFilter<N> {
   }
 
   /// @param before  what there is to look at before the measurements of the sample
-  Innovation<N> update(Gaussian<N>& estimate, Channel channel, std::size_t k, const Sight& before, double R,
+  Innovation<N> update(Gaussian<N>& estimate, const Reading& reading, const Sight& before, double R,
                        FilteredRun<N>& pass) {
-    const double value = run_[channel][k];
+    const auto& [channel, sample, since] = reading;
+    const double value = run_[channel][sample];
     if (const auto state = observer_.state_alone(channel))
-      return updated<N>(estimate, channel, *state, value - observer_.bias(channel), R, pass.outlying);
-    const auto expected = [&](const FilterVector<N>& x, ChannelSlope& slope) {
-      return observer_.value(channel, {ship_state<N>(x), before.acceleration, before.phi}, slope);
+      return updated<N>(estimate, reading, *state, value - observer_.bias(channel), R, pass.outlying);
+    const auto expected = [&](const FilterVector<N>& x, FilterVector<N>& slope) {
+      ChannelSlope by;
+      const double shown = observer_.value(reading.channel, seen_from(x, before), reading.since, by);
+      slope.template head<6>() = by.by_state;
+      if constexpr (N == 9) slope.template tail<3>() = by.by_acceleration;
+      return shown;
     };
-    return updated<N>(estimate, channel, expected, observer_.linear(channel), value, R, pass.slopes.emplace_back(),
+    return updated<N>(estimate, reading, expected, observer_.linear(channel), value, R, pass.slopes.emplace_back(),
                       pass.outlying);
   }
 
-  double expected(Channel channel, const FilterVector<N>& x, const Sight& sight) const {
+  double expected(const Reading& reading, const FilterVector<N>& x, const Sight& sight) const {
+    const auto& [channel, sample, since] = reading;
     if (const auto state = observer_.state_alone(channel)) return x[*state] + observer_.bias(channel);
-    return observer_.value(channel, {ship_state<N>(x), sight.acceleration, sight.phi});
+    return observer_.value(channel, seen_from(x, sight), since);
   }
 
-  /// With the accelerations where a late channel needs them.
-  Sight sight_at(const FilterVector<N>& x, std::size_t k) const {
+  /// With the accelerations of the model where a late channel needs them: those on the way to the time that its
+  /// readings show, as the rudder moves on it.
+  Sight sight_at(const FilterVector<N>& x, std::size_t k, double shown, bool late) const {
     const double phi = shown_by(predictor_.hidden(), Channel::phi);
-    if (!observer_.late()) return {ship_state<N>(x), {0.0, 0.0, 0.0}, phi};
-    const auto rate = predictor_.rates(x, at_samples()[k]);
-    PlanarAcceleration<double> a{rate[3], rate[4], rate[5]};
-    if constexpr (N == 9) a = {a.u + x[6], a.v + x[7], a.r + x[8]};
-    return {ship_state<N>(x), a, phi};
+    if (!late) return {ship_state<N>(x), {0.0, 0.0, 0.0}, phi};
+    const auto rate = predictor_.rates(x, controls_towards(*controls_, k, shown));
+    return {ship_state<N>(x), {rate[3], rate[4], rate[5]}, phi};
+  }
+
+  /// What there is to look at when the state of a sample is known better, by measurements before: the accelerations of
+  /// the model stay, the unmodelled ones are part of the state. A delay multiplies what they move by, so a filter that
+  /// kept these until the next sample would swing itself up.
+  static Sight seen_from(const FilterVector<N>& x, const Sight& before) {
+    Sight sight{ship_state<N>(x), before.acceleration, before.phi};
+    if constexpr (N == 9) {
+      sight.acceleration.u += x[6], sight.acceleration.v += x[7], sight.acceleration.r += x[8];
+    }
+    return sight;
   }
 
   static void add_slope(FilterNoise& slope, const FilterNoise& noise, double share, const Smoother<N>& smoother) {
@@ -252,34 +316,64 @@ class RunFilterOf final : public RunFilter<N> {
 
   static constexpr int random = N == 9 ? 6 : 3;  ///< first of the states that random accelerations drive
 
-  const std::vector<Controls<double>>& at_samples() const { return controls_->at_samples; }
-
   bool has_memory() const { return N == 9 && std::isfinite(predictor_.tau()); }
 
   /// Those that are known, where they serve this ship too.
   static std::shared_ptr<const RunControls> controls_of(const Ship& ship, const Recording& run, const Recording* finer,
-                                                        std::shared_ptr<const RunControls> known) {
-    if (!known) return std::make_shared<const RunControls>(ship, run, finer);
-    auto other = known->differing(ship, run, finer);
+                                                        std::shared_ptr<const RunControls> known, double lateness) {
+    if (!known) return std::make_shared<const RunControls>(ship, run, finer, lateness);
+    auto other = known->differing(ship, run, finer, lateness);
     return other ? std::make_shared<const RunControls>(*std::move(other)) : known;
+  }
+
+  /// Each at the sample nearest to the time that it shows, channel by channel.
+  void place_readings() {
+    double latest = 0.0, earliest = 0.0;
+    for (const Channel channel : channels_) {
+      latest = std::max(latest, observer_.delay(channel));
+      earliest = std::min(earliest, observer_.delay(channel));
+    }
+    timeline_ = Timeline::of(run_.time, latest, earliest);
+    first_reading_.assign(timeline_.size() + 1, 0);
+    const auto for_each = [&](auto&& f) {
+      for (const Channel channel : channels_) {
+        const auto values = run_[channel];
+        const double delay = observer_.delay(channel);
+        for (std::size_t i = 0; i < values.size(); ++i)
+          if (!std::isnan(values[i]))
+            f(channel, i, delay == 0.0 ? i + timeline_.before() : timeline_.nearest(run_.time[i] - delay));
+      }
+    };
+    for_each([&](Channel, std::size_t, std::size_t k) { ++first_reading_[k + 1]; });
+    std::partial_sum(first_reading_.begin(), first_reading_.end(), first_reading_.begin());
+    readings_.resize(first_reading_.back());
+    auto next = first_reading_;
+    for_each([&](Channel channel, std::size_t i, std::size_t k) {
+      readings_[next[k]++] = {channel, i, run_.time[i] - timeline_[k]};
+    });
   }
 
   const Recording& run_;
   const Recording* finer_;
   std::span<const Channel> channels_;
+  SampleTimes times_;
   std::shared_ptr<const RunControls> controls_;
   ShipPredictor<N> predictor_;
   ChannelObserver observer_;
   ShipState<double> start_;
   double L_, U_0_;
+  Timeline timeline_;
+  std::vector<Reading> readings_;
+  std::vector<std::size_t> first_reading_;  ///< of each time of the timeline, and the end
 };
 
 template <int N>
 std::unique_ptr<RunFilter<N>> run_filter(const Ship& ship, const Recording& run, std::span<const Channel> channels,
-                                         const ShipState<double>& start, double tau, double longest_step,
-                                         std::shared_ptr<const RunControls> known, const Recording* finer) {
+                                         const ShipState<double>& start, double tau, SampleTimes times,
+                                         double longest_step, std::shared_ptr<const RunControls> known,
+                                         const Recording* finer) {
   const auto shallow = in_depth(ship, recorded_depth(run));
-  return std::make_unique<RunFilterOf<N>>(shallow ? *shallow : ship, run, channels, start, tau, longest_step,
+  return std::make_unique<RunFilterOf<N>>(shallow ? *shallow : ship, run, channels, start, tau, times, longest_step,
                                           std::move(known), finer);
 }
 

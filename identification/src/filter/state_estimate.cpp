@@ -115,7 +115,8 @@ class Estimator {
     for (const auto& run : runs) {
       require_position_or_speed(run, channels_);
       ship_times_ += (run.time.back() - run.time.front()) / time_unit;
-      filters_.push_back(run_filter<N>(ship, run, channels_, recorded_state(ship, run, run.time.front()), tau));
+      filters_.push_back(
+          run_filter<N>(ship, run, channels_, recorded_state(ship, run, run.time.front()), tau, SampleTimes::recorded));
     }
   }
 

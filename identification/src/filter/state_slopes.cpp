@@ -61,20 +61,33 @@ Controls<double> mean_over(std::span<const Controls<double>> all, std::size_t k,
 
 }  // namespace
 
-RunControls::RunControls(const Ship& ship, const Recording& run, const Recording* finer)
+double lateness_of(const Ship& ship, std::span<const Channel> channels, SampleTimes times) {
+  if (times == SampleTimes::recorded || channels.empty()) return 0.0;
+  const auto instruments = instruments_of(ship);
+  std::vector<double> delays;
+  for (const Channel channel : channels) delays.push_back(instruments[channel].delay);
+  std::ranges::sort(delays);
+  const double low = delays[(delays.size() - 1) / 2], high = delays[delays.size() / 2];
+  return std::abs(low) < std::abs(high) ? low : high;
+}
+
+RunControls::RunControls(const Ship& ship, const Recording& run, const Recording* finer, double how_late)
     : recorded(ship, finer ? *finer : run),
       actuator(rudder_actuator(ship)),
       rudder_record(instruments_of(ship)[Channel::delta]),
       wind_speed_record(instruments_of(ship)[Channel::wind_speed]),
       wind_from_record(instruments_of(ship)[Channel::wind_from]),
       rudder_recorded(run.has(Channel::delta)),
-      propulsion_recorded(propulsion_is_recorded(ship, run)) {
-  at_samples = recorded.at(run.time);
+      propulsion_recorded(propulsion_is_recorded(ship, run)),
+      lateness(how_late) {
+  auto times = run.time;
+  for (double& t : times) t -= lateness;
+  at_samples = recorded.at(times);
   if (!finer) return;
   std::vector<double> middles;
   for (std::size_t k = 1; k < run.samples(); ++k)
     for (std::size_t i = 0; i < parts_of_step; ++i)
-      middles.push_back(run.time[k - 1] +
+      middles.push_back(run.time[k - 1] - lateness +
                         (static_cast<double>(i) + 0.5) / parts_of_step * (run.time[k] - run.time[k - 1]));
   thirds = recorded.at(middles);
 }
@@ -82,17 +95,17 @@ RunControls::RunControls(const Ship& ship, const Recording& run, const Recording
 Controls<double> RunControls::in_step(const Recording& run, std::size_t k, double from, double to) const {
   const double begin = run.time[k - 1], end = run.time[k], middle = 0.5 * (from + to);
   if (!thirds.empty()) return mean_over(thirds, k, (from - begin) / (end - begin), (to - begin) / (end - begin));
-  if (recorded.track()) return recorded.at(middle);
+  if (recorded.track()) return recorded.at(middle - lateness);
   return between(at_samples[k - 1], at_samples[k], (middle - begin) / (end - begin));
 }
 
-std::optional<RunControls> RunControls::differing(const Ship& ship, const Recording& run,
-                                                  const Recording* finer) const {
+std::optional<RunControls> RunControls::differing(const Ship& ship, const Recording& run, const Recording* finer,
+                                                  double how_late) const {
   const auto instruments = instruments_of(ship);
-  if (!(rudder_recorded && same_actuator(actuator, rudder_actuator(ship)) &&
+  if (!(rudder_recorded && lateness == how_late && same_actuator(actuator, rudder_actuator(ship)) &&
         rudder_record == instruments[Channel::delta] && wind_speed_record == instruments[Channel::wind_speed] &&
         wind_from_record == instruments[Channel::wind_from]))
-    return RunControls(ship, run, finer);
+    return RunControls(ship, run, finer, how_late);
   if (propulsion_recorded) return std::nullopt;
   const auto constant = recorded.propulsion_of(ship, finer ? *finer : run);
   if (same_propulsion(constant, recorded.constant())) return std::nullopt;
@@ -104,6 +117,7 @@ std::optional<RunControls> RunControls::differing(const Ship& ship, const Record
 }
 
 NeighbourDifferences differences_between(const Ship& ship, std::span<const Neighbour> neighbours, const Recording& run,
+                                         std::span<const Channel> channels, SampleTimes times,
                                          const RunControls& controls, const Recording* finer) {
   NeighbourDifferences result;
   const auto here = numbers_of(ship);
@@ -114,7 +128,7 @@ NeighbourDifferences differences_between(const Ship& ship, std::span<const Neigh
     double slope;
   };
   std::vector<Moved> moved;
-  const ChannelObserver observer(instruments_of(ship), surroundings_at(ship, 0.0).current);
+  const ChannelObserver observer(instruments_of(ship), surroundings_at(ship, 0.0).current, controls.lateness);
   for (const auto& neighbour : neighbours) {
     const auto unknown = std::ssize(result.found);
     const auto there = numbers_if_any(neighbour.ship);
@@ -123,10 +137,11 @@ NeighbourDifferences differences_between(const Ship& ship, std::span<const Neigh
     for (std::size_t i = 0; i < here.values.size(); ++i)
       if (const double d = there->values[i] - here.values[i]; d != 0.0 && std::isfinite(d))
         moved.push_back({unknown, i, d / neighbour.step}), result.variable[i] = true;
-    if (auto other = controls.differing(*neighbour.ship, run, finer))
+    const double lateness = lateness_of(*neighbour.ship, channels, times);
+    if (auto other = controls.differing(*neighbour.ship, run, finer, lateness))
       result.controls.push_back({unknown, neighbour.step, *std::move(other)});
     const auto current = surroundings_at(*neighbour.ship, 0.0).current;
-    if (const ChannelObserver other(instruments_of(*neighbour.ship), current); observer.differs(other))
+    if (const ChannelObserver other(instruments_of(*neighbour.ship), current, lateness); observer.differs(other))
       result.observers.push_back({unknown, neighbour.step, other});
   }
   std::vector<Eigen::Index> variable;

@@ -37,9 +37,12 @@ struct NeighbourDifferences {
   std::vector<OfObserver> observers;
 };
 
+/// @param channels  that the filter compares
+/// @param times     of its samples
 /// @param controls  of the ship
 /// @param finer     recording that tells the controls between the samples, if any
 NeighbourDifferences differences_between(const Ship& ship, std::span<const Neighbour> neighbours, const Recording& run,
+                                         std::span<const Channel> channels, SampleTimes times,
                                          const RunControls& controls, const Recording* finer);
 
 /// Derivatives X of a filter's state x by all unknowns, from one state to the next.
@@ -92,30 +95,38 @@ class StateSlopes {
     if (hides_) follow(of_step, rate, t.h);
   }
 
-  /// Derivatives of the accelerations at a sample, for channels that are late.
-  void accelerate(const TapedShip::Slopes& by, std::size_t k, const Controls<double>& controls) {
+  /// Derivatives of the accelerations of the model, for channels that are late.
+  /// @param in_step(c)  the controls c of a neighbour then
+  /// @param towards(o)  the controls where an observer o sees the ship at other times
+  template <class InStep, class Towards>
+  void accelerate(const TapedShip::Slopes& by, const Controls<double>& controls, InStep&& in_step, Towards&& towards) {
     acceleration_.noalias() = X_.template middleCols<4>(2).lazyProduct(by.block<3, 4>(3, 0).transpose());
     if (hides_) acceleration_ += H_ * by.block<3, hidden>(3, TapedVariables::hidden).transpose();
-    if constexpr (N == 9) acceleration_ += X_.template rightCols<3>();
-    add_direct(acceleration_, by.bottomRows<3>(), controls, [&](const RunControls& c) { return c.at_samples[k]; });
+    add_direct(acceleration_, by.bottomRows<3>(), controls, in_step);
+    for (const auto& d : differences_.observers)
+      add_controls(acceleration_, d.unknown, d.step, by.bottomRows<3>(), controls, towards(d.observer));
   }
 
   /// Takes a residual. @param out  its derivatives over its standard deviation
   template <class Row>
   void observe(const Sight& sight, const Innovation<N>& now, Row&& out) {
-    if (const auto alone = observer_.state_alone(now.channel)) {
+    const auto& [channel, sample, since] = now.reading;
+    if (const auto alone = observer_.state_alone(channel)) {
       seen_ = X_.col(*alone);
     } else {
-      ChannelSlope by_state;
-      observer_.value(now.channel, sight, by_state);
-      seen_ = X_.template leftCols<6>() * by_state;
+      ChannelSlope slope;
+      observer_.value(channel, sight, since, slope);
+      seen_ = X_.template leftCols<6>() * slope.by_state;
+      if (observer_.late(channel)) {
+        seen_ += acceleration_ * slope.by_acceleration;
+        if constexpr (N == 9) seen_ += X_.template rightCols<3>() * slope.by_acceleration;
+      }
     }
     if (hides_)
-      if (const double by_phi = observer_.by_phi(now.channel, sight); by_phi != 0.0) seen_ += by_phi * H_.col(heel);
-    if (observer_.late(now.channel)) seen_ += acceleration_ * by_acceleration(now.channel, sight);
+      if (const double by_phi = observer_.by_phi(channel, sight, since); by_phi != 0.0) seen_ += by_phi * H_.col(heel);
     for (const auto& d : differences_.observers)
-      if (observer_.differs(d.observer, now.channel))
-        seen_[d.unknown] += (d.observer.value(now.channel, sight) - observer_.value(now.channel, sight)) / d.step;
+      if (observer_.differs(d.observer, channel))
+        seen_[d.unknown] += (d.observer.value(channel, sight, since) - observer_.value(channel, sight, since)) / d.step;
     out = seen_.transpose() / -std::sqrt(now.variance);
     X_.noalias() -= seen_.lazyProduct(now.K.transpose());
   }
@@ -172,31 +183,21 @@ class StateSlopes {
   /// The same, and controls.
   template <class To, class By, class Then>
   void add_direct(To&& to, const By& by, const Controls<double>& controls, Then&& then) {
-    using V = TapedVariables;
     add_numbers(to, by);
-    for (const auto& d : differences_.controls) {
-      const auto other = then(d.controls);
-      to.row(d.unknown) +=
-          ((other.delta - controls.delta) * by.col(V::delta) + (other.rev - controls.rev) * by.col(V::rev) +
-           (other.thrust.port - controls.thrust.port) * by.col(V::port) +
-           (other.thrust.starboard - controls.thrust.starboard) * by.col(V::starboard))
-              .transpose() /
-          d.step;
-    }
+    for (const auto& d : differences_.controls) add_controls(to, d.unknown, d.step, by, controls, then(d.controls));
   }
 
-  /// By central differences; a channel is about linear in the accelerations.
-  Eigen::Vector3d by_acceleration(Channel channel, const Sight& sight) const {
-    constexpr double step = 1e-3;  // m/s², rad/s²
-    Eigen::Vector3d slope;
-    const std::array<double PlanarAcceleration<double>::*, 3> parts{
-        &PlanarAcceleration<double>::u, &PlanarAcceleration<double>::v, &PlanarAcceleration<double>::r};
-    for (std::size_t i = 0; i < 3; ++i) {
-      Sight more = sight, less = sight;
-      more.acceleration.*parts[i] += step, less.acceleration.*parts[i] -= step;
-      slope[static_cast<int>(i)] = (observer_.value(channel, more) - observer_.value(channel, less)) / (2.0 * step);
-    }
-    return slope;
+  /// Of an unknown that changes controls to others.
+  template <class To, class By>
+  static void add_controls(To&& to, Eigen::Index unknown, double step, const By& by, const Controls<double>& controls,
+                           const Controls<double>& other) {
+    using V = TapedVariables;
+    to.row(unknown) +=
+        ((other.delta - controls.delta) * by.col(V::delta) + (other.rev - controls.rev) * by.col(V::rev) +
+         (other.thrust.port - controls.thrust.port) * by.col(V::port) +
+         (other.thrust.starboard - controls.thrust.starboard) * by.col(V::starboard))
+            .transpose() /
+        step;
   }
 
   const NeighbourDifferences& differences_;
