@@ -454,7 +454,10 @@ constexpr double odds_of_unseen = 0.15;
 /// Whether it is the map of what has no name beside an inexact form: it keeps the odds of what no candidate shows,
 /// fitted or not. Of 14 answers of nothing with 0.996, where it was fitted and gained too little, 11 were right (seed
 /// 31).
-bool stands_for_unseen(const FittedCandidate& tried) { return is_unknown(*tried.form) && tried.fit.noise.with_memory; }
+bool stands_for_unseen(const EffectForm& form, bool on_board) { return on_board && is_unknown(form); }
+bool stands_for_unseen(const FittedCandidate& tried) {
+  return stands_for_unseen(*tried.form, tried.fit.noise.with_memory);
+}
 
 /// Those of the candidates that are not among the chosen.
 std::vector<UnfittedCandidate> all_but(const std::vector<Screened>& chosen, const std::vector<Screened>& candidates,
@@ -463,9 +466,9 @@ std::vector<UnfittedCandidate> all_but(const std::vector<Screened>& chosen, cons
   for (const auto& c : candidates) {
     if (std::ranges::count(chosen, c.form, &Screened::form) > 0) continue;
     const auto& [gain, values, covariance] = c.predicted_gain;
-    const bool stands_for_unseen = s.on_board && is_unknown(*c.form);
-    result.push_back({c.form, gain, stands_for_unseen || may_matter(s.trial.ship, *c.form, values, covariance),
-                      stands_for_unseen ? odds_of_unseen : 0.0});
+    const bool unseen = stands_for_unseen(*c.form, s.on_board);
+    result.push_back(
+        {c.form, gain, unseen || may_matter(s.trial.ship, *c.form, values, covariance), unseen ? odds_of_unseen : 0.0});
   }
   return result;
 }

@@ -12,7 +12,6 @@
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
-#include "tank_instruments.hpp"
 
 /// `swayaw diagnose --report` from the outside.
 namespace swayaw {
@@ -98,6 +97,19 @@ TEST_CASE("a report to a folder that does not exist is refused before the work b
              ContainsSubstring(file));
 }
 
+/// White noise of a tank's optical tracking on a run of a 7 m model.
+void track_optically(Recording& run, std::mt19937_64& engine) {
+  for (const auto& [channel, deviation] : {std::pair{Channel::x, 2e-3},
+                                           {Channel::y, 2e-3},
+                                           {Channel::psi, 5e-4},
+                                           {Channel::r, 5e-4},
+                                           {Channel::u, 2e-3},
+                                           {Channel::v, 2e-3}}) {
+    std::normal_distribution error(0.0, deviation);
+    for (double& sample : run.fill(channel)) sample += error(engine);
+  }
+}
+
 TEST_CASE("a wind that differs from day to day has a rose for each", "[app]") {
   const Scratch scratch;
   std::mt19937_64 engine(7);
@@ -106,7 +118,7 @@ TEST_CASE("a wind that differs from day to day has a rose for each", "[app]") {
     for (const Side side : {Side::starboard, Side::port}) {
       const Ship ship = with_effect(test::kvlcc2_l7(), SteadyWind<double>{speed, from});
       auto run = turning_circle(ship, {.rudder = radians(25), .side = side}, {.duration = 120.0, .step = 0.3}).run;
-      test::measure(run, engine);  // without errors each turn tells a wind of its own
+      track_optically(run, engine);  // without errors each turn tells a wind of its own
       run.facts.remarks.push_back({"group", "\"" + std::string(day) + "\""});
       const auto file = scratch / (std::string(day) + std::string(name_of(side)) + ".csv");
       write_recording(run, file);
@@ -117,16 +129,9 @@ TEST_CASE("a wind that differs from day to day has a rose for each", "[app]") {
   INFO(outcome.err);
   REQUIRE(outcome.code == 0);
   const auto page = read_text(file);
-  const auto is_from = [&](const std::string& day, double from) {
-    CAPTURE(day);
-    std::smatch found;
-    REQUIRE(std::regex_search(
-        page, found, std::regex("Direction of the steady wind, " + day + "</h2>\n<p>Wind from ([0-9]{3}) ± ([0-9]+)")));
-    CHECK(std::abs(std::stod(found[1]) - degrees(from)) < 2.0 * std::stod(found[2]));
-    CHECK(std::stod(found[2]) < 10.0);
-  };
-  is_from("a", 0.3);
-  is_from("b", 3.5);
+  const auto has = [&](const char* words) { return page.find(words) != std::string::npos; };
+  CHECK(has("Direction of the steady wind, a</h2>\n<p>Wind from 017"));
+  CHECK(has("Direction of the steady wind, b</h2>\n<p>Wind from 201"));
 }
 
 }  // namespace
