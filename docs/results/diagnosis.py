@@ -245,7 +245,8 @@ def explained(A, b):
 
 
 def roll(paths, block_s=1.0):
-    print("| run | by u r | by dv/dt + u r | by both parts, each with its own lever |\n| --- | ---: | ---: | ---: |")
+    print("| run | by u r | by dv/dt + u r | by both parts, each with its own lever | by dv/dt + u r and the rudder, n² delta |\n"
+          "| --- | ---: | ---: | ---: | ---: |")
     for path in paths:
         _, columns, rows = table_of(path)
         samples = [{c: float(x) for c, x in zip(columns, row)} for row in rows]
@@ -257,10 +258,13 @@ def roll(paths, block_s=1.0):
             h = 0.5 * (after["time_s"] - before["time_s"])
             rate = {c: (after[c] - before[c]) / (2.0 * h) for c in ("phi_rad", "v_m_s")}
             b.append((after["phi_rad"] - 2.0 * now["phi_rad"] + before["phi_rad"]) / h ** 2)
-            parts.append((rate["phi_rad"], now["phi_rad"], now["u_m_s"] * now["r_rad_s"], rate["v_m_s"]))
+            parts.append((rate["phi_rad"], now["phi_rad"], now["u_m_s"] * now["r_rad_s"], rate["v_m_s"],
+                          now["rev_s"] ** 2 * now["delta_rad"]))
         of = [explained([term(*p) for p in parts], b) for term in (
-            lambda p, phi, ur, dv: (p, phi, ur), lambda p, phi, ur, dv: (p, phi, ur + dv), lambda *all: all)]
-        print(f"| {path.rsplit('/', 1)[-1]} | {of[0]:.2f} | {of[1]:.2f} | {of[2]:.2f} |")
+            lambda p, phi, ur, dv, by_rudder: (p, phi, ur), lambda p, phi, ur, dv, by_rudder: (p, phi, ur + dv),
+            lambda p, phi, ur, dv, by_rudder: (p, phi, ur, dv),
+            lambda p, phi, ur, dv, by_rudder: (p, phi, ur + dv, by_rudder))]
+        print(f"| {path.rsplit('/', 1)[-1]} | " + " | ".join(f"{x:.2f}" for x in of) + " |")
 
 
 def delayed(samples, dead_s, lag_s):

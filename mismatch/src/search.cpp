@@ -704,16 +704,9 @@ double probability_of_name(const UnfittedCandidate&) { return 1.0; }
 /// 3 this effect.
 constexpr double odds_beside_form = 1.0 / 3.0;
 
-/// Logarithm of the odds of a candidate to nothing, which stands at the gain that is needed.
-double log_odds(const FittedCandidate& tried, double needed) {
-  if (tried.as_form) return std::log(odds_beside_form);
-  const double by_gain = may_stand(tried) || tried.leads ? (whole_gain(tried) - needed) / evidence_excess : -HUGE_VAL;
-  return stands_for_unseen(tried) ? std::max(by_gain, std::log(odds_of_unseen)) : by_gain;
-}
-
-double log_odds(const UnfittedCandidate& one, double needed) {
-  if (!one.may_matter) return -HUGE_VAL;
-  return std::max((std::min(0.0, one.predicted_gain) - needed) / evidence_excess, std::log(one.least_odds));
+/// What a gain in log evidence tells of a candidate to the baseline, which stands at the gain that is needed.
+double log_odds_by_gain(const FittedCandidate& tried, double needed) {
+  return (whole_gain(tried) - needed) / evidence_excess;
 }
 
 /// Candidates beside the same baseline, and the gain in log evidence that one of them needs.
@@ -725,13 +718,38 @@ struct Ranking {
   /// Against nothing, all others, and what has another name.
   template <class Candidate>
   double probability(const Candidate& one) const {
-    const double log_odds_of_one = log_odds(one, needed);
+    const double log_odds_of_one = log_odds(one);
     if (!std::isfinite(log_odds_of_one)) return 0.0;
     double sum = std::exp(-log_odds_of_one);
-    const auto add = [&](const auto& other) { sum += std::exp(log_odds(other, needed) - log_odds_of_one); };
+    const auto add = [&](const auto& other) { sum += std::exp(log_odds(other) - log_odds_of_one); };
     std::ranges::for_each(tried, add);
     std::ranges::for_each(unfitted, add);
     return probability_of_name(one) / sum;
+  }
+
+ private:
+  /// Logarithms of odds to the baseline.
+  double log_odds(const FittedCandidate& one) const {
+    if (one.as_form) return log_odds_of_nothing() + std::log(odds_beside_form);
+    const double by_gain = may_stand(one) || one.leads ? log_odds_by_gain(one, needed) : -HUGE_VAL;
+    return stands_for_unseen(one) ? std::max(by_gain, log_odds_of_nothing() + std::log(odds_of_unseen)) : by_gain;
+  }
+
+  double log_odds(const UnfittedCandidate& one) const {
+    if (!one.may_matter) return -HUGE_VAL;
+    return std::max((std::min(0.0, one.predicted_gain) - needed) / evidence_excess,
+                    log_odds_of_nothing() + std::log(one.least_odds));
+  }
+
+  /// That nothing is missing: the baseline, or a trace that explains what it does not and is too small to matter.
+  double log_odds_of_nothing() const {
+    double sum = 0.0;
+    for (const auto& t : tried) {
+      if (!t.leads) continue;
+      const double other = log_odds_by_gain(t, needed);
+      sum = std::max(sum, other) + std::log1p(std::exp(-std::abs(sum - other)));
+    }
+    return sum;
   }
 };
 

@@ -154,7 +154,8 @@ TEMPLATE_TEST_CASE("drag, heel and memory are the same to both sides", "[nonline
       CHECK(port.X == starboard.X);
       CHECK(port.Y == starboard.Y);
       CHECK(port.N == starboard.N);
-      const auto rate = hidden_rates(added, motion, hidden), mirror = hidden_rates(added, mirrored(motion), other);
+      const auto rate = hidden_rates(added, motion, hidden, 0.01),
+                 mirror = hidden_rates(added, mirrored(motion), other, -0.01);
       for (std::size_t k = 0; k < hidden_count; ++k) CHECK(rate[k] == -mirror[k]);
     }
   }
@@ -500,30 +501,49 @@ TEST_CASE("a gust that blows all the time is a steady wind, and winds add as vec
 
 TEST_CASE("heel settles where the centrifugal force holds it, and a memory forgets", "[nonlinear][second-route]") {
   const auto model = sailing_ship<MmgShip<double>>();
-  const std::vector<Effect> effects{make_effect("roll_coupling"), make_effect("fluid_memory")};
-  const auto added = acting_effects(model, std::span<const Effect>(effects));
+  auto roll = make_effect("roll_coupling");
   const PlanarMotion<double> m{1.0, 0.05, 0.1};
-  const auto steady = steady_hidden(added, m);
-  CHECK(shown_by(steady, Channel::phi) < 0.0);  // outward, to port, in a turn to starboard
-  const auto rate = hidden_rates(added, m, steady);
-  for (const double r : rate) CHECK_THAT(r, WithinAbs(0.0, 1e-14));
+  const Controls<double> controls{.delta = -0.3, .rev = 10.0};  // to starboard
+  double outward = 0.0;
+  for (const double rudder_lever : {0.0, 0.05}) {
+    std::get<RollCoupling<>>(roll).rudder_lever = rudder_lever;
+    const std::vector<Effect> effects{roll, make_effect("fluid_memory")};
+    const auto added = acting_effects(model, std::span<const Effect>(effects));
+    const auto steady = steady_hidden(model, added, m, controls);
+    const double phi = shown_by(steady, Channel::phi);
+    CHECK(phi < 0.0);                              // outward, to port, in a turn to starboard
+    if (rudder_lever > 0.0) CHECK(phi > outward);  // less, for the rudder pushes the stern outward from below
+    outward = phi;
+    const auto rate = hidden_rates(model, added, m, steady, controls);
+    for (const double r : rate) CHECK_THAT(r, WithinAbs(0.0, 1e-14));
+  }
 }
 
 // The roll of a zigzag, by differences of what was sailed: the hidden quantities that carry it need no acceleration.
 TEST_CASE("a ship rolls about the force that holds her sideways", "[nonlinear][second-route]") {
   const auto model = sailing_ship<MmgShip<double>>();
   constexpr double GM = 0.04, zeta = 0.15, lever = 0.1;
-  const auto run = zigzag_of(
-      with_effect(test::with_areas(model), RollCoupling<>{.GM = GM, .Y_phi = -0.01, .zeta = zeta, .lever = lever}),
-      5.0);
+  const double rudder_lever = GENERATE(0.0, 0.05);
+  const auto ship =
+      with_effect(test::with_areas(model),
+                  RollCoupling<>{.GM = GM, .Y_phi = -0.01, .zeta = zeta, .lever = lever, .rudder_lever = rudder_lever});
+  const auto run = zigzag_of(ship, 5.0);
   const auto &phi = run[Channel::phi], &u = run[Channel::u], &v = run[Channel::v], &r = run[Channel::r];
   const double h = run.time[1] - run.time[0], k_xx = 0.4 * model.particulars.B,
                omega = std::sqrt(effect_gravity * GM) / k_xx;
+  const auto by_rudder = [&](std::size_t i) {  // Y_R/m
+    const auto state =
+        ShipState<double>{run[Channel::x][i], run[Channel::y][i], run[Channel::psi][i], {u[i], v[i], r[i]}};
+    const auto split = force_breakdown(ship, state, {.delta = run[Channel::delta][i], .rev = run[Channel::rev][i]});
+    const auto rudder = std::ranges::find(split.parts, "rudder", &ForcePart<double>::name);
+    REQUIRE(rudder != split.parts.end());
+    return rudder->force.Y / (model.water.rho * model.particulars.nabla);
+  };
   double heaviest = 0.0, most = 0.0;
   for (std::size_t i = 1; i + 1 < run.samples(); ++i) {
     const double p = (phi[i + 1] - phi[i - 1]) / (2.0 * h), dp = (phi[i + 1] - 2.0 * phi[i] + phi[i - 1]) / (h * h),
                  side = (v[i + 1] - v[i - 1]) / (2.0 * h) + u[i] * r[i];
-    const double moment = -lever * side / (k_xx * k_xx);
+    const double moment = -(lever * side + rudder_lever * by_rudder(i)) / (k_xx * k_xx);
     heaviest = std::max(heaviest, std::abs(moment));
     most = std::max(most, std::abs(dp + 2.0 * zeta * omega * p + omega * omega * phi[i] - moment));
   }
@@ -545,8 +565,9 @@ TEST_CASE("metacentre and side force of a tanker and a container ship are where 
 TEST_CASE("a heeling ship in a long turn comes to the steady motion of her effects", "[nonlinear][second-route]") {
   auto ship = test::kvlcc2_l7();
   for (const Effect& effect :
-       {Effect(RollCoupling<>{.Y_phi = -0.05, .N_phi = -0.03}), Effect(FluidMemory<>{3.0, 0.4}),
-        Effect(CrossFlowDrag<>{0.4}), Effect(PropellerSideForce<>{0.05, 0.0}), Effect(ShaftSpeedDrop<>{0.1})})
+       {Effect(RollCoupling<>{.Y_phi = -0.05, .N_phi = -0.03, .rudder_lever = GENERATE(0.0, 0.05)}),
+        Effect(FluidMemory<>{3.0, 0.4}), Effect(CrossFlowDrag<>{0.4}), Effect(PropellerSideForce<>{0.05, 0.0}),
+        Effect(ShaftSpeedDrop<>{0.1})})
     ship = with_effect(ship, effect);
   const auto turn = turning_circle(ship, {.rudder = radians(20), .side = Side::port}, {.duration = 1500.0});
   const auto steady = steady_motion(ship, with_rudder(turn.propulsion, radians(20)), {0.8, 0.1, -0.1});

@@ -20,7 +20,7 @@ inline Ship with_areas(const ShipModel& model) {
 
 class RandomEffects {
  public:
-  explicit RandomEffects(unsigned seed) : random_(seed) {}
+  explicit RandomEffects(unsigned seed) : random_(seed), of_rudder_lever_(seed) {}
 
   double uniform(double low, double high) { return random_.uniform(low, high); }
 
@@ -33,7 +33,8 @@ class RandomEffects {
     if (id == ShallowWater<>::id || id == RudderStall<>::id) return effect;
     const auto numbers = parameters_of(ship, effect);
     if (numbers.empty()) return std::nullopt;
-    for (const auto& n : numbers) parameter_value(effect, n.index) = off_null(n);
+    for (const auto& n : numbers)  // a number of its own for the lever: the others make ships that are known to sail
+      parameter_value(effect, n.index) = off_null(n, n.key == "rudder_lever_m" ? of_rudder_lever_ : random_);
     if (id == HullLinearDerivatives<>::id || id == HullNonlinearDamping<>::id) keep_damped(effect, numbers);
     std::visit([&](auto& e) { set_window(e, ship); }, effect);
     if (auto* gap = std::get_if<RudderGap<>>(&effect)) gap->delta_lim = uniform(0.04, 0.08);  // opens in any zigzag
@@ -50,8 +51,8 @@ class RandomEffects {
         parameter_value(effect, n.index) = n.null - 0.2 * std::abs(n.null) - (n.null == 0.0 ? 0.01 : 0.0);
   }
 
-  double off_null(const Parameter& n) {
-    const double sign = uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0, size = uniform(0.2, 0.4) * n.deviation;
+  static double off_null(const Parameter& n, RandomModels& random) {
+    const double sign = random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0, size = random.uniform(0.2, 0.4) * n.deviation;
     const double base = std::isfinite(n.null) ? n.null : 0.0;
     const double value = base + sign * size;
     return n.range.contains(value) ? value : base - sign * size;
@@ -67,7 +68,7 @@ class RandomEffects {
     effect.end = effect.onset + uniform(1.0, 4.0) * time_unit;
   }
 
-  RandomModels random_;
+  RandomModels random_, of_rudder_lever_;
 };
 
 }  // namespace swayaw::test

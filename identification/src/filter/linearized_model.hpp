@@ -23,6 +23,14 @@ class LinearizedModel final : public LinearizedShip {
     return rates_of(ship_, around_, added_, state, hidden, controls, branch);
   }
 
+  Hidden<double> steady_hidden(const PlanarMotion<double>& motion, const Controls<double>& controls) const override {
+    return swayaw::steady_hidden(ship_, added_, motion, controls);
+  }
+
+  double sway_by_rudder(const PlanarMotion<double>& motion, const Controls<double>& controls) const override {
+    return swayaw::sway_by_rudder(ship_, added_, motion, controls);
+  }
+
  private:
   [[gnu::noinline]] StateVector<D> with_effects(const ShipState<double>& state, const Hidden<double>& hidden,
                                                 const Controls<double>& controls) const {

@@ -35,6 +35,12 @@ class LinearizedShip {
   virtual StateVector<double> rates(const ShipState<double>& state, const Hidden<double>& hidden,
                                     const Controls<double>& controls) const = 0;
 
+  /// Hidden states of a motion that has lasted long.
+  virtual Hidden<double> steady_hidden(const PlanarMotion<double>& motion, const Controls<double>& controls) const = 0;
+
+  /// Sway force of the rudder over the mass of the ship.
+  virtual double sway_by_rudder(const PlanarMotion<double>& motion, const Controls<double>& controls) const = 0;
+
   /// When wind and forces change, in order of time.
   std::span<const Change> changes() const { return changes_; }
 
@@ -51,9 +57,9 @@ class LinearizedShip {
 
   const Current<double>& current() const { return around_.current; }
   bool hides_states() const { return added_.hidden(); }
-  Hidden<double> steady_hidden(const PlanarMotion<double>& m) const { return swayaw::steady_hidden(added_, m); }
-  Hidden<double> rates_of_hidden(const PlanarMotion<double>& m, const Hidden<double>& h) const {
-    return hidden_rates(added_, m, h);
+  bool may_follow_rudder() const { return swayaw::may_follow_rudder(added_); }
+  Hidden<double> rates_of_hidden(const PlanarMotion<double>& m, const Hidden<double>& h, double by_rudder) const {
+    return hidden_rates(added_, m, h, by_rudder);
   }
 
  protected:

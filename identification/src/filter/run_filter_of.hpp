@@ -38,7 +38,7 @@ class RunFilterOf final : public RunFilter<N> {
     pass.tau = predictor_.tau();
     pass.controls = controls_;
     Gaussian<N> estimate = start(noise);
-    predictor_.restart(estimate.mean);
+    predictor_.restart(estimate.mean, first_controls());
     double log_likelihood = 0.0;
     for (std::size_t k = 0; k < timeline_.size(); ++k) {
       if (k > 0) predict(estimate, k, noise, pass);
@@ -101,8 +101,8 @@ class RunFilterOf final : public RunFilter<N> {
     TapedShip::Slopes at_sample;
     if (predictor_.hides_states()) {
       TapedShip::HiddenSlopes at_first;
-      predictor_.slopes_of_hidden(first_state(), at_first);
-      X.begin(at_first);
+      predictor_.slopes_of_hidden(first_state(), first_controls(), at_first);
+      X.begin(at_first, first_controls(), [](const RunControls& c) { return c.at_samples.front(); });
     }
     const bool late =
         observer_.late() || std::ranges::any_of(differences.observers, [](const auto& d) { return d.observer.late(); });
@@ -171,7 +171,7 @@ class RunFilterOf final : public RunFilter<N> {
     timeline_ = {run_.time, pass.before, pass.after};
     FilterVector<N> x = first_state();
     predictor_.set_tau(pass.tau);
-    predictor_.restart(x);
+    predictor_.restart(x, first_controls());
     std::size_t step = 0, row = 0;
     for (std::size_t k = 0; k < pass.passed.size(); ++k) {
       require_motion(x, k);
@@ -199,6 +199,8 @@ class RunFilterOf final : public RunFilter<N> {
     const double begin = timeline_[k - 1], h = timeline_[k] - begin;
     return {begin + h * i / count, i + 1 == count ? timeline_[k] : begin + h * (i + 1) / count, k};
   }
+
+  const Controls<double>& first_controls() const { return controls_->at_samples.front(); }
 
   /// Before and after the run they are as at its ends.
   Controls<double> controls_in(const RunControls& controls, const Interval& step) const {

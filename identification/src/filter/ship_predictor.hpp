@@ -95,6 +95,7 @@ struct StepSlopes {
   TapedShip::Slopes rates;                             ///< of x … r
   std::array<TapedShip::HiddenSlopes, 4> hidden = {};  ///< of the rates of hidden states in the four stages of their
                                                        ///< way, if any
+  TapedShip::RowSlopes by_rudder = {};                 ///< of the force of the rudder where hidden states follow it
 };
 
 /// Predicts a ship with effects between samples.
@@ -111,13 +112,13 @@ class ShipPredictor {
         tau_(tau),
         longest_((ship_->hides_states() ? std::min(longest_step, beside_hidden) : longest_step) * length(ship)) {}
 
-  /// Back to the state at the beginning of a run.
-  void restart(const FilterVector<N>& x) {
+  /// Back to the state and the controls at the beginning of a run.
+  void restart(const FilterVector<N>& x, const Controls<double>& controls) {
     if (!ship_->changes().empty()) {
       ship_->restart();
       if (taped_) taped_->restart();
     }
-    hidden_ = ship_->steady_hidden(ship_state<N>(x).motion);
+    hidden_ = ship_->steady_hidden(ship_state<N>(x).motion, controls);
     next_change_ = 0;
   }
 
@@ -142,8 +143,9 @@ class ShipPredictor {
   }
 
   /// Derivatives of the hidden states in which a run begins.
-  void slopes_of_hidden(const FilterVector<N>& x, TapedShip::HiddenSlopes& slopes) const {
-    taped_->of_steady_hidden(ship_state<N>(x).motion, slopes);
+  void slopes_of_hidden(const FilterVector<N>& x, const Controls<double>& controls,
+                        TapedShip::HiddenSlopes& slopes) const {
+    taped_->of_steady_hidden(ship_state<N>(x).motion, controls, slopes);
   }
 
   /// Into how many steps a time between samples is cut: one is as long as allowed and a fifth of the memory, or less.
@@ -159,7 +161,8 @@ class ShipPredictor {
   Transition<N> step(FilterVector<N>& x, const Controls<double>& controls, double from, double to) {
     const double h = to - from, fading = h / tau_;
     const auto state = ship_state<N>(x);
-    const auto middle = half_way(state.motion, h);
+    const double by_rudder = sway_by_rudder(state.motion, controls);
+    const auto middle = half_way(state.motion, by_rudder, h);
     LinearizedShip::At there{Eigen::Matrix<double, 6, 1>::Zero(), Eigen::Matrix<double, 6, 4>::Zero()};
     with_changes(from, to, [&](double weight) {
       const auto part = ship_->at(state, middle, controls);
@@ -172,20 +175,21 @@ class ShipPredictor {
                           .fading = fading,
                           .keep = N == 9 ? std::exp(-fading) : 1.0,
                           .share = N == 9 && std::isfinite(tau_) ? std::tanh(fading) : 0.5 * h};
-    move(x, t, there.rate);
+    move(x, by_rudder, t, there.rate);
     return t;
   }
 
   /// Moves another state over the same step, its derivatives as they were for the first: equal for equal states.
   void repeat(FilterVector<N>& x, const Controls<double>& controls, double from, double to, const Transition<N>& t) {
     const auto state = ship_state<N>(x);
-    const auto middle = half_way(state.motion, t.h);
+    const double by_rudder = sway_by_rudder(state.motion, controls);
+    const auto middle = half_way(state.motion, by_rudder, t.h);
     Eigen::Matrix<double, 6, 1> rate = Eigen::Matrix<double, 6, 1>::Zero();
     with_changes(from, to, [&](double weight) {
       const auto part = ship_->rates(state, middle, controls);
       rate += weight * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(part.data());
     });
-    move(x, t, rate);
+    move(x, by_rudder, t, rate);
   }
 
   /// The same with the derivatives of the rates by the variables of the taped ship.
@@ -193,7 +197,8 @@ class ShipPredictor {
               StepSlopes& slopes) {
     const auto state = ship_state<N>(x);
     const auto hidden = hidden_;
-    const auto middle = half_way(state.motion, t.h);
+    const double by_rudder = sway_by_rudder(state.motion, controls);
+    const auto middle = half_way(state.motion, by_rudder, t.h);
     Eigen::Matrix<double, 6, 1> rate = Eigen::Matrix<double, 6, 1>::Zero();
     TapedShip::Slopes of_part;
     bool first = true;
@@ -204,16 +209,17 @@ class ShipPredictor {
       if (std::exchange(first, false)) slopes.rates = weight * of_part;
       else slopes.rates += weight * of_part;
     });
-    move(x, t, rate);
+    move(x, by_rudder, t, rate);
     if (!ship_->hides_states()) return;
-    const auto stages = stages_of(hidden, state.motion, ship_state<N>(x).motion, t.h);
+    const auto stages = stages_of(hidden, state.motion, ship_state<N>(x).motion, by_rudder, t.h);
     for (std::size_t i = 0; i < stages.size(); ++i)
-      taped_->of_hidden(stages[i].motion, stages[i].hidden, slopes.hidden[i]);
+      taped_->of_hidden(stages[i].motion, stages[i].hidden, by_rudder, slopes.hidden[i]);
+    if (ship_->may_follow_rudder()) taped_->of_rudder(state.motion, controls, slopes.by_rudder);
   }
 
  private:
   /// x⁺ = x + h f + what curves it, f with the unmodelled accelerations; these fade. Hidden states follow.
-  void move(FilterVector<N>& x, const Transition<N>& t, const Eigen::Matrix<double, 6, 1>& rate) {
+  void move(FilterVector<N>& x, double by_rudder, const Transition<N>& t, const Eigen::Matrix<double, 6, 1>& rate) {
     const double h = t.h, fading = t.fading;
     const auto before = ship_state<N>(x).motion;
     FilterVector<N> hf;
@@ -224,7 +230,7 @@ class ShipPredictor {
       x.template tail<3>() *= t.faded();
     }
     x.template head<6>() += hf.template head<6>() + t.curved(hf);
-    if (ship_->hides_states()) hidden_ = followed(before, ship_state<N>(x).motion, h);
+    if (ship_->hides_states()) hidden_ = followed(before, ship_state<N>(x).motion, by_rudder, h);
   }
 
   static Hidden<double> moved(Hidden<double> hidden, const Hidden<double>& rate, double t) {
@@ -232,10 +238,15 @@ class ShipPredictor {
     return hidden;
   }
 
+  /// As at the beginning of a step, over all of it: it changes little while she makes so little way.
+  double sway_by_rudder(const PlanarMotion<double>& motion, const Controls<double>& controls) const {
+    return ship_->may_follow_rudder() ? ship_->sway_by_rudder(motion, controls) : 0.0;
+  }
+
   /// Hidden states in the middle of a step.
-  Hidden<double> half_way(const PlanarMotion<double>& motion, double h) const {
+  Hidden<double> half_way(const PlanarMotion<double>& motion, double by_rudder, double h) const {
     if (!ship_->hides_states()) return hidden_;
-    return moved(hidden_, ship_->rates_of_hidden(motion, hidden_), 0.5 * h);
+    return moved(hidden_, ship_->rates_of_hidden(motion, hidden_, by_rudder), 0.5 * h);
   }
 
   /// Where the classical Runge–Kutta step asks for the rates of hidden states.
@@ -246,18 +257,19 @@ class ShipPredictor {
 
   /// Of hidden states behind a motion that changes evenly from a to b.
   std::array<Stage, 4> stages_of(const Hidden<double>& hidden, const PlanarMotion<double>& a,
-                                 const PlanarMotion<double>& b, double h) const {
+                                 const PlanarMotion<double>& b, double by_rudder, double h) const {
     const PlanarMotion<double> middle{0.5 * (a.u + b.u), 0.5 * (a.v + b.v), 0.5 * (a.r + b.r)};
     const auto stage = [&](const PlanarMotion<double>& motion, const Hidden<double>& there) {
-      return Stage{motion, there, ship_->rates_of_hidden(motion, there)};
+      return Stage{motion, there, ship_->rates_of_hidden(motion, there, by_rudder)};
     };
     const auto first = stage(a, hidden), second = stage(middle, moved(hidden, first.rate, 0.5 * h)),
                third = stage(middle, moved(hidden, second.rate, 0.5 * h));
     return {first, second, third, stage(b, moved(hidden, third.rate, h))};
   }
 
-  Hidden<double> followed(const PlanarMotion<double>& a, const PlanarMotion<double>& b, double h) const {
-    const auto stages = stages_of(hidden_, a, b, h);
+  Hidden<double> followed(const PlanarMotion<double>& a, const PlanarMotion<double>& b, double by_rudder,
+                          double h) const {
+    const auto stages = stages_of(hidden_, a, b, by_rudder, h);
     Hidden<double> mean;
     for (std::size_t i = 0; i < hidden_count; ++i)
       mean[i] = (stages[0].rate[i] + 2.0 * (stages[1].rate[i] + stages[2].rate[i]) + stages[3].rate[i]) / 6.0;

@@ -64,10 +64,12 @@ class StateSlopes {
         H_(OfHidden::Zero(std::ssize(differences.found), hidden)) {}
 
   /// The run begins with hidden states.
-  /// @param by  their derivatives by the variables of the taped ship
-  void begin(const TapedShip::HiddenSlopes& by) {
+  /// @param by        their derivatives by the variables of the taped ship
+  /// @param first(c)  the controls c of a neighbour then
+  template <class First>
+  void begin(const TapedShip::HiddenSlopes& by, const Controls<double>& controls, First&& first) {
     hides_ = true;
-    add_numbers(H_, by);
+    add_direct(H_, by, controls, first);
   }
 
   /// Over a step.
@@ -86,6 +88,11 @@ class StateSlopes {
     OfHidden rate;
     if (hides_) {
       before_ = X_.template middleCols<3>(3);
+      follows_rudder_ = of_step.by_rudder.size() > 0;
+      if (follows_rudder_) {
+        by_rudder_ = before_ * of_step.by_rudder.template segment<3>(TapedVariables::u).transpose();
+        add_direct(by_rudder_, of_step.by_rudder, controls, in_step);
+      }
       rate = of_hidden(of_step.hidden[0], before_, H_);
       moved_ += (H_ + 0.5 * t.h * rate) * forced_.template middleCols<hidden>(TapedVariables::hidden).transpose();
     }
@@ -161,6 +168,7 @@ class StateSlopes {
     using V = TapedVariables;
     OfHidden rate = motion * by.template middleCols<3>(V::u).transpose();
     rate += H * by.template middleCols<hidden>(V::hidden).transpose();
+    if (follows_rudder_) rate += by_rudder_ * by.col(V::by_rudder).transpose();
     add_numbers(rate, by);
     return rate;
   }
@@ -182,7 +190,7 @@ class StateSlopes {
 
   /// The same, and controls.
   template <class To, class By, class Then>
-  void add_direct(To&& to, const By& by, const Controls<double>& controls, Then&& then) {
+  void add_direct(To&& to, const By& by, const Controls<double>& controls, Then&& then) const {
     add_numbers(to, by);
     for (const auto& d : differences_.controls) add_controls(to, d.unknown, d.step, by, controls, then(d.controls));
   }
@@ -204,7 +212,8 @@ class StateSlopes {
   const ChannelObserver& observer_;
   Unknowns<N> X_;
   OfHidden H_;
-  bool hides_ = false;
+  Unknowns<1> by_rudder_;  ///< of the force of the rudder over a step
+  bool hides_ = false, follows_rudder_ = false;
   Unknowns<6> moved_;
   Unknowns<3> before_;
   Unknowns<3> acceleration_;

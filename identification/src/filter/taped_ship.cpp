@@ -52,10 +52,7 @@ class TapedModel final : public TapedShip {
     begin();
     const auto& m = state.motion;
     const ShipState<Taped> s{Taped(state.x), Taped(state.y), {state.psi, V::psi + 1}, as_variables(m)};
-    const Controls<Taped> c{{controls.delta, V::delta + 1},
-                            {controls.rev, V::rev + 1},
-                            {{controls.thrust.port, V::port + 1}, {controls.thrust.starboard, V::starboard + 1}},
-                            controls.by_thrust};
+    const auto c = as_variables(controls);
     const auto branch = branch_at(ship_.model, m, driven(ship_.added, m, controls));
     const auto f = rates_of(taped_.model, taped_.around, taped_.added, s, as_variables(hidden), c, branch);
     slopes.resize(6, variables_);
@@ -63,14 +60,28 @@ class TapedModel final : public TapedShip {
     take(slopes, {0, 1, 2}, {f[0].place, f[1].place, f[2].place, 0});
   }
 
-  void of_hidden(const PlanarMotion<double>& motion, const Hidden<double>& hidden, HiddenSlopes& slopes) override {
+  void of_hidden(const PlanarMotion<double>& motion, const Hidden<double>& hidden, double by_rudder,
+                 HiddenSlopes& slopes) override {
     begin();
-    take(slopes, hidden_rates(taped_.added, as_variables(motion), as_variables(hidden)));
+    take(slopes, hidden_rates(taped_.added, as_variables(motion), as_variables(hidden),
+                              Taped{by_rudder, TapedVariables::by_rudder + 1}));
   }
 
-  void of_steady_hidden(const PlanarMotion<double>& motion, HiddenSlopes& slopes) override {
+  void of_rudder(const PlanarMotion<double>& motion, const Controls<double>& controls, RowSlopes& slopes) override {
     begin();
-    take(slopes, steady_hidden(taped_.added, as_variables(motion)));
+    const auto f = sway_by_rudder(taped_.model, taped_.added, as_variables(motion), as_variables(controls));
+    const auto& by = tape_.slopes(std::array<Tape::Place, 4>{f.place, 0, 0, 0});
+    slopes.resize(variables_);
+    for (Eigen::Index i = 0; i < variables_; ++i) slopes[i] = by[static_cast<std::size_t>(i) + 1][0];
+  }
+
+  void of_steady_hidden(const PlanarMotion<double>& motion, const Controls<double>& controls,
+                        HiddenSlopes& slopes) override {
+    begin();
+    const auto m = as_variables(motion);
+    const bool follow = may_follow_rudder(taped_.added);
+    const auto by_rudder = follow ? sway_by_rudder(taped_.model, taped_.added, m, as_variables(controls)) : Taped(0.0);
+    take(slopes, steady_hidden(taped_.added, m, by_rudder));
   }
 
   void restart() override { apply(before_, 0); }
@@ -85,6 +96,14 @@ class TapedModel final : public TapedShip {
   static PlanarMotion<Taped> as_variables(const PlanarMotion<double>& m) {
     using V = TapedVariables;
     return {{m.u, V::u + 1}, {m.v, V::v + 1}, {m.r, V::r + 1}};
+  }
+
+  static Controls<Taped> as_variables(const Controls<double>& controls) {
+    using V = TapedVariables;
+    return {{controls.delta, V::delta + 1},
+            {controls.rev, V::rev + 1},
+            {{controls.thrust.port, V::port + 1}, {controls.thrust.starboard, V::starboard + 1}},
+            controls.by_thrust};
   }
 
   static Hidden<Taped> as_variables(const Hidden<double>& hidden) {

@@ -27,7 +27,7 @@ ShipNumbers numbers_of(const Ship& ship);
 /// The first variables of a taped ship; her numbers follow.
 struct TapedVariables {
   static constexpr int psi = 0, u = 1, v = 2, r = 3, delta = 4, rev = 5, port = 6, starboard = 7, hidden = 8,
-                       count = hidden + static_cast<int>(hidden_count);
+                       by_rudder = hidden + static_cast<int>(hidden_count), count = by_rudder + 1;
 };
 
 class TapedShip {
@@ -41,10 +41,17 @@ class TapedShip {
 
   /// Derivatives of the rates of the hidden states by the same.
   using HiddenSlopes = Eigen::Matrix<double, static_cast<int>(hidden_count), Eigen::Dynamic>;
-  virtual void of_hidden(const PlanarMotion<double>& motion, const Hidden<double>& hidden, HiddenSlopes& slopes) = 0;
+  /// @param by_rudder  sway_by_rudder, a variable of its own
+  virtual void of_hidden(const PlanarMotion<double>& motion, const Hidden<double>& hidden, double by_rudder,
+                         HiddenSlopes& slopes) = 0;
+
+  /// Derivatives of sway_by_rudder by the same.
+  using RowSlopes = Eigen::RowVectorXd;
+  virtual void of_rudder(const PlanarMotion<double>& motion, const Controls<double>& controls, RowSlopes& slopes) = 0;
 
   /// Derivatives of the hidden states of a motion that has lasted long.
-  virtual void of_steady_hidden(const PlanarMotion<double>& motion, HiddenSlopes& slopes) = 0;
+  virtual void of_steady_hidden(const PlanarMotion<double>& motion, const Controls<double>& controls,
+                                HiddenSlopes& slopes) = 0;
 
   virtual void restart() = 0;
 

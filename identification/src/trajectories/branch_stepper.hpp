@@ -91,7 +91,7 @@ class Stepper {
     if constexpr (with_effects) {
       const auto hidden = hidden_of(s);
       return joined<hidden_states>(rates_of(model, around, added, state, hidden, c, branch),
-                                   hidden_rates(added, state.motion, hidden));
+                                   hidden_rates(model, added, state.motion, hidden, c));
     } else {
       return rates_of(model, around, state, c, branch);
     }

@@ -28,8 +28,8 @@ class ModelSegmentSimulator final : public SegmentSimulator {
 
   Eigen::Index states() const override { return states_; }
 
-  Eigen::VectorXd steady(const Eigen::VectorXd& motion) const override {
-    return vector(settled(state_from(motion), ship_of(model_).added));
+  Eigen::VectorXd steady(const Eigen::VectorXd& motion, const Controls<double>& controls) const override {
+    return vector(settled(state_from(motion), ship_of(model_), controls));
   }
 
   SegmentResponse simulate(const RunSegment& segment, const Eigen::VectorXd& start, std::span<const double> values,
@@ -68,9 +68,10 @@ class ModelSegmentSimulator final : public SegmentSimulator {
   // ---------------------------------------------------------------- states
 
   /// The hidden states are those of a steady motion.
-  template <class S, class Added>
-  static State<S> settled(State<S> s, const Added& added) {
-    if constexpr (with_effects) std::ranges::copy(steady_hidden(added, visible(s).motion), s.begin() + 6);
+  template <class S>
+  static State<S> settled(State<S> s, const ShipIn<Model, S, with_effects>& ship, const Controls<double>& controls) {
+    if constexpr (with_effects)
+      std::ranges::copy(steady_hidden(ship.model, ship.added, visible(s).motion, cast<S>(controls)), s.begin() + 6);
     return s;
   }
 
@@ -176,7 +177,7 @@ class ModelSegmentSimulator final : public SegmentSimulator {
         seen(measurement - segment.measurements.begin(), shown(stepper, measurement->channel, s, run.controls[sample]));
     };
     pass_changes(run.time[segment.from]);
-    if (given == 6) s = settled(s, stepper.ship().added);
+    if (given == 6) s = settled(s, stepper.ship(), run.controls[segment.from]);
     stepper.begin(s, run.controls[segment.from]);
     see(segment.from);
     for (std::size_t k = segment.from; k < segment.to; ++k) {

@@ -137,7 +137,7 @@ std::vector<ShootingSegment> segments_of(const TrajectoryProblem& problem, const
       const Eigen::VectorXd start = Eigen::Map<const Eigen::Vector<double, 6>>(s.data());
       segments.push_back({{&run, cut[i], cut[i + 1], measurements_between(run, cut[i], cut[i + 1])},
                           j,
-                          i == 0 ? start : problem.simulator->steady(start),
+                          i == 0 ? start : problem.simulator->steady(start, run.controls[cut[i]]),
                           i + 2 < cut.size()});
     }
   }

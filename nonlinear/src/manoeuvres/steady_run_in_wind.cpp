@@ -86,7 +86,9 @@ class StraightRun {
   /// Force of the water, with what effects add to it.
   PlanarForce<D> own_force(const ShipState<D>& state, const Controls<D>& controls) const {
     const auto own = forces(ship_, state.motion, controls).total();
-    return added_.any() ? own + added_force(ship_, added_, state, steady_hidden(added_, state.motion), controls) : own;
+    return added_.any()
+               ? own + added_force(ship_, added_, state, steady_hidden(ship_, added_, state.motion, controls), controls)
+               : own;
   }
 
   /// psi − psi_0, or the velocity over ground across the course, over U.

@@ -28,7 +28,7 @@ ForceBreakdown break_down(const ActingShip<Model>& acting, const Surroundings<do
     result.parts.push_back({"wind", wind_load(around, state)});
     result.total = result.total + result.parts.back().force;
   }
-  for_each_added(model, acting.added, state, steady_hidden(acting.added, state.motion), controls,
+  for_each_added(model, acting.added, state, steady_hidden(model, acting.added, state.motion, controls), controls,
                  [&](std::string_view name, const PlanarForce<double>& force) {
                    result.parts.push_back({name, force});
                    result.total = result.total + force;

@@ -104,7 +104,8 @@ class EventStepper final : public ShipStepper {
         with_added_(acting.added.any() || std::ranges::any_of(acting.changes, &Change::acting)),
         actuator_(acting.rudder),
         time_(start.time),
-        state_(joined<HiddenStates>(vector_of(start.state), steady_hidden(acting.added, start.state.motion))),
+        state_(joined<HiddenStates>(vector_of(start.state),
+                                    steady_hidden(acting.model, acting.added, start.state.motion, start.controls))),
         rudder_(RudderMotion<>::moving(start.time, start.controls.delta, 0.0)),
         propulsion_{start.time, start.controls},
         time_unit_(ship_.particulars.L / std::max(speed(start.state.motion), 0.05 * ship_.particulars.U_0)),
@@ -211,8 +212,7 @@ class EventStepper final : public ShipStepper {
     return [this](const State& s, State& rate, double time) {
       if constexpr (HiddenStates > 0) rate = rates_with_hidden(s, time);
       else if (with_added_)
-        rate = rates_of(ship_, surroundings_, added_, visible(s), steady_hidden(added_, visible(s).motion),
-                        controls_at(time), branch_);
+        rate = rates_of(ship_, surroundings_, added_, visible(s), Hidden<double>{}, controls_at(time), branch_);
       else rate = rates_without_effects(s, time);
     };
   }
@@ -226,7 +226,7 @@ class EventStepper final : public ShipStepper {
     const auto state = visible(s);
     const auto hidden = hidden_of(s);
     const auto r = rates_of(ship_, surroundings_, added_, state, hidden, controls_at(time), branch_);
-    return joined<HiddenStates>(r, hidden_rates(added_, state.motion, hidden));
+    return joined<HiddenStates>(r, hidden_rates(ship_, added_, state.motion, hidden, controls_at(time)));
   }
 
   /// What the indicator shows from now on, and the rudder behind it.
@@ -347,7 +347,7 @@ class EventStepper final : public ShipStepper {
     };
     const auto split = forces(ship_, state.motion, driven(added_, state.motion, now));
     for (const auto& [part, force] : split.parts()) look(part, force);
-    for_each_added(ship_, added_, state, steady_hidden(added_, state.motion), now, look);
+    for_each_added(ship_, added_, state, steady_hidden(ship_, added_, state.motion, now), now, look);
     return fmt::format("{} with X = {:.2g} N, Y = {:.2g} N, N = {:.2g} N m", name, largest.X, largest.Y, largest.N);
   }
 

@@ -187,7 +187,8 @@ class Simulator::CoreOf : public Simulator::Core {
 
   void begin(const ShipState<double>& from) override {
     state = from;
-    hidden_ = steady_hidden(effects_.effects, held(from.motion, ship_.L(), ship_.U_0()).motion);
+    hidden_ = steady_hidden(ship_.model, effects_.effects, held(from.motion, ship_.L(), ship_.U_0()).motion,
+                            held(controls()));
     unbounded_ = false;
   }
 
@@ -294,8 +295,15 @@ class Simulator::CoreOf : public Simulator::Core {
     const auto now = visible(s);
     const auto hidden = hidden_of(s);
     const auto rate = rates_of(ship_, around, effects_, now, hidden, c, branch);
-    const auto h = effects_.effects.hidden() ? hidden_rates(effects_.effects, now.motion, hidden) : Hidden<double>{};
-    return joined(state_of(rate), h);
+    return joined(state_of(rate),
+                  effects_.effects.hidden() ? rates_of_hidden(now.motion, hidden, c) : Hidden<double>{});
+  }
+
+  Hidden<double> rates_of_hidden(const PlanarMotion<double>& m, const Hidden<double>& hidden,
+                                 const Controls<double>& c) const {
+    const auto at = held(m, ship_.L(), ship_.U_0()).motion;
+    return hidden_rates(effects_.effects, m, hidden,
+                        followed_sway_by_rudder(ship_.model, effects_.effects, at, held(c)));
   }
 
   void take_step(double from, double to) {

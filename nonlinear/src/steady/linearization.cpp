@@ -49,7 +49,8 @@ std::vector<PartDerivatives> parts_on(const ActingShip<Model>& acting, const Ope
     result.push_back({std::string(name), derivatives_of(acceleration(ship, held, force))});
   };
   for (const auto& part : split.parts()) add(part.name, part.force);
-  for_each_added(ship, added, ShipState<D>{D(0.0), D(0.0), D(0.0), motion}, steady_hidden(added, motion), controls,
+  for_each_added(ship, added, ShipState<D>{D(0.0), D(0.0), D(0.0), motion},
+                 steady_hidden(ship, added, motion, controls), controls,
                  [&](std::string_view name, const PlanarForce<D>& force) {
                    add(name, force);
                    total = total + force;

@@ -62,8 +62,8 @@ class SegmentSimulator {
   virtual SegmentResponse simulate(const RunSegment& segment, const Eigen::VectorXd& start,
                                    std::span<const double> values, bool with_slopes) const = 0;
 
-  /// All states where six are given.
-  virtual Eigen::VectorXd steady(const Eigen::VectorXd& motion) const = 0;
+  /// All states where six are given, and the controls.
+  virtual Eigen::VectorXd steady(const Eigen::VectorXd& motion, const Controls<double>& controls) const = 0;
 };
 
 /// Of a ship with her effects; wind and current are her own, and that of the runs.

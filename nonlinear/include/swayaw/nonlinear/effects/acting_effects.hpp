@@ -191,27 +191,74 @@ PlanarForce<S> added_force(const Model& model, const ActingEffects<S>& a, const 
   return sum;
 }
 
-/// Rates of the hidden states.
+/// Whether one of the effects has hidden states that may follow the force of the rudder.
 template <class S>
-Hidden<S> hidden_rates(const ActingEffects<S>& a, const PlanarMotion<S>& m, const Hidden<S>& hidden) {
+bool may_follow_rudder(const ActingEffects<S>& a) {
+  bool may = false;
+  for_each_acting(a, [&](auto, const auto& e) {
+    may = may || requires { follows_rudder(e); };
+  });
+  return may;
+}
+
+/// Sway force of the rudder over the mass of the ship, Y_R/(ρ∇) [m/s²].
+/// @param controls  as recorded
+template <class Model, class S>
+S sway_by_rudder(const Model& model, const ActingEffects<S>& a, const PlanarMotion<S>& m, const Controls<S>& controls) {
+  return forces(model, m, driven(a, m, controls)).rudder.Y / (a.ship.rho * a.ship.nabla);
+}
+
+/// The same where a hidden state follows it; else 0, and it is not worked out.
+template <class Model, class S>
+S followed_sway_by_rudder(const Model& model, const ActingEffects<S>& a, const PlanarMotion<S>& m,
+                          const Controls<S>& controls) {
+  bool follows = false;
+  for_each_acting(a, [&](auto, const auto& e) {
+    if constexpr (requires { follows_rudder(e); }) follows = follows || follows_rudder(e);
+  });
+  return follows ? sway_by_rudder(model, a, m, controls) : S(0.0);
+}
+
+/// Rates of the hidden states.
+/// @param by_rudder  sway_by_rudder
+template <class S>
+Hidden<S> hidden_rates(const ActingEffects<S>& a, const PlanarMotion<S>& m, const Hidden<S>& hidden,
+                       const S& by_rudder) {
   Hidden<S> rates{};
   for_each_acting(a, [&](auto i, const auto& e) {
-    if constexpr (detail::hidden_size<ActingKind<i.value>>() > 0)
-      std::ranges::copy(hidden_rates(e, a.ship, m, hidden_of<i.value, S>(hidden)),
-                        rates.begin() + hidden_place[i.value]);
+    constexpr auto place = hidden_place[i.value];
+    if constexpr (requires { follows_rudder(e); })
+      std::ranges::copy(hidden_rates(e, a.ship, m, hidden_of<i.value, S>(hidden), by_rudder), rates.begin() + place);
+    else if constexpr (detail::hidden_size<ActingKind<i.value>>() > 0)
+      std::ranges::copy(hidden_rates(e, a.ship, m, hidden_of<i.value, S>(hidden)), rates.begin() + place);
   });
   return rates;
 }
 
+template <class Model, class S>
+Hidden<S> hidden_rates(const Model& model, const ActingEffects<S>& a, const PlanarMotion<S>& m, const Hidden<S>& hidden,
+                       const Controls<S>& controls) {
+  return hidden_rates(a, m, hidden, followed_sway_by_rudder(model, a, m, controls));
+}
+
 /// Hidden states of a motion that has lasted long.
 template <class S>
-Hidden<S> steady_hidden(const ActingEffects<S>& a, const PlanarMotion<S>& m) {
+Hidden<S> steady_hidden(const ActingEffects<S>& a, const PlanarMotion<S>& m, const S& by_rudder) {
   Hidden<S> steady{};
   for_each_acting(a, [&](auto i, const auto& e) {
-    if constexpr (detail::hidden_size<ActingKind<i.value>>() > 0)
-      std::ranges::copy(steady_hidden(e, a.ship, m), steady.begin() + hidden_place[i.value]);
+    constexpr auto place = hidden_place[i.value];
+    if constexpr (requires { follows_rudder(e); })
+      std::ranges::copy(steady_hidden(e, a.ship, m, by_rudder), steady.begin() + place);
+    else if constexpr (detail::hidden_size<ActingKind<i.value>>() > 0)
+      std::ranges::copy(steady_hidden(e, a.ship, m), steady.begin() + place);
   });
   return steady;
+}
+
+template <class Model, class S>
+Hidden<S> steady_hidden(const Model& model, const ActingEffects<S>& a, const PlanarMotion<S>& m,
+                        const Controls<S>& controls) {
+  return steady_hidden(a, m, followed_sway_by_rudder(model, a, m, controls));
 }
 
 /// Force of model and effects in a motion that lasts, without what depends on the heading: wind, waves, an unknown
@@ -222,7 +269,7 @@ PlanarForce<S> steady_force(const Model<S>& ship, const ActingEffects<S>& added,
   const auto own = forces(ship, m, driven(added, m, controls), branch).total();
   if (!added.any()) return own;
   return own + added_force(ship, without_heading(added), ShipState<S>{S(0.0), S(0.0), S(0.0), m},
-                           steady_hidden(added, m), controls);
+                           steady_hidden(ship, added, m, controls), controls);
 }
 
 template <template <class> class Model, class S>
