@@ -20,7 +20,7 @@ DateGrid dates_of(const FleetModel& model, std::size_t vessel, ChangeShape shape
   for (const auto& day : model.days())
     if (day.vessel == vessel) days.push_back(day.date);
   std::ranges::sort(days);
-  days.erase(std::ranges::unique(days).begin(), days.end());
+  days.erase(std::unique(days.begin(), days.end()), days.end());
   DateGrid grid;
   for (std::size_t i = 0; i + 1 < days.size(); ++i) {
     const double a = days[i], b = days[i + 1], middle = 0.5 * (a + b);

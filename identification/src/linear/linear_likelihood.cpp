@@ -19,12 +19,12 @@ double log_likelihood(const LinearProblem& problem, const Parameters& p) {
 }
 
 LikelihoodSlope slope(const LinearProblem& problem, const Parameters& p) {
-  using D = Dual<places>;
-  Eigen::Matrix<D, places, 1> dual;
-  for (int i = 0; i < places; ++i) dual[i] = D(p[i]);
+  using ByPlace = Dual<places>;
+  Eigen::Matrix<ByPlace, places, 1> dual;
+  for (int i = 0; i < places; ++i) dual[i] = ByPlace(p[i]);
   for (const int i : problem.free) dual[i].v[i] = 1.0;
   LikelihoodSlope sum;
-  const auto seen = [&](const LinearInnovation<D>& now, int, double) {
+  const auto seen = [&](const LinearInnovation<ByPlace>& now, int, double) {
     // ∂/∂p of −½ (e²/S + ln S) is −e e_p/S + ½ (e²/S − 1) S_p/S; its variance e_p e_pᵀ/S + ½ S_p S_pᵀ/S²
     const double over = 1.0 / now.variance.a, e = now.error.a;
     const Parameters de = now.error.v, dS = now.variance.v * over;
