@@ -167,12 +167,14 @@ std::array<S, 2> steady_hidden(const RollCoupling<S>& e, const ShipFacts<S>& shi
 inline SearchForm<RollCoupling<>> search_form(const RollCoupling<>& null, const SearchContext& context) {
   auto Y = from_null(context["Y_phi"]), N = from_null(context["N_phi"]);
   Y.coordinate.acts = N.coordinate.acts = true;
+  // main dimensions tell KM to 8 % (KCS), which is a quarter of the lever; beyond three times it is no lever of a hull
+  constexpr double lever_known_to = 0.3;
   constexpr FactorRange of_lever{.low = 0.3, .high = 3.0};
   constexpr FactorRange of_GM{.low = 0.2, .high = 5.0}, of_damping{.low = 0.2, .high = 5.0};
   return by_moves(
       null,
       {by_factor(context["GM_m"], 1.0, of_GM), std::move(Y), std::move(N), by_factor(context["zeta"], 0.7, of_damping),
-       by_factor(context["lever_m"], 0.3, of_lever), from_null(context["rudder_lever_m"])},
+       by_factor(context["lever_m"], lever_known_to, of_lever), from_null(context["rudder_lever_m"])},
       {{0.0, 0.1, -0.1, 0.0, 0.0, 0.0}, {-1.2, 0.1, -0.1, 0.0, 0.0, 0.0}});
 }
 
