@@ -169,7 +169,7 @@ Trial hide(const Scene& scene, const Day& day, const std::vector<Manoeuvre>& run
            Severity severity, const std::vector<Label>& others, RandomSource& random) {
   const auto list = planned.starts_with("unknown") ? on_board_unknown_kinds() : on_board_kinds();
   std::vector<std::string_view> kinds(list.begin(), list.end());
-  std::ranges::rotate(kinds, std::ranges::find(kinds, planned));
+  std::rotate(kinds.begin(), std::ranges::find(kinds, planned), kinds.end());
   std::erase_if(kinds, [&](std::string_view kind) {
     return !makes_sense(scene, kind) || std::ranges::count(others, kind, &Label::effect) > 0;
   });

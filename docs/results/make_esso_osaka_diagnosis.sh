@@ -25,6 +25,13 @@ done < "$here/esso_osaka_runs.txt"
 runs=(turn_*.csv zigzag_*.csv) used=() held=()
 for i in "${!runs[@]}"; do if ((i % 2)); then held+=("${runs[i]}"); else used+=("${runs[i]}"); fi; done
 "$program" diagnose "$ship" "${used[@]}" --holdout "${held[@]}" --json > held_out.json
+# each run by itself
+alone=()
+for run in "${runs[@]}"; do
+  "$program" diagnose "$ship" "$run" --json > "${run%.csv}.alone.json"
+  alone+=("${run%.csv}=${run%.csv}.alone.json")
+done
+helper surroundings "${alone[@]}" > tables/alone.md
 helper surroundings "both days=both.json" "turns=turns.json" "zigzags=zigzags.json" "every other run of both=held_out.json" > tables/winds.md
 helper budget "both days=both.json" "turns=turns.json" "zigzags=zigzags.json" > tables/budget.md
 helper found "both days=both.json" "seven turns of 14 September=turns.json" "seven zigzags of 31 July=zigzags.json" "every other run of both days=held_out.json" > tables/found.md

@@ -272,7 +272,7 @@ std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s
   const auto baseline = linearized(trial, {}, null);
   // terms of a group stand in the place of her own coefficients, which may be further off than was said
   const auto less_sure = with_inflated_prior(trial, inflation_step);
-  const auto less_sure_baseline = linearized(less_sure, {}, null);
+  const auto less_sure_baseline = with_prior_of(problem_of(less_sure, Hypothesis{}), baseline);
   std::vector<DetectableSize> sizes;
   for (const auto& form : forms) {
     if (std::ranges::count(sizes, form.id, &DetectableSize::effect))

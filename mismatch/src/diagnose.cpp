@@ -110,12 +110,14 @@ double course_range(std::span<const Recording> runs, const std::vector<std::stri
   return widest;
 }
 
-/// "their courses lie within 78 deg; a turn through 360 deg, or …"
+/// "the courses of these runs lie within 78 deg; a turn through 360 deg, or …"
 std::string what_would_tell(std::span<const Recording> runs, const std::vector<std::string>& names) {
+  const double range = course_range(runs, names);
+  if (range >= 2.0 * pi) return "these runs go all round: more turns on the same day, to either side, tell it";
   return fmt::format(
       "the courses of these runs lie within {:.0f} deg; a turn through 360 deg, or the same manoeuvre on the opposite "
       "course, tells it",
-      degrees(std::min(2.0 * pi, course_range(runs, names))));
+      degrees(range));
 }
 
 /// Takes a direction out that the runs do not tell, and says why.
@@ -155,20 +157,39 @@ std::string why_not(const FittedCandidate& tried, const Search& s, double needed
                      in_two_digits(needed));
 }
 
-/// Where no wind or stream was found, but one would explain the runs better: it cannot be told.
-void put_untold_surroundings(Diagnosis& d, const Search& s, std::span<const Recording> runs, double needed) {
-  if (!d.surroundings.empty() || !s.on_board) return;
+/// A wind or stream that was tried, would explain the runs better and was not taken, in words: what, and why not.
+std::optional<std::string> untold_of_tried(const Search& s, double needed) {
   for (const auto& tried : s.first) {
     const auto place = place_of(tried.effect);
     if ((place != EffectPlace::air && place != EffectPlace::water) || acting_time(tried.effect) || !(tried.gain > 0.0))
       continue;
-    SurroundingsEstimate all{.scope = "all", .runs = {}, .parameters = {}};
-    for (const auto& run : runs) all.runs.push_back(run.name);
-    all.cannot_tell = fmt::format("{} cannot be told: {}; {}", text_of(tried.effect).phrase, why_not(tried, s, needed),
-                                  what_would_tell(runs, all.runs));
-    d.surroundings.push_back(std::move(all));
-    return;
+    return fmt::format("{} cannot be told: {}", text_of(tried.effect).phrase, why_not(tried, s, needed));
   }
+  return std::nullopt;
+}
+
+/// How much wind these runs would not have shown, in words; nothing where the windage of the ship is not known.
+std::optional<std::string> untold_wind(const Trial& trial, const Search& s, std::span<const EffectForm> forms,
+                                       double needed) {
+  const auto wind = std::ranges::find(forms, SteadyWind<>::id, &EffectForm::id);
+  if (wind == forms.end()) return std::nullopt;
+  const auto phrase = text_of(make_effect(wind->id)).phrase;
+  const auto sizes = detectable_sizes(trial, s, {&*wind, 1}, needed);
+  if (sizes.empty()) return fmt::format("{} cannot be told: none that is likely would have shown", phrase);
+  return fmt::format("{} of less than {} m/s would not have shown", phrase, in_two_digits(sizes.front().value));
+}
+
+/// Where no wind or stream was found: why one cannot be told, or how much of it, and what would tell it.
+void put_untold_surroundings(Diagnosis& d, const Trial& trial, const Search& s, std::span<const Recording> runs,
+                             std::span<const EffectForm> forms, double needed) {
+  if (!d.surroundings.empty() || !s.on_board) return;
+  auto untold = untold_of_tried(s, needed);
+  if (!untold) untold = untold_wind(trial, s, forms, needed);
+  if (!untold) return;
+  SurroundingsEstimate all{.scope = "all", .runs = {}, .parameters = {}};
+  for (const auto& run : runs) all.runs.push_back(run.name);
+  all.cannot_tell = fmt::format("{}; {}", *untold, what_would_tell(runs, all.runs));
+  d.surroundings.push_back(std::move(all));
 }
 
 /// Nothing where the ship cannot sail the run.
@@ -858,7 +879,8 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   attempt(d, "what the missing force follows", [&] { d.budget = budget_of(trial, s.hypothesis(), s.now); });
   const auto refitted = [&](const Recording& run) { return ship_at(trial, {}, alone.point, &run); };
   put_effects(d, trial, s, refitted, options.detection, runs, holdout);
-  put_untold_surroundings(d, s, runs, options.detection);
+  attempt(d, "how much wind would not have shown",
+          [&] { put_untold_surroundings(d, trial, s, runs, forms, options.detection); });
   const auto improved = [&](const Recording& run) { return ship_at(trial, s.hypothesis(), s.now.point, &run); };
   d.train = errors_of(ship, refitted, improved, runs);
   d.holdout = errors_of(ship, refitted, improved, holdout);

@@ -113,8 +113,7 @@ std::optional<Beside> beside(const Trial& trial, const Hypothesis& accepted, con
       held.slopes.col(i).setZero();  // at its end it gains no more
     other.slopes.col(i).setZero(), other.point[i] = unknown.mean;
   }
-  other.inverse = inverse(other.slopes.transpose() * other.slopes + problem.precision);
-  other.pull = problem.precision * (other.point - problem.mean());
+  other = with_prior_of(problem, std::move(other));
   const double gain = linear_evidence(problem, other) - linear_evidence(problem, held);
   return Beside{std::move(other), gain};
 }
@@ -195,9 +194,7 @@ std::vector<Screened> screened_beside_form(const Search& s, const Hypothesis& ac
   for (double& size : sizes) size *= smaller;
   const auto narrow = trial_with(s, sizes);
   const auto beside = problem_of(narrow, accepted);
-  auto other = linear;
-  other.inverse = inverse(linear.slopes.transpose() * linear.slopes + beside.precision);
-  other.pull = beside.precision * (linear.point - beside.mean());
+  const auto other = with_prior_of(beside, linear);
   const double cost = gain_by_prior(problem_of(s.trial, accepted), s.now, narrow.precision);
   for (auto c : screened(narrow, accepted, other, s.forms)) {
     c.sizes = sizes, c.predicted_gain.gain += cost;
@@ -606,7 +603,8 @@ MapFit without(MapFit fit, const Trial& trial, const Hypothesis& after) {
   return fit;
 }
 
-/// Gain in log likelihood of held-out runs, or of each run by a fit to the others.
+/// Gain in log likelihood of held-out runs, or of each run by a fit to the others, or of each half of one by a fit to
+/// the other half.
 double held_out_gain(const Trial& trial, const HeldOutRuns& held_out, const Hypothesis& before, const MapFit& a,
                      const Hypothesis& after, const MapFit& b) {
   if (!held_out.is_empty()) {
@@ -614,11 +612,13 @@ double held_out_gain(const Trial& trial, const HeldOutRuns& held_out, const Hypo
     if (!moved(a, trial, before, after)) return gain_of_likelihood(unused, before, a, held_out.now, after, b);
     return gain_of_likelihood(unused, before, without(a, trial, after), after, b);
   }
-  std::vector<double> gains(trial.runs.size());
-  in_parallel(trial.runs.size(), 0, [&](std::size_t i) {
+  const auto parts = trial.parts();
+  std::vector<double> gains(parts.size());
+  in_parallel(parts.size(), 0, [&](std::size_t i) {
     Trial others = trial, one = trial;
+    others.runs.assign(parts.begin(), parts.end());
     others.runs.erase(others.runs.begin() + static_cast<std::ptrdiff_t>(i));
-    one.runs = {trial.runs[i]};
+    one.runs = {parts[i]};
     const auto of = [&](const Hypothesis& h, const MapFit& from) {
       MapFit found = fit(others, h, from.point, from.noise, {.rounds = 1});
       found.noise = from.noise;
@@ -661,10 +661,10 @@ double gain_as_elsewhere(const HeldOutRuns& held_out, const Trial& trial, const 
   return tried.gain - here + elsewhere * rows / other_rows;
 }
 
-/// What runs that were not used say of an effect that was tried. Of a single run nothing is known.
+/// What runs that were not used say of an effect that was tried. Of a single run that is short nothing is known.
 void ask(const HeldOutRuns& held_out, const Trial& trial, const Search& s, FittedCandidate& tried, double needed) {
   const bool of_a_time = is_of_a_time(tried.effect);
-  if (held_out.is_empty() && (of_a_time || trial.runs.size() < 2)) return;
+  if (held_out.is_empty() && (of_a_time || trial.parts().empty())) return;
   const auto before = s.hypothesis();
   const double gain = held_out_gain(trial, held_out, before, s.now, with(before, *tried.form), tried.fit);
   if (!held_out.is_empty())
@@ -1183,6 +1183,7 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
   s = named(std::move(s), exact.unused, forms, options, go_on);
   if (working && inexact && s.named_scale > ordinary_scale) {
     auto other = beside_form();
+    if (s.named_scale > hopeless_scale) return other;
     auto mapped = s;  // its effects are those of s, which stays
     map_unknown(exact.unused, mapped, options.further);
     const auto& runs = inexact->trials.used.runs;

@@ -75,6 +75,25 @@ std::vector<Parameter> factors_on_wind(const Ship& ship) {
   return factors;
 }
 
+/// Both halves of a run, each by itself, or nothing where they are too short to be more than a beginning.
+std::vector<Recording> halves_of(const Recording& run, double time_unit) {
+  constexpr double least_length = 5.0;  // L/U: as long as a first turn takes to become steady
+  const auto middle = std::ssize(run.time) / 2;
+  const auto rows = [&](std::ptrdiff_t from, std::ptrdiff_t to) {
+    Recording half{.name = run.name, .facts = run.facts, .time = {}, .channels = {}, .extra = {}};
+    const auto some = [&](const std::vector<double>& all) {
+      return all.empty() ? all : std::vector(all.begin() + from, all.begin() + to);
+    };
+    half.time = some(run.time);
+    std::ranges::transform(run.channels, half.channels.begin(), some);
+    for (auto& channel : half.channels)
+      if (std::ranges::all_of(channel, [](double x) { return std::isnan(x); })) channel.clear();
+    return half;
+  };
+  if (run.time.back() - run.time.front() < 2.0 * least_length * time_unit) return {};
+  return {rows(0, middle), rows(middle, std::ssize(run.time))};
+}
+
 }  // namespace
 
 Trial as_on_board(Trial trial, std::span<const Recording> runs, std::span<const Channel> channels) {
@@ -82,6 +101,9 @@ Trial as_on_board(Trial trial, std::span<const Recording> runs, std::span<const 
   for (auto& form : ordinary_forms(trial.ship, runs, channels)) trial.ordinary.push_back(std::move(form));
   put_prior(trial);
   trial.runs = lean_runs(trial.ship, runs, channels);
+  if (runs.size() == 1)
+    trial.halves =
+        lean_runs(trial.ship, halves_of(runs.front(), length(trial.ship) / service_speed(trial.ship)), channels);
   return trial;
 }
 
@@ -418,6 +440,12 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
 
 LinearizedFit linearized(const Trial& trial, const Hypothesis& accepted, const MapFit& fit) {
   return linearized(problem_of(trial, accepted), fit);
+}
+
+LinearizedFit with_prior_of(const EstimationProblem& problem, LinearizedFit linear) {
+  linear.inverse = core::detail::inverse(linear.slopes.transpose() * linear.slopes + problem.precision);
+  linear.pull = problem.precision * (linear.point - problem.mean());
+  return linear;
 }
 
 PredictedGain predicted_gain(const Trial& trial, const Hypothesis& accepted, const LinearizedFit& before,

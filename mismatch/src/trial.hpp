@@ -23,6 +23,8 @@ struct Trial {
   Eigen::VectorXd mean;               ///< of the baseline's coordinates
   Eigen::MatrixXd precision;
   std::vector<PreparedRun> runs;
+  std::vector<PreparedRun>
+      halves{};                 ///< of a run that is alone, if each is long enough to tell what the other predicts
   bool calibrated = false;      ///< on reference runs, which tell the form: then its size is no question
   double reference_heel = 0.0;  ///< root mean square heel of the reference runs [rad], 0 where none is recorded
 
@@ -31,6 +33,9 @@ struct Trial {
     for (const auto& form : ordinary) size += std::ssize(form.coordinates);
     return size;
   }
+
+  /// What a fit to all others but one may be asked to predict: the runs, or the halves of one; or nothing.
+  std::span<const PreparedRun> parts() const { return runs.size() > 1 ? runs : halves; }
 };
 
 /// The prior of a trial anew: coefficients in their deviations from the ship file, what is ordinary about its mean.
@@ -140,6 +145,9 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
 
 /// A fitted hypothesis, linear about its most probable point.
 LinearizedFit linearized(const Trial& trial, const Hypothesis& accepted, const MapFit& fit);
+
+/// The same with the prior of another problem in place of its own.
+LinearizedFit with_prior_of(const EstimationProblem& problem, LinearizedFit linear);
 
 /// Gain in log evidence that a further effect predicts.
 PredictedGain predicted_gain(const Trial& trial, const Hypothesis& accepted, const LinearizedFit& before,

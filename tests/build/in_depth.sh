@@ -1,6 +1,7 @@
 #!/bin/bash
 # What takes longer than the other checks, in parts; each builds what it needs:
 #
+#   gcc FLOOR…        tests of these floors by g++, which users compile with
 #   addresses FLOOR…  tests of these floors under the address and undefined-behaviour sanitizers, by clang++
 #   threads FLOOR…    tests of what works on several threads, under the thread sanitizer
 #   coverage          lines and branches that the tests of core, linear and nonlinear run, against what is asked of them
@@ -19,15 +20,19 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 parts=(
   "110 threads core linear"
   "120 addresses core"
+  "150 gcc core linear"
   "170 addresses linear"
+  "270 gcc nonlinear"
   "300 coverage"
   "300 threads nonlinear sweep"
   "330 compilers"
   "330 once"
   "450 addresses nonlinear"
   "480 threads mismatch"
+  "500 gcc identification"
   "540 addresses identification"
   "540 addresses mismatch"
+  "600 gcc mismatch"
 )
 
 # Beyond 20 s of processor time optimised: three to ten minutes with sanitizers.
@@ -36,8 +41,8 @@ long='identification\.(data_compatibility|trial.*|trajectory_.*|linear_fit.*|ide
 # Of these floors only what works on several threads; of the others everything.
 threaded='(core|linear|mismatch)\..*|nonlinear\.(batch|estimate_spread|index_slopes)|sweep\.(plan|points|reduce|run)'
 
-#   sanitized PRESET TESTS FLOOR…
-sanitized() {
+#   floors_tested PRESET TESTS FLOOR…    but for the longest tests
+floors_tested() {
   local preset=$1 tests=$2 floors
   shift 2
   floors="^($(IFS='|'; echo "$*"))\."
@@ -66,14 +71,15 @@ turn() {
 part() {
   local kind=${1:-}
   case $kind in
-    addresses) sanitized sanitize '(core|linear|nonlinear|identification|mismatch)\..*' "${@:2}" ;;
-    threads) sanitized tsan "$threaded" "${@:2}" ;;
+    addresses) floors_tested sanitize '(core|linear|nonlinear|identification|mismatch)\..*' "${@:2}" ;;
+    threads) floors_tested tsan "$threaded" "${@:2}" ;;
     coverage) tests/build/coverage.sh --check ;;
     compilers) tests/build/compilers.sh ;;
+    gcc) floors_tested dev '.*' "${@:2}" ;;
     once) once ;;
     turn) turn "${@:2}" ;;
     parts) printf '%s\n' "${parts[@]}" ;;
-    *) echo "usage: in_depth.sh addresses FLOOR... | threads FLOOR... | coverage | compilers | once | turn [SECONDS] | parts" >&2; exit 2 ;;
+    *) echo "usage: in_depth.sh gcc FLOOR... | addresses FLOOR... | threads FLOOR... | coverage | compilers | once | turn [SECONDS] | parts" >&2; exit 2 ;;
   esac
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <random>
+#include <vector>
 
 #include "faulty_runs.hpp"
 #include "swayaw/core/recording_csv.hpp"
@@ -221,7 +222,7 @@ TEST_CASE("a lag of the velocities is said to be one, or to look like what was t
 
 // ---------------------------------------------------------------- mistakes
 
-void scale(Recording& run, std::initializer_list<Channel> channels, double factor) {
+void scale(Recording& run, const std::vector<Channel>& channels, double factor) {
   for (const Channel c : channels)
     for (double& value : run.channels[index_of(c)]) value *= factor;
 }
@@ -231,11 +232,11 @@ TEST_CASE("a mistake of the user is the one that is told, and nothing is told of
   struct Mistake {
     Channel channel;
     Kind kind;
-    std::initializer_list<Channel> channels;
+    std::vector<Channel> channels;
     double factor;
   };
   const double knot = 1852.0 / 3600.0;
-  const std::array mistakes{
+  const std::vector<Mistake> mistakes{
       Mistake{Channel::delta, Kind::sign, {Channel::delta}, -1.0},
       Mistake{Channel::delta, Kind::unit, {Channel::delta}, degrees(1.0)},
       Mistake{Channel::delta, Kind::unit, {Channel::delta}, radians(1.0)},

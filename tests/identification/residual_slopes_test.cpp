@@ -157,7 +157,7 @@ TEST_CASE("channels that are all as late as the rudder are as likely as channels
     for (auto& run : runs) test::add_noise(run, ship, seed);
     const auto prepared = prepared_runs(ship, runs, test::usual_channels);
     const double interval = runs.front().time[1] - runs.front().time[0];
-    const auto likelihood_by = [&](double delay) {
+    const auto likelihood_by = [&ship = ship, &prepared](double delay) {
       auto late = ship;
       for (const auto channel : {Channel::x, Channel::psi, Channel::r, Channel::u, Channel::delta})
         late.effects.push_back(ChannelDelay<>{channel, delay});
