@@ -148,7 +148,9 @@ std::vector<SurroundingsEstimate> surroundings_of(const Trial& trial, const Acce
 
 /// Why something that was tried is not among what was found.
 std::string why_not(const FittedCandidate& tried, const Search& s, double needed) {
-  if (tried.refuted) return "a part of the runs speaks against what the others tell";
+  if (tried.refuted)
+    return s.trial.runs.size() > 1 ? "a part of the runs speaks against what the others tell"
+                                   : "one half of the run speaks against what the other tells";
   if (tried.trace) return "what it would be is too small to matter, or not told from nothing";
   if (tried.gain > needed && !s.accepted.empty())
     return fmt::format("{} explains the runs as well", text_of(s.accepted.front().effect).phrase);
