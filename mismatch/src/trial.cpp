@@ -75,23 +75,29 @@ std::vector<Parameter> factors_on_wind(const Ship& ship) {
   return factors;
 }
 
-/// Both halves of a run, each by itself, or nothing where they are too short to be more than a beginning.
+bool is_recorded(std::span<const double> values) {
+  return std::ranges::any_of(values, [](double x) { return !std::isnan(x); });
+}
+
+/// Both halves of a run, each by itself; nothing where they are too short to be more than a beginning, or where one of
+/// them lacks a channel.
 std::vector<Recording> halves_of(const Recording& run, double time_unit) {
   constexpr double least_length = 5.0;  // L/U: as long as a first turn takes to become steady
-  const auto middle = std::ssize(run.time) / 2;
-  const auto rows = [&](std::ptrdiff_t from, std::ptrdiff_t to) {
-    Recording half{.name = run.name, .facts = run.facts, .time = {}, .channels = {}, .extra = {}};
-    const auto some = [&](const std::vector<double>& all) {
-      return all.empty() ? all : std::vector(all.begin() + from, all.begin() + to);
-    };
-    half.time = some(run.time);
-    std::ranges::transform(run.channels, half.channels.begin(), some);
-    for (auto& channel : half.channels)
-      if (std::ranges::all_of(channel, [](double x) { return std::isnan(x); })) channel.clear();
-    return half;
-  };
   if (run.time.back() - run.time.front() < 2.0 * least_length * time_unit) return {};
-  return {rows(0, middle), rows(middle, std::ssize(run.time))};
+  const std::array bounds{std::ptrdiff_t{0}, std::ssize(run.time) / 2, std::ssize(run.time)};
+  std::vector<Recording> halves;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto rows = [&](const std::vector<double>& values) {
+      return values.empty() ? values : std::vector(values.begin() + bounds[k], values.begin() + bounds[k + 1]);
+    };
+    Recording half{.name = run.name, .facts = run.facts, .time = rows(run.time), .channels = {}, .extra = {}};
+    for (std::size_t i = 0; i < run.channels.size(); ++i) {
+      half.channels[i] = rows(run.channels[i]);
+      if (is_recorded(run.channels[i]) && !is_recorded(half.channels[i])) return {};
+    }
+    halves.push_back(std::move(half));
+  }
+  return halves;
 }
 
 }  // namespace

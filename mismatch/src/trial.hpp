@@ -23,8 +23,8 @@ struct Trial {
   Eigen::VectorXd mean;               ///< of the baseline's coordinates
   Eigen::MatrixXd precision;
   std::vector<PreparedRun> runs;
-  std::vector<PreparedRun>
-      halves{};                 ///< of a run that is alone, if each is long enough to tell what the other predicts
+  /// Of a run that is alone, if each is long enough to tell what the other predicts.
+  std::vector<PreparedRun> halves{};
   bool calibrated = false;      ///< on reference runs, which tell the form: then its size is no question
   double reference_heel = 0.0;  ///< root mean square heel of the reference runs [rad], 0 where none is recorded
 

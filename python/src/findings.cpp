@@ -22,7 +22,8 @@ void add_findings(py::module_& m) {
       .field<&SurroundingsEstimate::scope>("scope", "A group, a run, or \"all\".")
       .field<&SurroundingsEstimate::runs>("runs", "Their names.")
       .field<&SurroundingsEstimate::parameters>("parameters", "With standard errors.")
-      .field<&SurroundingsEstimate::cannot_tell>("cannot_tell", "Why they do not tell a direction.");
+      .field<&SurroundingsEstimate::cannot_tell>(
+          "cannot_tell", "Why they do not tell a direction, or how much wind they would not have shown.");
   Record<Candidate>(m, "Candidate", "An effect that was tried alone.")
       .field<&Candidate::effect>("effect", "Its id.")
       .field<&Candidate::probability>("probability", "")

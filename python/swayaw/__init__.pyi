@@ -3032,7 +3032,7 @@ class SurroundingsEstimate:
     def _replace(self, **values: Any) -> SurroundingsEstimate: ...
     @property
     def cannot_tell(self) -> str:
-        """Why they do not tell a direction."""
+        """Why they do not tell a direction, or how much wind they would not have shown."""
     @property
     def parameters(self) -> List[ParameterEstimate]:
         """With standard errors."""

@@ -56,7 +56,7 @@ struct SurroundingsEstimate {
   std::string scope;  ///< a group, a run, or "all"
   std::vector<std::string> runs;
   std::vector<ParameterEstimate> parameters;  ///< a direction missing where these runs do not tell it
-  std::string cannot_tell{};                  ///< why they do not, and what would, in words
+  std::string cannot_tell{};  ///< why they do not, or how much wind they would not have shown; what would
 };
 
 /// An effect that was tried alone.
