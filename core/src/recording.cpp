@@ -6,12 +6,25 @@
 #include <cmath>
 
 #include "swayaw/core/detail/median.hpp"
+#include "swayaw/core/detail/recording_rows.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline core {
 
 bool Recording::has(Channel channel) const {
   return std::ranges::any_of((*this)[channel], [](double x) { return !std::isnan(x); });
+}
+
+Recording detail::rows_of(const Recording& run, std::size_t first, std::size_t end) {
+  const auto part = [&]<class T>(const std::vector<T>& all) {
+    if (all.empty()) return all;
+    return std::vector<T>(all.begin() + static_cast<std::ptrdiff_t>(first),
+                          all.begin() + static_cast<std::ptrdiff_t>(end));
+  };
+  Recording result{run.name, run.facts, part(run.time), {}, {}};
+  for (std::size_t k = 0; k < channel_count; ++k) result.channels[k] = part(run.channels[k]);
+  for (const auto& extra : run.extra) result.extra.push_back({extra.name, part(extra.cells)});
+  return result;
 }
 
 std::span<double> Recording::fill(Channel channel) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "swayaw/core/detail/matrices.hpp"
+#include "swayaw/core/detail/recording_rows.hpp"
 #include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline mismatch::detail {
@@ -75,28 +76,16 @@ std::vector<Parameter> factors_on_wind(const Ship& ship) {
   return factors;
 }
 
-bool is_recorded(std::span<const double> values) {
-  return std::ranges::any_of(values, [](double x) { return !std::isnan(x); });
-}
-
-/// Both halves of a run, each by itself; nothing where they are too short to be more than a beginning, or where one of
-/// them lacks a channel.
+/// Both halves of a run, each by itself, on its clock; nothing where they are too short to be more than a beginning, or
+/// where one of them lacks a channel.
 std::vector<Recording> halves_of(const Recording& run, double time_unit) {
   constexpr double least_length = 5.0;  // L/U: as long as a first turn takes to become steady
   if (run.time.back() - run.time.front() < 2.0 * least_length * time_unit) return {};
-  const std::array bounds{std::ptrdiff_t{0}, std::ssize(run.time) / 2, std::ssize(run.time)};
-  std::vector<Recording> halves;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto rows = [&](const std::vector<double>& values) {
-      return values.empty() ? values : std::vector(values.begin() + bounds[k], values.begin() + bounds[k + 1]);
-    };
-    Recording half{.name = run.name, .facts = run.facts, .time = rows(run.time), .channels = {}, .extra = {}};
-    for (std::size_t i = 0; i < run.channels.size(); ++i) {
-      half.channels[i] = rows(run.channels[i]);
-      if (is_recorded(run.channels[i]) && !is_recorded(half.channels[i])) return {};
-    }
-    halves.push_back(std::move(half));
-  }
+  const auto middle = run.samples() / 2;
+  std::vector halves{core::detail::rows_of(run, 0, middle), core::detail::rows_of(run, middle, run.samples())};
+  for (std::size_t i = 0; i < channel_count; ++i)
+    for (const auto& half : halves)
+      if (const auto channel = static_cast<Channel>(i); run.has(channel) && !half.has(channel)) return {};
   return halves;
 }
 

@@ -6,6 +6,7 @@
 
 #include "found_effects.hpp"
 #include "random_ships.hpp"
+#include "swayaw/core/manoeuvres_in.hpp"
 #include "swayaw/core/recording_csv.hpp"
 #include "swayaw/mismatch/diagnose.hpp"
 #include "swayaw/nonlinear/published_ships.hpp"
@@ -95,14 +96,7 @@ TEST_CASE("the zero of MARIN's gyro is found in each of the two runs", "[mismatc
 
 /// A stretch of a run without the wind that was measured.
 Recording without_wind(const std::filesystem::path& file, double from, double to) {
-  auto run = read_recording(file).recording;
-  const auto begin = std::ranges::lower_bound(run.time, from) - run.time.begin(),
-             end = std::ranges::upper_bound(run.time, to) - run.time.begin();
-  const auto cut = [&](std::vector<double>& values) {
-    if (!values.empty()) values = {values.begin() + begin, values.begin() + end};
-  };
-  for (auto& values : run.channels) cut(values);
-  cut(run.time), run.extra.clear();
+  auto run = piece_of(read_recording(file).recording, {from, to, {}, {}, {}});
   for (const auto channel : {Channel::wind_speed, Channel::wind_from}) run.channels[index_of(channel)].clear();
   return run;
 }

@@ -4,17 +4,11 @@
 #include <stdexcept>
 
 #include "../import/nmea_sentence.hpp"
+#include "swayaw/core/detail/recording_rows.hpp"
 #include "swayaw/core/manoeuvres_in.hpp"
 
 namespace swayaw::inline core {
 namespace {
-
-/// Samples from `first` to before `end`.
-template <class T>
-std::vector<T> part(const std::vector<T>& all, std::size_t first, std::size_t end) {
-  if (all.empty()) return {};
-  return {all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(end)};
-}
 
 /// start_utc of what begins so much later; nothing where it cannot be read.
 std::vector<RunRemark> later(std::vector<RunRemark> remarks, double seconds) {
@@ -44,10 +38,8 @@ Recording piece_of(const Recording& run, const ManoeuvrePiece& piece) {
   if (first >= end)
     throw std::domain_error(fmt::format("no sample between {} s and {} s of {}", piece.begin, piece.end, run.name));
   const double zero = run.time[first];
-  Recording result{run.name, run.facts, part(run.time, first, end), {}, {}};
+  auto result = detail::rows_of(run, first, end);
   for (double& time : result.time) time -= zero;
-  for (std::size_t k = 0; k < channel_count; ++k) result.channels[k] = part(run.channels[k], first, end);
-  for (const auto& extra : run.extra) result.extra.push_back({extra.name, part(extra.cells, first, end)});
   result.facts.manoeuvre = piece.manoeuvre;
   result.facts.execute = piece.execute ? std::optional(*piece.execute - zero) : std::nullopt;
   result.facts.remarks = later(std::move(result.facts.remarks), zero);
