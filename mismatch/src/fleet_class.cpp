@@ -33,7 +33,7 @@ Trial trial_of_day(const ClassTrial& whole, const Day& day) {
 /// The likelihood of the runs about a point: residuals that are linear in the coordinates.
 void linearize(Day& day, const ClassTrial& whole, const Trial& trial, const Point& point) {
   const auto linear = linearized(trial, {}, {.point = point, .noise = day.noise});
-  const Eigen::MatrixXd A = linear.slopes.transpose() * linear.slopes;
+  const Eigen::MatrixXd& A = linear.information;
   day.all = {A, A * (point - trial.mean) - linear.slopes.transpose() * linear.residuals, 0.0};
   Eigen::MatrixXd L = Eigen::MatrixXd::Zero(A.rows(), std::ssize(whole.of_a_day));
   for (std::size_t i = 0; i < whole.of_a_day.size(); ++i) {

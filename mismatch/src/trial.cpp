@@ -437,12 +437,6 @@ LinearizedFit linearized(const Trial& trial, const Hypothesis& accepted, const M
   return linearized(problem_of(trial, accepted), fit);
 }
 
-LinearizedFit with_prior_of(const EstimationProblem& problem, LinearizedFit linear) {
-  linear.inverse = core::detail::inverse(linear.slopes.transpose() * linear.slopes + problem.precision);
-  linear.pull = problem.precision * (linear.point - problem.mean());
-  return linear;
-}
-
 PredictedGain predicted_gain(const Trial& trial, const Hypothesis& accepted, const LinearizedFit& before,
                              const EffectForm& form, std::span<const double> start, int iterations) {
   Hypothesis hypothesis = accepted;

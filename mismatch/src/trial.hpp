@@ -146,9 +146,6 @@ MapFit fit(const Trial& trial, const Hypothesis& hypothesis, const Point& start,
 /// A fitted hypothesis, linear about its most probable point.
 LinearizedFit linearized(const Trial& trial, const Hypothesis& accepted, const MapFit& fit);
 
-/// The same with the prior of another problem in place of its own.
-LinearizedFit with_prior_of(const EstimationProblem& problem, LinearizedFit linear);
-
 /// Gain in log evidence that a further effect predicts.
 PredictedGain predicted_gain(const Trial& trial, const Hypothesis& accepted, const LinearizedFit& before,
                              const EffectForm& form, std::span<const double> start, int iterations = 5);

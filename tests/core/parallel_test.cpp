@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <catch.hpp>
+#include <chrono>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -35,15 +36,65 @@ std::size_t threads_of_two_parts() {
 
 }  // namespace
 
-TEST_CASE("parts of a part stay on its thread", "[core][limit]") {
+namespace {
+
+/// The most threads that were at work at one time.
+struct Crowd {
+  std::atomic<int> now = 0, most = 0;
+
+  void work() {
+    const int here = ++now;
+    for (int seen = most; seen < here && !most.compare_exchange_weak(seen, here);) {}
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+    --now;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("parts of a part take no more threads than the work has", "[core][limit]") {
   std::atomic<int> strayed = 0, done = 0;
+  Crowd crowd;
   in_parallel(6, 3, [&](std::size_t) {
+    in_parallel(5, 3, [&](std::size_t) { in_parallel(2, 0, [&](std::size_t) { crowd.work(), ++done; }); });
+  });
+  CHECK(crowd.most <= 3);
+  CHECK(done == 60);
+  in_parallel(3, 1, [&](std::size_t) {
     const auto here = std::this_thread::get_id();
-    in_parallel(5, 3, [&](std::size_t) { strayed += std::this_thread::get_id() != here, ++done; });
+    in_parallel(5, 3, [&](std::size_t) { strayed += std::this_thread::get_id() != here; });
   });
   CHECK(strayed == 0);
-  CHECK(done == 30);
   CHECK(threads_of_two_parts() == 2);  // the calling thread shares its work again once a part is done
+}
+
+TEST_CASE("a part that lasts gets the threads that have none left", "[core][limit]") {
+  std::atomic<bool> other_ended = false, helped = false;
+  in_parallel(2, 2, [&](std::size_t part) {
+    if (part == 1) {
+      other_ended = true;
+      return;
+    }
+    while (!other_ended) std::this_thread::yield();
+    for (int attempt = 0; attempt < 10'000 && !helped;
+         ++attempt) {  // until the other thread has seen that none is left
+      const auto here = std::this_thread::get_id();
+      in_parallel(2, 0, [&](std::size_t) {
+        if (std::this_thread::get_id() != here) helped = true;
+        std::this_thread::sleep_for(std::chrono::microseconds(50));
+      });
+    }
+  });
+  CHECK(helped);
+}
+
+TEST_CASE("a part of which it is said from outside that it is one keeps to its thread", "[core][limit]") {
+  on_a_part = true;  // as a process that works on a part of another's work
+  const auto here = std::this_thread::get_id();
+  std::atomic<int> strayed = 0;
+  in_parallel(8, 4, [&](std::size_t) { strayed += std::this_thread::get_id() != here; });
+  on_a_part = false;
+  CHECK(strayed == 0);
 }
 
 TEST_CASE("what fails in a part reaches the caller, and later work is shared as before", "[core][refusal]") {

@@ -11,6 +11,8 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
+constexpr double at_the_edge = 0.99;  ///< of the radius: a step that is cut by it need not come nearer
+
 /// The held place that the slope pulls inwards most; −1 for none.
 Eigen::Index to_release(const Vector& slope, const Vector& d, const Vector& low, const Vector& high,
                         const std::vector<bool>& held) {
@@ -60,11 +62,12 @@ Vector bounded_step(const Matrix& H, const Vector& g, const Vector& low, const V
   if (d.norm() <= radius) return d;
   double above = below;
   while ((d = damped(above)).norm() > radius) above *= 100.0;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 40 && d.norm() < at_the_edge * radius; ++i) {
     const double mu = std::sqrt(below * above);
-    const Vector at = damped(mu);
-    (at.norm() > radius ? below : above) = mu;
-    if (at.norm() <= radius) d = at;
+    Vector at = damped(mu);
+    const bool within = at.norm() <= radius;
+    (within ? above : below) = mu;
+    if (within) d = std::move(at);
   }
   return d;
 }

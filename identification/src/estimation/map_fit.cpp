@@ -48,7 +48,7 @@ Descent descent_from(const EstimationProblem& problem, const Point& start) {
 
 /// (JᵀJ + Λ) d = −Jᵀe − Λ (p − mean)
 NormalEquations normal_equations(const EstimationProblem& problem, const Eigen::MatrixXd& J, const Descent& here) {
-  return {J.transpose() * J + problem.precision,
+  return {gram(J) + problem.precision,
           -J.transpose() * here.residuals - problem.precision * (here.point - problem.mean())};
 }
 
@@ -92,7 +92,7 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
         here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *passes); }, cost);
     const auto [log_likelihood, found] =
         detail::best_noise(problem, here.point, noise, problem.size() == fixed, of_noise);
-    Eigen::MatrixXd information = slopes.transpose() * slopes;
+    Eigen::MatrixXd information = gram(slopes);
     const Eigen::MatrixXd A = information + problem.precision;
     const double now = log_likelihood - 0.5 * problem.prior(here.point), gain = now - density;
     // the last round is the one whose slopes belong to the noise that was found, so it stands unless it is clearly
@@ -113,13 +113,18 @@ LinearizedFit linearized(const EstimationProblem& problem, const MapFit& fit) {
   result.residuals = residuals(problem, fit.point, *result.passes);
   result.slopes.resize(problem.rows(), fit.point.size());
   renew_slopes(problem, fit.point, *result.passes, result.residuals, 0, result.slopes);
-  result.inverse = inverse(result.slopes.transpose() * result.slopes + problem.precision);
-  result.pull = problem.precision * (fit.point - problem.mean());
-  return result;
+  result.information = gram(result.slopes);
+  return with_prior_of(problem, std::move(result));
+}
+
+LinearizedFit with_prior_of(const EstimationProblem& problem, LinearizedFit linear) {
+  linear.inverse = inverse(linear.information + problem.precision);
+  linear.pull = problem.precision * (linear.point - problem.mean());
+  return linear;
 }
 
 double linear_evidence(const EstimationProblem& problem, const LinearizedFit& fit) {
-  const Eigen::MatrixXd A = fit.slopes.transpose() * fit.slopes + problem.precision;
+  const Eigen::MatrixXd A = fit.information + problem.precision;
   const Eigen::VectorXd g = fit.slopes.transpose() * fit.residuals + problem.precision * (fit.point - problem.mean());
   const double cost = fit.residuals.squaredNorm() + problem.prior(fit.point) - g.dot(solve_symmetric(A, g));
   return 0.5 * (log_determinant(problem.precision) - log_determinant(A) - cost);

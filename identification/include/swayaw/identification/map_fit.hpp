@@ -161,9 +161,10 @@ struct LinearizedFit {
   Point point;
   std::shared_ptr<const FilteredRuns> passes;
   Eigen::VectorXd residuals;
-  Eigen::MatrixXd slopes;   ///< J, of the residuals by the unknowns
-  Eigen::MatrixXd inverse;  ///< (JᵀJ + Λ)⁻¹ with the precision Λ of the prior
-  Eigen::VectorXd pull;     ///< Λ (point − mean), by which the prior draws the unknowns back
+  Eigen::MatrixXd slopes;       ///< J, of the residuals by the unknowns
+  Eigen::MatrixXd information;  ///< JᵀJ
+  Eigen::MatrixXd inverse;      ///< (JᵀJ + Λ)⁻¹ with the precision Λ of the prior
+  Eigen::VectorXd pull;         ///< Λ (point − mean), by which the prior draws the unknowns back
 
   /// M e, what is left of columns of changes of the residuals after the unknowns took what they can:
   /// e − J (JᵀJ + Λ)⁻¹ Jᵀe.
@@ -186,6 +187,9 @@ struct LinearizedFit {
 };
 
 LinearizedFit linearized(const EstimationProblem& problem, const MapFit& fit);
+
+/// The same linearization beside the prior of another problem.
+LinearizedFit with_prior_of(const EstimationProblem& problem, LinearizedFit linear);
 
 /// Log evidence of a problem's prior beside a linearization of the same runs; differences are what counts:
 /// −½ (eᵀe + dᵀΛd − gᵀ(JᵀJ + Λ)⁻¹g) + ½ ln det Λ − ½ ln det(JᵀJ + Λ) with d = point − mean, g = Jᵀe + Λd.

@@ -15,13 +15,16 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& A);
 /// x with A x = b, by LU with partial pivots.
 Eigen::VectorXd solve(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
-/// The same of a symmetric positive A, by LDLᵀ.
+/// The same of a symmetric positive A, by LLᵀ; by LDLᵀ where rounding leaves it not positive.
 Eigen::VectorXd solve_symmetric(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
 /// ln det A of a symmetric positive A.
 double log_determinant(const Eigen::MatrixXd& A);
 
 // ---------------------------------------------------------------- least squares
+
+/// AᵀA, half of it worked out.
+Eigen::MatrixXd gram(const Eigen::MatrixXd& A);
 
 /// x of least ‖A x − b‖, by Householder reflections with column pivots.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
