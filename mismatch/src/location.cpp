@@ -87,6 +87,53 @@ IndexRange main_part(std::vector<double> energy) {
   return largest_sum(energy).value_or(IndexRange{0, energy.size() - 1});
 }
 
+/// Energy of a run on the axis where most force is missing, in shares of all of it.
+std::vector<double> shares_of(const Traced& t) {
+  auto energy = energy_of(t, main_axis({&t, 1}));
+  const double all = std::max(sum_of(energy), 1e-300);
+  for (double& e : energy) e /= all;
+  return energy;
+}
+
+/// Share of a run's missing force that acts in a time, less the share of its samples.
+double excess_within(const Traced& t, const std::vector<double>& shares, const std::pair<double, double>& interval) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    if (t.time[i] >= interval.first && t.time[i] <= interval.second)
+      sum += shares[i] - 1.0 / static_cast<double>(shares.size());
+  return sum;
+}
+
+/// Between what times most force is missing in all runs, one laid upon the other, if it is missing there in each of
+/// them and clearly so in their mean. Of the labelled cases it is so with all forces of a time, clearest 0.75 in the
+/// mean, least 0.29, and 0.20 in the run that shows it least.
+std::optional<std::pair<double, double>> common_interval(std::span<const Traced> runs) {
+  constexpr double in_the_mean = 0.25, in_each = 0.15;  // of the missing force, beyond the share of the time
+  struct Excess {
+    double time, share;
+  };
+  std::vector<Excess> all;
+  std::vector<std::vector<double>> shares;
+  for (const auto& t : runs) {
+    shares.push_back(shares_of(t));
+    for (std::size_t i = 0; i < t.time.size(); ++i)
+      all.push_back({t.time[i], shares.back()[i] - 1.0 / static_cast<double>(t.time.size())});
+  }
+  std::ranges::stable_sort(all, {}, &Excess::time);
+  std::vector<double> values(all.size());
+  std::ranges::transform(all, values.begin(), &Excess::share);
+  const auto range = largest_sum(values);
+  if (!range) return std::nullopt;
+  const std::pair interval(all[range->first].time, all[range->last].time);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const double excess = excess_within(runs[k], shares[k], interval);
+    if (!(excess > in_each)) return std::nullopt;
+    sum += excess;
+  }
+  return sum > in_the_mean * static_cast<double>(runs.size()) ? std::optional(interval) : std::nullopt;
+}
+
 // ---------------------------------------------------------------- where
 
 /// A part of the motion, in words, and whether each sample lies in it.
@@ -234,24 +281,9 @@ Located located(const Trial& trial, const Ship& ship, const Noise& noise) {
     if (auto t = traced(ship, run, noise); t && !t->time.empty()) all.push_back(std::move(*t));
   Located result;
   for (const auto& t : all) result.places.push_back(place_of(t));
+  result.common = common_interval(all);
   result.symmetry = symmetry_of(all);
   return result;
-}
-
-std::optional<std::pair<double, double>> common_interval(const Located& located, double time_unit) {
-  std::vector<double> from, to;
-  for (const auto& place : located.places)
-    if (place.share > 0.5) from.push_back(place.from), to.push_back(place.to);
-  if (from.empty()) return std::nullopt;
-  const auto middle_of = [](std::vector<double> values) {
-    std::ranges::sort(values);
-    return values[values.size() / 2];
-  };
-  const double begin = middle_of(from), end = middle_of(to);
-  std::size_t agreeing = 0;
-  for (std::size_t i = 0; i < from.size(); ++i)
-    agreeing += std::abs(from[i] - begin) <= time_unit && std::abs(to[i] - end) <= time_unit;
-  return 2 * agreeing > located.places.size() ? std::optional(std::pair(begin, end)) : std::nullopt;
 }
 
 }  // namespace swayaw::mismatch::detail

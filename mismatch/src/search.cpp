@@ -232,7 +232,7 @@ void keep_from_early(std::vector<EffectForm>& forms, const Trial& trial) {
 
 /// What comes and goes begins its fits where most force is missing, too.
 void begin_where_force_is_missing(std::vector<EffectForm>& forms, const Located& located, double time_unit) {
-  const auto interval = common_interval(located, time_unit);
+  const auto& interval = located.common;
   if (!interval) return;
   for (auto& form : forms) {
     if (std::ranges::none_of(form.coordinates, [](const Coordinate& c) { return c.name.starts_with("onset"); }))
@@ -1122,14 +1122,14 @@ constexpr double hopeless_scale = 100.0;
 
 /// The baseline beside a stream of any size; an ordinary one is small, and positions would wander by the rest.
 /// Nothing where there is no such fit.
-std::optional<MapFit> with_a_stream(const Search& s, std::span<const EffectForm> forms) try {
+std::optional<MapFit> with_a_stream(const Trial& trial, const MapFit& null, std::span<const EffectForm> forms) try {
   const auto stream = std::ranges::find(forms, SteadyCurrent<>::id, &EffectForm::id);
   if (stream == forms.end()) return std::nullopt;
-  const auto ordinary = in_whose_place(s.trial, *stream, s.null.point);
-  const auto start = ordinary ? coordinates_of(s.trial.ship, *stream, *ordinary) : std::nullopt;
+  const auto ordinary = in_whose_place(trial, *stream, null.point);
+  const auto start = ordinary ? coordinates_of(trial.ship, *stream, *ordinary) : std::nullopt;
   if (!start) return std::nullopt;
   const Hypothesis hypothesis{&*stream};
-  auto found = fit(s.trial, hypothesis, with_start(without(s.null, s.trial, hypothesis).point, *start), s.null.noise);
+  auto found = fit(trial, hypothesis, with_start(without(null, trial, hypothesis).point, *start), null.noise);
   if (!std::isfinite(found.log_evidence)) return std::nullopt;
   return found;
 } catch (const std::exception&) {
@@ -1138,25 +1138,54 @@ std::optional<MapFit> with_a_stream(const Search& s, std::span<const EffectForm>
 
 /// Whether the instruments are of the kind that ships have: the errors of positions have a memory, whatever the water
 /// does.
-bool has_real_instruments(const Search& s, std::span<const EffectForm> forms) {
-  if (!(s.null.noise.walk > real_walk)) return false;
-  const auto free = with_a_stream(s, forms);
-  return !free || free->noise.walk > real_walk;
+/// @param null  fit of the baseline beside an inexact form
+bool has_real_instruments(const Trial& trial, const MapFit& null, std::span<const EffectForm> forms,
+                          double least = real_walk) {
+  if (!(null.noise.walk > least)) return false;
+  const auto free = with_a_stream(trial, null, forms);
+  return !free || free->noise.walk > least;
 }
 
-/// The baseline beside an inexact form and inexact instruments, and the runs to go with it.
+/// The same of a fit that has only begun, which costs a tenth: whether they may be. The walk was within a sixth of what
+/// it came to where it stood above `real_walk` (1.5 to 21e-3, ten cases), and fell from there on where it stood below.
+bool may_have_real_instruments(const Trial& trial, std::span<const EffectForm> forms) {
+  constexpr FitOptions begun{.rounds = 2};
+  const auto null = fit(trial, {}, trial.mean, Noise::on_board(), begun);
+  return null.point.size() == 0 || has_real_instruments(trial, null, forms, 0.5 * real_walk);
+}
+
+/// The runs beside an inexact form and inexact instruments, and the baseline there once it is asked for.
 struct Inexact {
   Trials trials;
-  Search baseline;
+  std::optional<Search> baseline{};
 };
 
-std::optional<Inexact> inexact_baseline(const std::function<Trials()>& on_board, Search& exact) try {
-  auto trials = on_board();
-  auto baseline = with_baseline(trials.used, Noise::on_board());
-  return Inexact{std::move(trials), std::move(baseline)};
-} catch (const std::exception& trouble) {
+void say_left_out(Search& exact, const std::exception& trouble) {
   exact.troubles.push_back(fmt::format("the search beside an inexact form ended early: {}", trouble.what()));
+}
+
+std::optional<Inexact> inexact_runs(const std::function<Trials()>& on_board, Search& exact) try {
+  return Inexact{on_board()};
+} catch (const std::exception& trouble) {
+  say_left_out(exact, trouble);
   return std::nullopt;
+}
+
+/// @return null where she cannot sail
+Search* baseline_of(Inexact& inexact, Search& exact) try {
+  if (!inexact.baseline) inexact.baseline = with_baseline(inexact.trials.used, Noise::on_board());
+  return &*inexact.baseline;
+} catch (const std::exception& trouble) {
+  say_left_out(exact, trouble);
+  return nullptr;
+}
+
+/// Whether the search is to go on beside an inexact form at once.
+bool is_inexact(Inexact& inexact, Search& exact, std::span<const EffectForm> forms) {
+  const bool hopeless = exact.null.noise.largest_scale() > hopeless_scale;
+  if (!hopeless && !may_have_real_instruments(inexact.trials.used, forms)) return false;
+  const auto* baseline = baseline_of(inexact, exact);
+  return baseline && (hopeless || has_real_instruments(baseline->trial, baseline->null, forms));
 }
 
 /// Log evidence of what a search found, from the runs of another.
@@ -1185,15 +1214,14 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
   std::optional<Inexact> inexact;
   if (s.null.noise.largest_scale() > ordinary_scale &&
       go_on("fitting the baseline, form and instruments taken for inexact"))
-    inexact = inexact_baseline(on_board, s);
-  const auto beside_form = [&] {
-    return named(std::move(inexact->baseline), inexact->trials.unused, forms, options, go_on);
+    inexact = inexact_runs(on_board, s);
+  const auto beside_form = [&](Search& baseline) {
+    return named(std::move(baseline), inexact->trials.unused, forms, options, go_on);
   };
-  if (inexact && (has_real_instruments(inexact->baseline, forms) || s.null.noise.largest_scale() > hopeless_scale))
-    return beside_form();
+  if (inexact && is_inexact(*inexact, s, forms)) return beside_form(*inexact->baseline);
   s = named(std::move(s), exact.unused, forms, options, go_on);
-  if (working && inexact && s.named_scale > ordinary_scale) {
-    auto other = beside_form();
+  if (auto* baseline = working && inexact && s.named_scale > ordinary_scale ? baseline_of(*inexact, s) : nullptr) {
+    auto other = beside_form(*baseline);
     if (s.named_scale > hopeless_scale) return other;
     auto mapped = s;  // its effects are those of s, which stays
     map_unknown(exact.unused, mapped, options.further);

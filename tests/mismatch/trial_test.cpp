@@ -8,6 +8,7 @@
 
 #include "files.hpp"
 #include "found_effects.hpp"
+#include "location.hpp"
 #include "random_ships.hpp"
 #include "search.hpp"
 #include "swayaw/core/angle.hpp"
@@ -119,6 +120,30 @@ TEST_CASE("an imperfection whose axes and memory are apart is never the less lik
   CHECK(apart.log_likelihood >= one.log_likelihood);
   CHECK(apart.noise.axes[0] > apart.noise.axes[1]);
   CHECK(apart.noise.axes[0] > apart.noise.axes[2]);
+}
+
+TEST_CASE("the time in which a force is missing in all runs is told, and only there", "[mismatch][limit]") {
+  const auto ship = well_known_ship();
+  const auto pushed = [&](double onset, double end) {
+    auto other = ship;
+    other.effects.push_back(UnknownForce<>{.N_0 = 1.5e-3, .onset = onset, .end = end});
+    return other;
+  };
+  const auto common_in = [&](std::vector<Recording> runs) {
+    const Fitted f(ship, std::move(runs));
+    return located(f.trial, ship_at(f.trial, {}, f.null.point), f.null.noise).common;
+  };
+  constexpr double onset = 40.0, end = 60.0;
+  const auto together = common_in(runs_of(pushed(onset, end), 11));
+  REQUIRE(together.has_value());
+  const double lengths = length(ship) / service_speed(ship);  // 6 s
+  CHECK(std::abs(together->first - onset) < lengths);
+  CHECK(std::abs(together->second - end) < lengths);
+  CHECK_FALSE(common_in(runs_of(ship, 12)).has_value());
+  auto apart = runs_of(pushed(onset, end), 13);  // each run at another time
+  apart[1] = runs_of(pushed(5.0, 25.0), 14)[1];
+  apart[2] = runs_of(pushed(65.0, 85.0), 15)[2];
+  CHECK_FALSE(common_in(apart).has_value());
 }
 
 TEST_CASE("a rudder that has a gap of her own keeps it in the baseline", "[mismatch][limit]") {
