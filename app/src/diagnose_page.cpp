@@ -142,6 +142,8 @@ std::string what_next(const Diagnosis& d) {
     for (const auto& id : d.next->separates) apart.push_back(label_of(id));
     return fmt::format("{} ({}).", capital(d.next->advice), fmt::join(apart, ", "));
   }
+  for (const auto& there : d.surroundings)
+    if (!there.cannot_tell.empty()) return capital(there.cannot_tell) + ".";
   if (!d.effects.empty()) return "Nothing to find it: these runs tell it from all else that was tried.";
   return d.moved || !d.shifts.empty() ? "Nothing more to find this; put the numbers of the file right (--save-model)."
                                       : "Nothing: the model holds for these manoeuvres.";
@@ -325,8 +327,8 @@ std::vector<std::string> assumed_of(const Diagnosis& d, const DiagnoseArguments&
   lines.push_back(a.no_check ? "Instruments were not checked, as asked."
                              : "Instruments were checked first; ordinary errors of them are allowed for.");
   for (const auto& i : d.instruments)
-    lines.push_back(fmt::format("Allowed for: {} of {}, {} {}.", i.error, i.channel,
-                                with_error(i.value, i.standard_error), i.unit));
+    lines.push_back(fmt::format("Allowed for: {} of {}, {}{}{}.", i.error, i.channel,
+                                with_error(i.value, i.standard_error), i.unit.empty() ? "" : " ", i.unit));
   return lines;
 }
 
