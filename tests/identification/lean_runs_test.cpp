@@ -67,6 +67,27 @@ TEST_CASE("few samples of a curve that is a parabola are its values", "[identifi
   CHECK(rms(r) < 1e-12);
 }
 
+TEST_CASE("where positions are recorded a run starts as they say, whatever axes the velocity over ground is in",
+          "[identification][limit]") {
+  const Curve curve;
+  constexpr double askew = radians(4.0);  // of the compass
+  auto run = curve.recorded(2.0, 900.0, [](Channel, double) { return 0.0; });
+  run.channels[index_of(Channel::u)].clear();
+  for (std::size_t k = 0; k < run.samples(); ++k) run.fill(Channel::psi)[k] += askew;
+  auto with_log = run;  // along the axes of the ship, where she does not drift
+  for (std::size_t k = 0; k < run.samples(); ++k)
+    with_log.fill(Channel::u_ground)[k] = 7.0, with_log.fill(Channel::v_ground)[k] = 0.0;
+  constexpr std::array all{Channel::x, Channel::y, Channel::psi, Channel::u_ground, Channel::v_ground};
+  const auto start = [&](const Recording& of, std::span<const Channel> channels) {
+    return lean_runs(curve.ship, {&of, 1}, channels).front().start.motion;
+  };
+  const auto by_track = start(run, seen), beside_log = start(with_log, all);
+  CHECK(std::abs(by_track.v + 7.0 * std::sin(askew)) < 0.01);
+  CHECK(beside_log.u == by_track.u);
+  CHECK(beside_log.v == by_track.v);
+  CHECK(std::abs(start(with_log, std::span(all).subspan(2)).v) < 1e-6);  // positions are not used
+}
+
 TEST_CASE("few samples have the noise that is said, and their number does not hang on the rate of the file",
           "[identification][limit]") {
   const Curve curve;

@@ -39,6 +39,18 @@ double root_mean_square(std::span<const double> values) {
   return count > 0.0 ? std::sqrt(squares / count) : 0.0;
 }
 
+/// Where a run starts, by its positions alone where velocities over ground are left out beside them: these may be in
+/// other axes than those of the recorded heading, and a start that the track contradicts hid a compass off by 4.2 deg.
+ShipState<double> start_of(const Ship& ship, const Recording& run, std::span<const Channel> channels) {
+  const auto used = [&](Channel c) { return run.has(c) && std::ranges::count(channels, c) > 0; };
+  if (!used(Channel::x) || !used(Channel::y)) return recorded_state(ship, run, run.time.front());
+  auto told = run;
+  for (const Channel c :
+       {Channel::u_ground, Channel::v_ground, Channel::speed_over_ground, Channel::course_over_ground})
+    if (!used(c)) told.channels[index_of(c)].clear();
+  return recorded_state(ship, told, run.time.front());
+}
+
 PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Channel> channels) {
   const double L = length(ship), U = service_speed(ship);
   std::vector<ChannelCharacter> characters;
@@ -46,7 +58,7 @@ PreparedRun prepared(const Ship& ship, const Recording& run, std::span<const Cha
     if (run.has(channel)) characters.push_back(character_of(run, channel));
   PreparedRun result{.run = std::make_shared<const Recording>(measured_samples(run, characters)),
                      .channels = {},
-                     .start = recorded_state(ship, run, run.time.front()),
+                     .start = start_of(ship, run, channels),
                      .measurements = 0,
                      .longest_step = usual_longest_step,
                      .heel = root_mean_square(run[Channel::phi])};
