@@ -1146,8 +1146,8 @@ bool has_real_instruments(const Trial& trial, const MapFit& null, std::span<cons
   return !free || free->noise.walk > least;
 }
 
-/// The same of a fit that has only begun, which costs a tenth: whether they may be. The walk was within a sixth of what
-/// it came to where it stood above `real_walk` (1.5 to 21e-3, ten cases), and fell from there on where it stood below.
+/// The same of a fit that has only begun: whether they may be. In nine labelled cases the walk was within a sixth of
+/// what it came to where that is above `real_walk` (four, 1.5e-3 to 21e-3), and fell further where it is below.
 bool may_have_real_instruments(const Trial& trial, std::span<const EffectForm> forms) {
   constexpr FitOptions begun{.rounds = 2};
   const auto null = fit(trial, {}, trial.mean, Noise::on_board(), begun);

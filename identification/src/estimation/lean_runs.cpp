@@ -2,10 +2,12 @@
 #include <cmath>
 
 #include "prepared_runs.hpp"
+#include "swayaw/core/detail/over_ground.hpp"
 #include "waves.hpp"
 
 /// Runs with as few samples as tell what they tell: means over times that are short for the ship and long for the
 /// errors of instruments.
+
 namespace swayaw::inline identification {
 using namespace detail;
 namespace {
@@ -74,10 +76,7 @@ Recording with_fewer_rows(const Recording& run, double time_unit, double rows_ke
 std::vector<Channel> own_channels(std::span<const Channel> channels) {
   std::vector<Channel> own(channels.begin(), channels.end());
   if (std::ranges::count(own, Channel::x) > 0 && std::ranges::count(own, Channel::y) > 0)
-    std::erase_if(own, [](Channel c) {
-      return c == Channel::u_ground || c == Channel::v_ground || c == Channel::speed_over_ground ||
-             c == Channel::course_over_ground;
-    });
+    std::erase_if(own, [](Channel c) { return std::ranges::count(core::detail::velocities_over_ground, c) > 0; });
   return own;
 }
 

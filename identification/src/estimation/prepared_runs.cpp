@@ -5,6 +5,7 @@
 
 #include "../compatibility/channel_character.hpp"
 #include "../filter/run_filter.hpp"
+#include "swayaw/core/detail/over_ground.hpp"
 #include "swayaw/nonlinear/replay.hpp"
 
 namespace swayaw::inline identification {
@@ -45,8 +46,7 @@ ShipState<double> start_of(const Ship& ship, const Recording& run, std::span<con
   const auto used = [&](Channel c) { return run.has(c) && std::ranges::count(channels, c) > 0; };
   if (!used(Channel::x) || !used(Channel::y)) return recorded_state(ship, run, run.time.front());
   auto told = run;
-  for (const Channel c :
-       {Channel::u_ground, Channel::v_ground, Channel::speed_over_ground, Channel::course_over_ground})
+  for (const Channel c : core::detail::velocities_over_ground)
     if (!used(c)) told.channels[index_of(c)].clear();
   return recorded_state(ship, told, run.time.front());
 }

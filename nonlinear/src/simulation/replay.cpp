@@ -6,6 +6,7 @@
 #include "../instruments/local_fit.hpp"
 #include "../instruments/track_velocity.hpp"
 #include "../manoeuvres/manoeuvre_run.hpp"
+#include "swayaw/core/detail/over_ground.hpp"
 #include "swayaw/nonlinear/effects/acting_in_wind.hpp"
 #include "swayaw/nonlinear/models/validity.hpp"
 
@@ -164,9 +165,7 @@ std::vector<ShipState<double>> recorded_states(const Ship& ship, const Recording
   if (instruments == Instruments<>{}) return told_by(run);
   auto was = as_it_was(run, instruments);
   if (tells_false_drift(ship, instruments) && was.has(Channel::x) && was.has(Channel::y))
-    for (const Channel channel :
-         {Channel::u_ground, Channel::v_ground, Channel::speed_over_ground, Channel::course_over_ground})
-      was.channels[index_of(channel)].clear();
+    for (const Channel channel : core::detail::velocities_over_ground) was.channels[index_of(channel)].clear();
   return told_by(was);
 }
 
