@@ -172,6 +172,8 @@ def surroundings(files):
                 continue
             off = math.degrees((a["value"] - direction + math.pi) % (2 * math.pi) - math.pi)
             found = f"{V['value']:.2f} ± {V['standard_error']:.2f} m/s from {math.degrees(a['value']):.0f} ± {math.degrees(a['standard_error']):.0f}°"
+            if "onset_s" in part:
+                found = f"gust from {part['onset_s']['value']:.0f} s on: {found}"
             print(f"| {given} | {label} | {measured} | {found} | {100 * (V['value'] / speed - 1):+.0f} % | {off:+.0f}° |")
 
 

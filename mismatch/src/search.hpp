@@ -104,6 +104,9 @@ bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found);
 /// errors are. Its coordinates begin at `first`.
 bool is_as_ordinary(const Trial& trial, const EffectForm& form, const Point& point, Eigen::Index first);
 
+/// Whether an effect gains what is needed beside the baseline alone, too, or much more where it was accepted.
+bool is_told_by_itself(const Search& s, const Accepted& accepted, double needed);
+
 /// When an effect that was accepted begins and ends to act, in the time of the runs.
 struct ActiveTime {
   std::optional<double> onset, end;  ///< [s]; nothing where it acts from the first, to the last

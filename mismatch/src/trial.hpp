@@ -44,7 +44,7 @@ void put_prior(Trial& trial);
 /// Effects that act together.
 using Hypothesis = std::vector<const EffectForm*>;
 
-/// The trial with parameters of the baseline that are known so many times less well.
+/// The trial with parameters of the baseline that are known so many times less well, but no worse than theory tells.
 Trial with_inflated_prior(Trial trial, double factor);
 
 /// The precision matrix of a prior whose deviations are wider by these factors, one for each coordinate.
