@@ -758,14 +758,14 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipIn
     // labelled) eight had an effect found beside such forces alone: of the five that were hidden four gained 24 or more
     // alone as well, and one 296 beside them; three that were not there gained 9.5 at most and 15 to 27
     const bool leans_on_nothing = i > 0 && d.effects.empty() && !is_told_by_itself(s, accepted, needed);
-    if (!trace && !too_large && !leans_on_nothing &&
-        is_more_than_form(trial, s, i, from, d.budget, alone, runs, holdout)) {
+    const bool not_borne_out = too_large || leans_on_nothing;
+    if (!trace && !not_borne_out && is_more_than_form(trial, s, i, from, d.budget, alone, runs, holdout)) {
       d.effects.push_back(std::move(found));
     } else {
-      if (!too_large && !leans_on_nothing) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
+      if (!not_borne_out) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
       for (auto& t : tried)
         if (t.form->id == accepted.form->id) {
-          t.trace = trace || too_large || leans_on_nothing, t.as_form = !t.trace;
+          t.trace = trace || not_borne_out, t.as_form = !t.trace;
           t.leads = t.trace;  // what it gains makes nothing likelier
         }
     }

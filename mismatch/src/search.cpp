@@ -69,9 +69,9 @@ constexpr std::size_t most_of_one_kind = 2;  ///< forms of one effect that are f
 
 // ---------------------------------------------------------------- all candidates
 
-/// The trial as the search knows it, beside a form of these sizes.
-Trial trial_with(const Search& s, const FormSizes& sizes) {
-  return with_form_sizes(with_inflated_prior(s.usual, s.prior_inflation), sizes);
+/// The trial as the search knows it, beside a form of these sizes and a prior so many times wider.
+Trial trial_with(const Search& s, const FormSizes& sizes, double wider = 1.0) {
+  return with_form_sizes(with_inflated_prior(s.usual, s.prior_inflation * wider), sizes);
 }
 
 /// From now on the form has these sizes.
@@ -835,7 +835,7 @@ std::optional<MapFit> inflation_instead(const HeldOutRuns& held_out, const Searc
                                         const FittedCandidate& best) try {
   const auto hypothesis = s.hypothesis();
   const auto& trial = s.trial;
-  const auto less_sure = with_form_sizes(with_inflated_prior(s.usual, s.prior_inflation * inflation_step), s.sizes);
+  const auto less_sure = trial_with(s, s.sizes, inflation_step);
   if (linear_evidence(problem_of(less_sure, hypothesis), linear) -
           linear_evidence(problem_of(trial, hypothesis), linear) <
       worth_of_inflation * best.gain)

@@ -7,7 +7,6 @@
 
 /// Runs with as few samples as tell what they tell: means over times that are short for the ship and long for the
 /// errors of instruments.
-
 namespace swayaw::inline identification {
 using namespace detail;
 namespace {
