@@ -62,9 +62,11 @@ std::string how_far(const Diagnosis& d) {
   return words + ".";
 }
 
-/// ": 18 % less rudder force", where numbers of the rudder explain the runs.
+/// ": 18 % less rudder force", where numbers of the rudder explain the runs, or are among those that are further off
+/// than was said.
 std::string rudder_words(const Diagnosis& d) {
-  return d.moved && d.moved->rudder_force ? ": " + rudder_force_words(*d.moved->rudder_force) : "";
+  const auto& force = d.moved && d.moved->rudder_force ? d.moved->rudder_force : d.rudder_force;
+  return force ? ": " + rudder_force_words(*force) : "";
 }
 
 std::string what_is_wrong(const Diagnosis& d, const UserUnits& units) {

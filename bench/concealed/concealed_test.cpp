@@ -515,6 +515,36 @@ TEST_CASE("ordinary errors of log and clock in a run that the file fits are no f
   }
 }
 
+// Of 300 cases of a seed that was looked at these were missed, and not for the physics: the sway that an error of the
+// compass feigns had taken the force away that resists it; a ship that cannot sail without her stream ended the search;
+// a wind was refuted by runs that gained by it; a heel that nobody recorded was to act more than it gained.
+TEST_CASE("what hides in a form, behind another summit or on other courses is found", "[bench][on_board][limit]") {
+  struct Missed {
+    std::size_t place;  ///< in the plan
+    std::string_view effect, key;
+    double near;  ///< of the true value, in its unit
+  };
+  const auto plan = plan_named("on_board", 300, 34);
+  for (const auto& [place, effect, key, near] :
+       {Missed{170, "heading_bias", "bias_rad", radians(0.5)}, Missed{108, "steady_current", "current_speed_m_s", 0.2},
+        Missed{103, "steady_wind", "wind_from_rad", radians(20.0)}, Missed{21, "roll_coupling", "N_phi", 0.05}}) {
+    const auto c = made(plan.at(place));
+    REQUIRE(c.labels.size() == 1);
+    REQUIRE(c.labels.front().effect == effect);
+    const auto d = diagnose(c.ship, c.train, c.reference, c.holdout);
+    INFO(effect << ": " << d.words);
+    REQUIRE(!d.effects.empty());
+    const auto& found = d.effects.front();
+    REQUIRE(id_of(found.effect) == effect);
+    const auto truth = std::ranges::find(c.labels.front().parameters, key, &LabelNumber::key);
+    const auto value = std::ranges::find(found.parameters, key, &ParameterEstimate::key);
+    REQUIRE((truth != c.labels.front().parameters.end() && value != found.parameters.end()));
+    CHECK(std::abs(wrapped(value->value - truth->value)) < near);
+    CHECK(std::ranges::none_of(d.effects, [](const FoundEffect& e) { return id_of(e.effect) == "model_form"; }));
+    CHECK(d.troubles.empty());
+  }
+}
+
 TEST_CASE("as many cases of a plan are as many structures, and none is clean where something is hidden",
           "[bench][on_board][limit]") {
   std::set<std::string> ships;

@@ -7,6 +7,7 @@
     diagnosis.py surroundings FILE.json...                  wind found in each part of the runs beside RUN.wind.json, the measured one
     diagnosis.py budget LABEL=FILE.json...                  the missing force by what it follows
     diagnosis.py instruments LABEL=FILE.json...             errors of instruments that were told from none
+    diagnosis.py scales CHECK.json CHANNEL                  scale of a channel, run by run, by `swayaw check --json`
     diagnosis.py track RUN.csv...                           way made good by position over way by the speed columns, run by run and altogether
     diagnosis.py candidates FILE.json [MOST]                the ranking
     diagnosis.py numbers BEFORE.toml AFTER.toml KEY...      values of a ship file and of the one refitted
@@ -187,6 +188,14 @@ def instruments(files):
             label = ""
 
 
+def scales(path, channel):
+    print("| run | scale | error by itself |\n| --- | ---: | ---: |")
+    for run in load(path)["runs"]:
+        for i in run["instruments"]:
+            if i["channel"] == channel and i["error"] == "scale":
+                print(f"| {run['run'].rsplit('/', 1)[-1]} | {1 + i['value']:.3f} | {i['standard_error']:.3f} |")
+
+
 FOLLOWS = ["form", "form_asymmetric", "earth_fixed", "delayed", "instruments", "unexplained"]
 
 
@@ -357,6 +366,9 @@ def main():
     sub.add_argument("before")
     sub.add_argument("after")
     sub.add_argument("keys", nargs="+")
+    sub = commands.add_parser("scales")
+    sub.add_argument("file")
+    sub.add_argument("channel")
     sub = commands.add_parser("candidates")
     sub.add_argument("file")
     sub.add_argument("most", nargs="?", type=int, default=6)
@@ -366,7 +378,7 @@ def main():
     sub.add_argument("out")
     a = parser.parse_args()
     {"prepare": prepare, "wind": wind, "found": lambda x: found(x.files), "surroundings": lambda x: surroundings(x.files), "budget": lambda x: budget(x.files), "instruments": lambda x: instruments(x.files), "track": lambda x: track(x.files), "zeros": lambda x: zeros(x.files), "roll": lambda x: roll(x.files), "lag": lambda x: lag(x.files),
-     "numbers": lambda x: numbers(x.before, x.after, x.keys), "candidates": lambda x: candidates(x.file, x.most),
+     "numbers": lambda x: numbers(x.before, x.after, x.keys), "scales": lambda x: scales(x.file, x.channel), "candidates": lambda x: candidates(x.file, x.most),
      "errors": lambda x: errors(x.file), "picture": lambda x: picture(x.page, x.out)}[a.command](a)
 
 

@@ -25,6 +25,8 @@ helper candidates order.json 8 > tables/order.md
 helper candidates speed.json 8 > tables/speed.md
 helper errors order.json > tables/errors.md
 helper track "$recordings"/*.csv > tables/track.md
+"$program" check "$recordings"/*.csv --json > check.json
+helper scales check.json r > tables/scales.md
 helper lag "$recordings"/*zigzag*.csv > tables/lag.md
 helper picture order.html "$here/gunnerus.svg"
 "$here/../papers/put_tables.sh" "$here/gunnerus_diagnosis.md" "$work/tables"

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "advice.hpp"
@@ -155,8 +156,7 @@ std::string why_not(const FittedCandidate& tried, const Search& s, double needed
   if (tried.gain > needed && !s.accepted.empty())
     return fmt::format("{} explains the runs as well", text_of(s.accepted.front().effect).phrase);
   if (tried.gain > needed) return "held-out runs lose what the others gain by it";
-  return fmt::format("it explains the runs better by {} in log evidence, {} are needed", in_two_digits(tried.gain),
-                     in_two_digits(needed));
+  return fmt::format("it explains the runs better by {:.1f} in log evidence, {:g} are needed", tried.gain, needed);
 }
 
 /// A wind or stream that was tried, would explain the runs better and was not taken, in words: what, and why not.
@@ -335,8 +335,9 @@ std::string plain_name(std::string name) {
   return name;
 }
 
-/// Of numbers beyond two deviations; the three that are furthest off.
-std::string shifted_words(std::span<const BaselineShift> shifts) {
+/// Of numbers beyond two deviations; the three that are furthest off, and what they come to at the rudder.
+std::string shifted_words(const Diagnosis& d) {
+  const auto shifts = std::span(d.shifts);
   constexpr std::size_t most = 3;
   std::vector<std::string> moved;
   for (const auto& s : shifts.first(std::min(most, shifts.size())))
@@ -345,8 +346,10 @@ std::string shifted_words(std::span<const BaselineShift> shifts) {
   const std::string others = shifts.size() > most ? fmt::format("; and {} more", shifts.size() - most) : "";
   const auto& part = shifts.front().part;
   const bool of_one = std::ranges::all_of(shifts, [&](const BaselineShift& s) { return s.part == part; });
-  return fmt::format("No physics is missing, but numbers of the {} are further off than was said: {}{}.",
-                     of_one ? plain_name(part) : "model", fmt::join(moved, "; "), others);
+  const bool is_said = d.moved && d.moved->rudder_force;
+  const auto together = d.rudder_force && !is_said ? "; all in all " + rudder_force_words(*d.rudder_force) : "";
+  return fmt::format("No physics is missing, but numbers of the {} are further off than was said: {}{}{}.",
+                     of_one ? plain_name(part) : "model", fmt::join(moved, "; "), others, together);
 }
 
 /// "f_alpha from 2.75 to 2.31 (-16 %)"
@@ -374,7 +377,7 @@ std::string verdict_words(const Diagnosis& d) {
     traces += fmt::format(" Not told from an error in the form of her forces: {}.", fmt::join(d.as_form, ", "));
   if (!d.traces.empty()) traces += fmt::format(" A trace, too small to matter: {}.", fmt::join(d.traces, ", "));
   if (d.verdict == DiagnosisVerdict::nothing_missing)
-    return (!d.shifts.empty() ? shifted_words(d.shifts)
+    return (!d.shifts.empty() ? shifted_words(d)
             : d.moved         ? "No physics is missing: numbers of the ship file are off, within what was said of them."
                       : "Nothing is missing: the model explains the runs within its confidence and their noise.") +
            traces;
@@ -676,23 +679,53 @@ double runs_in_waves(const Ship& ship, std::span<const Recording> runs) {
 
 // ---------------------------------------------------------------- the form of her forces
 
-/// The coefficients alone refitted, her forces of the form that the model has, but for what a rudder differs by from
-/// side to side: behind a single screw that is ordinary, and many files have no place for it.
-MapFit refitted_alone(const Trial& trial, const Search& s) try {
-  if (!s.on_board) return s.null;
+/// All refitted from a fit, her forces of the form that the model has, but for what a rudder differs by from side to
+/// side: behind a single screw that is ordinary, and many files have no place for it.
+/// @param prior  of the coefficients, beside a form of usual size
+/// @return the fit that it begins from, where the ship cannot sail these runs like that
+MapFit without_form(const Trial& prior, const Search& s, const Hypothesis& hypothesis, const MapFit& from) try {
   FormSizes none;
   none.fill(1e-3);
   none[rudder_sides_axis] = s.sizes[rudder_sides_axis];
-  const auto exact_form = with_form_sizes(s.usual, none);
-  auto start = s.null.point;
-  const auto axes = form_axes(trial);
+  auto start = from.point;
+  const auto axes = form_axes(prior);
   for (std::size_t i = 0; i < axes.size(); ++i)
     if (const auto k = static_cast<Eigen::Index>(i); axes[i] >= 0 && axes[i] != rudder_sides_axis)
-      start[k] = trial.mean[k];
-  const auto found = fit(exact_form, {}, start, s.null.noise, {.rounds = 3});
-  return found.point.size() == 0 ? s.null : found;
-} catch (const std::exception&) {  // the ship cannot sail these runs like that
-  return s.null;
+      start[k] = prior.mean[k];
+  const auto found = fit(with_form_sizes(prior, none), hypothesis, start, from.noise, {.rounds = 3});
+  return found.point.size() == 0 ? from : found;
+} catch (const std::exception&) {
+  return from;
+}
+
+/// The coefficients alone refitted, known as was said.
+MapFit refitted_alone(const Search& s) { return s.on_board ? without_form(s.usual, s, {}, s.null) : s.null; }
+
+/// Some of the effects that were accepted, and the fit with them and no others.
+struct Standing {
+  Hypothesis effects;
+  MapFit fit;
+};
+
+/// @param which  of those that were accepted, in their order
+Standing standing_of(const Search& s, std::span<const std::size_t> which) {
+  if (which.size() == s.accepted.size()) return {s.hypothesis(), s.now};
+  if (which.empty()) return {{}, fit(s.trial, {}, s.null.point, s.null.noise, {.rounds = 3})};
+  Standing standing;
+  const auto base = s.trial.baseline_size();
+  std::vector<Eigen::Index> places(static_cast<std::size_t>(base));
+  std::iota(places.begin(), places.end(), 0);
+  auto from = base;
+  for (std::size_t i = 0; i < s.accepted.size(); ++i) {
+    const auto size = std::ssize(s.accepted[i].form->coordinates);
+    if (std::ranges::count(which, i) > 0) {
+      standing.effects.push_back(s.accepted[i].form);
+      for (Eigen::Index k = 0; k < size; ++k) places.push_back(from + k);
+    }
+    from += size;
+  }
+  standing.fit = fit(s.trial, standing.effects, s.now.point(places), s.now.noise, {.rounds = 3});
+  return standing;
 }
 
 /// Fall of the error of what it is judged by in replays, over its variation, by which a form is off by more than any:
@@ -702,35 +735,47 @@ MapFit refitted_alone(const Trial& trial, const Search& s) try {
 constexpr double worth_of_form = 0.05;
 
 /// The form of her forces as a finding, where its evidence carries it and replays of all runs, those that were not used
-/// among them, err clearly less with it.
-void put_form(Diagnosis& d, const Trial& trial, const Search& s, const MapFit& alone, double needed,
+/// among them, err clearly less with it; beside what was found, and coefficients that are known no better: beside a
+/// stream that was found it was a finding for what it had stood for before (a case as on board of seed 34).
+/// @param found  effects that stand, by their place among those that were accepted
+void put_form(Diagnosis& d, const Search& s, std::span<const std::size_t> found, double needed,
               std::span<const Recording> runs, std::span<const Recording> holdout) {
+  const auto& trial = s.trial;
   const auto form = std::ranges::find(trial.ordinary, form_id, &EffectForm::id);
   if (form == trial.ordinary.end()) return;
-  const double gain = s.null.log_evidence - alone.log_evidence;
+  const auto standing = standing_of(s, found);
+  if (standing.fit.point.size() == 0) return;
+  const auto without = without_form(with_inflated_prior(s.usual, s.prior_inflation), s, standing.effects, standing.fit);
+  const double gain = standing.fit.log_evidence - without.log_evidence;
   if (!(gain > needed)) return;
-  const auto with_form = [&](const Recording& run) { return ship_at(trial, {}, s.null.point, &run); };
-  const auto fall =
-      discrepancy_of(with_after(d.train, with_form, runs), with_after(d.holdout, with_form, holdout), judged_by(d));
-  if (!fall || !(fall->refitted - fall->after > worth_of_form)) return;
+  const auto left = [&](const MapFit& fit) {
+    const auto with_it = [&](const Recording& run) { return ship_at(trial, standing.effects, fit.point, &run); };
+    const auto by =
+        discrepancy_of(with_after(d.train, with_it, runs), with_after(d.holdout, with_it, holdout), judged_by(d));
+    return by ? by->after : missing;
+  };
+  if (!(left(without) - left(standing.fit) > worth_of_form)) return;
   auto from = std::ssize(trial.parameters);
   for (auto before = trial.ordinary.begin(); before != form; ++before) from += std::ssize(before->coordinates);
-  const std::span c{s.now.point.data() + from, form->coordinates.size()};
+  const std::span c{standing.fit.point.data() + from, form->coordinates.size()};
   d.effects.push_back({.effect = form->at(c),
                        .scope = Scope::ship,
                        .probability = 1.0 / (1.0 + std::exp((needed - gain) / evidence_excess)),
                        .onset = {},
                        .end = {},
-                       .parameters = estimates(trial, *form, {}, s.now, from, part_map(*form, 0)),
+                       .parameters = estimates(trial, *form, {}, standing.fit, from, part_map(*form, 0)),
                        .indistinguishable_from = {}});
 }
 
 // ---------------------------------------------------------------- findings
 
 /// Effects in the order of what they bring; the words of those too small to matter; all candidates.
-void put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipInRun& alone, double needed,
-                 std::span<const Recording> runs, std::span<const Recording> holdout) {
+/// @return which of those that were accepted stand
+std::vector<std::size_t> put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipInRun& alone,
+                                     double needed, std::span<const Recording> runs,
+                                     std::span<const Recording> holdout) {
   auto tried = s.first;
+  std::vector<std::size_t> standing;
   Eigen::Index from = trial.baseline_size();
   for (std::size_t i = 0; i < s.accepted.size(); ++i) {
     const auto& accepted = s.accepted[i];
@@ -761,6 +806,7 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipIn
     const bool not_borne_out = too_large || leans_on_nothing;
     if (!trace && !not_borne_out && is_more_than_form(trial, s, i, from, d.budget, alone, runs, holdout)) {
       d.effects.push_back(std::move(found));
+      standing.push_back(i);
     } else {
       if (!not_borne_out) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
       for (auto& t : tried)
@@ -772,6 +818,7 @@ void put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipIn
     from += size;
   }
   d.candidates = ranked(tried, s.first_unfitted, needed);
+  return standing;
 }
 
 /// Does a step after the search; where it fails, that is noted in words and the rest is kept.
@@ -863,7 +910,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   const auto s = search(
       trials(false), [&] { return trials(true); }, forms, options, goes_on);
   const auto& trial = s.trial;
-  const auto alone = refitted_alone(trial, s);
+  const auto alone = refitted_alone(s);
   Diagnosis d{.verdict = {},
               .words = {},
               .location = {},
@@ -882,10 +929,12 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
               .refitted_process_noise = s.null.noise.largest_scale(),
               .prior_inflation = s.prior_inflation};
   if (s.on_board) d.runs_in_waves = runs_in_waves(ship, runs);
+  if (std::ranges::count(d.shifts, "rudder", &BaselineShift::part) > 0)
+    d.rudder_force = rudder_left(ship, model_at(trial, {}, s.now.point));
   d.troubles = s.troubles;
   attempt(d, "what the missing force follows", [&] { d.budget = budget_of(trial, s.hypothesis(), s.now); });
   const auto refitted = [&](const Recording& run) { return ship_at(trial, {}, alone.point, &run); };
-  put_effects(d, trial, s, refitted, options.detection, runs, holdout);
+  const auto standing = put_effects(d, trial, s, refitted, options.detection, runs, holdout);
   attempt(d, "how much wind would not have shown",
           [&] { put_untold_surroundings(d, trial, s, runs, forms, options.detection); });
   const auto improved = [&](const Recording& run) { return ship_at(trial, s.hypothesis(), s.now.point, &run); };
@@ -894,7 +943,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   d.discrepancy = discrepancy_of(d.train, d.holdout);
   if (d.discrepancy)
     attempt(d, "the part that moved", [&] { d.moved = moved_part(trial, alone.point, *d.discrepancy, ship, runs); });
-  put_form(d, trial, s, alone, options.detection, runs, holdout);
+  attempt(d, "the form of the forces", [&] { put_form(d, s, standing, options.detection, runs, holdout); });
   d.verdict = verdict_of(d, s.on_board);
   if (!s.on_board && d.process_noise > ordinary_scale)
     for (auto& e : d.effects) e.probability *= 0.5;

@@ -24,6 +24,8 @@ struct EffectForm {
   std::function<Effect(std::span<const double>)> at;  ///< of the coordinates in common; others are not looked at
   std::vector<std::vector<double>> starts;
   std::vector<double> window{};
+  /// Where a fit begins, too: what is known of it besides what a fit without it predicts. Empty for most.
+  std::vector<double> told{};
   double begin = 0.0;  ///< [s], from which onset and end among the coordinates count
   std::function<EffectForm(std::span<const std::size_t>)> with_terms{};
   Scope scope = Scope::ship;         ///< of the parts: group or run; of the ship where there are none

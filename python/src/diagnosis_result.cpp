@@ -20,6 +20,7 @@ void add_diagnosis_result(py::module_& m) {
       .field<&Diagnosis::as_form>("as_form", "Effects that an error in the form of her forces explains as well.")
       .field<&Diagnosis::candidates>("candidates", "Best first.")
       .field<&Diagnosis::shifts>("shifts", "Largest first.")
+      .field<&Diagnosis::rudder_force>("rudder_force", "Over that as given, where its numbers are among the shifts.")
       .field<&Diagnosis::train>("train", "Errors in the runs that were used.")
       .field<&Diagnosis::holdout>("holdout", "Errors in those held out.")
       .field<&Diagnosis::refitted>("refitted", "Baseline refitted, without effects.")

@@ -601,6 +601,19 @@ TEST_CASE("the jumps of the clock of R/V Gunnerus's positions are found to the s
   }
 }
 
+TEST_CASE("a run that hardly turns tells nothing of the scale of a gyro", "[identification][published]") {
+  const auto gunnerus = test::benchmark_recordings("gunnerus");
+  if (!gunnerus) return;
+  for (const auto* name : {"0100_speed_run.csv", "0800_speed_run.csv"}) {
+    const auto check = check_run(read_recording(*gunnerus / name).recording);
+    INFO(name);
+    CHECK_FALSE(found(check, Channel::r, Kind::scale));
+    CHECK(std::ranges::count(check.cannot_tell, "no turn that begins or ends: scale of a gyro") == 1);
+  }
+  const auto check = check_run(read_recording(*gunnerus / "3250_zigzag_10_20.csv").recording);
+  CHECK(found(check, Channel::r, Kind::scale));
+}
+
 // ---------------------------------------------------------------- refusals
 
 TEST_CASE("too few samples are refused in words", "[identification][refusal]") {

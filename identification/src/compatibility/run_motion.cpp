@@ -1,6 +1,7 @@
 #include "run_motion.hpp"
 
 #include <algorithm>
+#include <boost/math/statistics/linear_regression.hpp>
 #include <cmath>
 
 #include "swayaw/core/detail/median.hpp"
@@ -105,10 +106,26 @@ double hard_yaw_rate(const Recording& run) {
   return std::max(*place, least);
 }
 
-bool is_straight(const Recording& run) {
+namespace {
+
+/// Whether a heading stays on one course.
+bool stays(const std::vector<double>& psi) {
   constexpr double little = 0.35;  // [rad]
-  const auto [low, high] = std::ranges::minmax(filled(run, Channel::psi));
+  const auto [low, high] = std::ranges::minmax(psi);
   return high - low < little;
+}
+
+}  // namespace
+
+bool is_straight(const Recording& run) { return stays(filled(run, Channel::psi)); }
+
+bool turns_like_a_zero(const Recording& run, double largest) {
+  if (is_straight(run)) return true;
+  if (hard_yaw_rate(run) > largest) return false;
+  auto psi = filled(run, Channel::psi);
+  const auto [start, rate] = boost::math::statistics::simple_ordinary_least_squares(run.time, psi);
+  for (std::size_t i = 0; i < psi.size(); ++i) psi[i] -= start + rate * run.time[i];
+  return stays(psi);
 }
 
 double rms(const std::vector<double>& f) {

@@ -54,6 +54,11 @@ double hard_yaw_rate(const Recording& run);
 /// A run on one course, within 20 deg.
 bool is_straight(const Recording& run);
 
+/// A run whose turning might as well be a zero of its gyro: on one course, within 20 deg, or in one steady turn that is
+/// no faster than such a zero may be.
+/// @param largest  zero of a gyro [rad/s]
+bool turns_like_a_zero(const Recording& run, double largest);
+
 double rms(const std::vector<double>& f);
 
 }  // namespace swayaw::identification::detail

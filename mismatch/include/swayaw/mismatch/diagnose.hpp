@@ -159,6 +159,8 @@ struct Diagnosis {
   std::vector<std::string> as_form;   ///< effects that an error in the form of her forces explains as well; likewise
   std::vector<Candidate> candidates;  ///< best first
   std::vector<BaselineShift> shifts;  ///< largest first
+  /// Where numbers of the rudder are among the shifts: its moment at 10 deg straight ahead over that as given.
+  std::optional<double> rudder_force{};
   std::vector<RunErrors> train, holdout;
   Ship refitted;                                     ///< baseline refitted, without effects
   Ship improved;                                     ///< with the effects found

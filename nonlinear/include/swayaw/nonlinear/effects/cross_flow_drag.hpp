@@ -24,9 +24,10 @@ struct CrossFlowDrag {
       .law = "Y = −½ρd C_D ∫ \\|v + xr\\|(v + xr) dx, N = −½ρd C_D ∫ x\\|v + xr\\|(v + xr) dx",
       .confused_with = "cubic terms"};
 
+  /// The floor is 5 % of the coefficient of a bluff section.
   static constexpr auto parameters() {
     return std::array{ParameterOf<CrossFlowDrag, S>{
-        .key = "drag_coefficient", .member = &CrossFlowDrag::C_D, .prior = 0.5, .floor = 0.2, .law = 0.1}};
+        .key = "drag_coefficient", .member = &CrossFlowDrag::C_D, .prior = 0.5, .floor = 0.05, .law = 0.1}};
   }
 
   /// It needs a draught.
