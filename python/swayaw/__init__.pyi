@@ -606,6 +606,9 @@ class Diagnosis:
     def refitted_process_noise(self) -> float:
         """The same without any effect."""
     @property
+    def rudder_force(self) -> Optional[float]:
+        """Over that as given, where its numbers are among the shifts."""
+    @property
     def runs_in_waves(self) -> float:
         """Share of the runs used that waves move."""
     @property
