@@ -738,14 +738,18 @@ constexpr double worth_of_form = 0.05;
 /// among them, err clearly less with it; beside what was found, and coefficients that are known no better: beside a
 /// stream that was found it was a finding for what it had stood for before (a case as on board of seed 34).
 /// @param found  effects that stand, by their place among those that were accepted
-void put_form(Diagnosis& d, const Search& s, std::span<const std::size_t> found, double needed,
+/// @param alone  the coefficients alone refitted, known as was said
+void put_form(Diagnosis& d, const Search& s, const MapFit& alone, std::span<const std::size_t> found, double needed,
               std::span<const Recording> runs, std::span<const Recording> holdout) {
   const auto& trial = s.trial;
   const auto form = std::ranges::find(trial.ordinary, form_id, &EffectForm::id);
   if (form == trial.ordinary.end()) return;
   const auto standing = standing_of(s, found);
   if (standing.fit.point.size() == 0) return;
-  const auto without = without_form(with_inflated_prior(s.usual, s.prior_inflation), s, standing.effects, standing.fit);
+  const bool is_alone = s.accepted.empty() && s.prior_inflation == 1.0;
+  const auto without =
+      is_alone ? alone
+               : without_form(with_inflated_prior(s.usual, s.prior_inflation), s, standing.effects, standing.fit);
   const double gain = standing.fit.log_evidence - without.log_evidence;
   if (!(gain > needed)) return;
   const auto left = [&](const MapFit& fit) {
@@ -943,7 +947,7 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   d.discrepancy = discrepancy_of(d.train, d.holdout);
   if (d.discrepancy)
     attempt(d, "the part that moved", [&] { d.moved = moved_part(trial, alone.point, *d.discrepancy, ship, runs); });
-  attempt(d, "the form of the forces", [&] { put_form(d, s, standing, options.detection, runs, holdout); });
+  attempt(d, "the form of the forces", [&] { put_form(d, s, alone, standing, options.detection, runs, holdout); });
   d.verdict = verdict_of(d, s.on_board);
   if (!s.on_board && d.process_noise > ordinary_scale)
     for (auto& e : d.effects) e.probability *= 0.5;

@@ -32,10 +32,9 @@ void add_stretches(const Recording& run, double time_unit, std::vector<Stretch>&
   constexpr double steady = radians(3.0);
   const auto fixes = fixes_of(run);
   const auto after = [&](std::size_t from, double span) {
-    return static_cast<std::size_t>(
-        std::ranges::find_if(fixes.begin() + static_cast<std::ptrdiff_t>(from), fixes.end(),
-                             [&](std::size_t i) { return run.time[i] >= run.time[fixes[from]] + span; }) -
-        fixes.begin());
+    const auto time = [&](std::size_t i) { return run.time[i]; };
+    const auto first = std::ranges::lower_bound(fixes, run.time[fixes[from]] + span, {}, time);
+    return static_cast<std::size_t>(first - fixes.begin());
   };
   const auto x = run[Channel::x], y = run[Channel::y], psi = run[Channel::psi];
   for (std::size_t from = 0; from < fixes.size(); from = after(from, 0.5 * time_unit)) {

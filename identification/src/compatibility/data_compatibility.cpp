@@ -157,8 +157,7 @@ void leave_out_derived(Recording& run, RunCheck& check) {
 void note_what_is_missing(const Recording& run, std::vector<std::string>& notes) {
   const bool track = run.has(Channel::x) && run.has(Channel::y);
   if (!run.has(Channel::r)) notes.push_back("no yaw rate: zero, scale and clock of a gyro");
-  else if (turns_like_a_zero(run, InstrumentPriors{}.rate_zero))
-    notes.push_back("no turn that begins or ends: scale of a gyro");
+  else if (!tells_scale_of_gyro(run)) notes.push_back("no turn that begins or ends: scale of a gyro");
   if (!track) notes.push_back("no positions: scale of the log, compass and clocks against the track");
   const auto speeds = speeds_of(run);
   if (track && speeds.size() == 1 && speeds[0] != Channel::u_ground && !run.has(Channel::v))

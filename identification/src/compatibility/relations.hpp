@@ -36,6 +36,11 @@ inline constexpr double not_asked = 1e-6;
 /// @param run  measured samples
 std::vector<InstrumentError> yaw_rate_errors(const Recording& run);
 
+/// Whether a run turns so that it tells the scale of a gyro. One that hardly turns shows waves, which heading and gyro
+/// filter in their ways, and noise of the gyro for its signal: on R/V Gunnerus, who came round by 25 deg in six
+/// minutes, the yaw rate seemed 66 % too large.
+bool tells_scale_of_gyro(const Recording& run);
+
 /// ẋ, ẏ from a velocity in body axes. With I the way by the velocity, V the velocity, both in earth axes:
 ///
 ///     p − I = p_0 + k I + eps (−I_y, I_x) − tau(t) V + c t + R(psi) l + tau_psi ∫ r (−V_y, V_x) dt

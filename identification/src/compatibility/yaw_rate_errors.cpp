@@ -76,11 +76,11 @@ std::vector<std::string_view> readings_of(const Filter& f, double step) {
 
 }  // namespace
 
+bool tells_scale_of_gyro(const Recording& run) { return !turns_like_a_zero(run, InstrumentPriors{}.rate_zero); }
+
 std::vector<InstrumentError> yaw_rate_errors(const Recording& run) {
   if (!run.has(Channel::r)) return {};
-  // a run that hardly turns shows waves, which heading and gyro filter in their ways, and noise of the gyro for its
-  // signal: on R/V Gunnerus, who came round by 25 deg in six minutes, it seemed 66 % too large
-  const bool asks_scale = !turns_like_a_zero(run, InstrumentPriors{}.rate_zero);
+  const bool asks_scale = tells_scale_of_gyro(run);
   const auto fit = coloured_regression(rows_of(run), priors({}, asks_scale), first_guesses(run));
   const auto error = [&](InstrumentErrorKind kind, Eigen::Index at, double value, double slope) {
     return InstrumentError{Channel::r, kind, value, std::abs(slope) * std::sqrt(fit.covariance(at, at))};
