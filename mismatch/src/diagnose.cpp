@@ -203,16 +203,18 @@ std::vector<QuantityError> errors_of(const Ship& ship, const Recording& run) try
 
 std::vector<RunErrors> errors_of(const Ship& before, const ShipInRun& refitted, const ShipInRun& after,
                                  std::span<const Recording> runs) {
-  std::vector<RunErrors> result;
-  for (const auto& run : runs)
-    result.push_back({run.name, errors_of(before, run), errors_of(refitted(run), run), errors_of(after(run), run)});
-  return result;
+  std::vector<RunErrors> errors(runs.size());
+  in_parallel(runs.size(), 0, [&](std::size_t i) {
+    const auto& run = runs[i];
+    errors[i] = {run.name, errors_of(before, run), errors_of(refitted(run), run), errors_of(after(run), run)};
+  });
+  return errors;
 }
 
 /// The same errors with another ship at last.
 std::vector<RunErrors> with_after(std::vector<RunErrors> errors, const ShipInRun& after,
                                   std::span<const Recording> runs) {
-  for (std::size_t i = 0; i < runs.size(); ++i) errors[i].after = errors_of(after(runs[i]), runs[i]);
+  in_parallel(runs.size(), 0, [&](std::size_t i) { errors[i].after = errors_of(after(runs[i]), runs[i]); });
   return errors;
 }
 
@@ -482,8 +484,9 @@ constexpr double most_of_it = 0.5;
 
 /// The part whose coefficients, moved alone, bring most of what all of them bring, which must be half of the
 /// discrepancy itself.
+/// @param train  errors of the runs used, by the model as given
 std::optional<MovedPart> moved_part(const Trial& trial, const Point& point, const Discrepancy& all, const Ship& given,
-                                    std::span<const Recording> runs) {
+                                    const std::vector<RunErrors>& train, std::span<const Recording> runs) {
   if (all.refitted > 0.5 * all.given) return std::nullopt;
   std::vector<std::string_view> parts;
   for (const auto& n : trial.parameters)
@@ -492,7 +495,7 @@ std::optional<MovedPart> moved_part(const Trial& trial, const Point& point, cons
   for (const auto part : parts) {
     const auto alone = moved_alone(trial, point, part);
     const auto with_it = [&](const Recording& run) { return ship_at(trial, {}, alone, &run); };
-    const auto by = discrepancy_of(errors_of(given, with_it, with_it, runs), {});
+    const auto by = discrepancy_of(with_after(train, with_it, runs), {});
     if (by && (!best || by->after < best->discrepancy))
       best = MovedPart{std::string(part), by->after, most_moved(trial, point, part),
                        part == "rudder" ? rudder_left(given, model_at(trial, {}, alone)) : std::nullopt};
@@ -592,14 +595,17 @@ constexpr double clearly_late = 100.0;
 std::map<Quantity, double> falls_of(const ShipInRun& from, const ShipInRun& to,
                                     std::initializer_list<std::span<const Recording>> sets) {
   std::map<Quantity, std::pair<double, int>> sums;
-  for (const auto& runs : sets)
-    for (const auto& run : runs) {
-      const auto a = errors_of(from(run), run), b = errors_of(to(run), run);
+  for (const auto& runs : sets) {
+    std::vector<std::pair<std::vector<QuantityError>, std::vector<QuantityError>>> errors(runs.size());
+    in_parallel(runs.size(), 0, [&](std::size_t i) {
+      errors[i] = {errors_of(from(runs[i]), runs[i]), errors_of(to(runs[i]), runs[i])};
+    });
+    for (const auto& [a, b] : errors)
       for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
         auto& [sum, count] = sums[a[i].quantity];
         sum += a[i].normalised_beyond_waves() - b[i].normalised_beyond_waves(), ++count;
       }
-    }
+  }
   std::map<Quantity, double> falls;
   for (const auto& [quantity, sum] : sums) falls[quantity] = sum.first / sum.second;
   return falls;
@@ -652,9 +658,7 @@ bool changes_little(const Trial& trial, const Search& s, std::size_t accepted, s
   for (const auto& some : {runs, holdout})
     for (const auto& run : some) {
       const auto with = ship_at(trial, all, s.now.point, &run);
-      auto without = with;
-      without.effects.erase(without.effects.end() - std::ssize(all) + static_cast<std::ptrdiff_t>(accepted));
-      const auto a = compare(with, run), b = compare(without, run);
+      const auto a = compare(with, run), b = compare(without_accepted(with, s, accepted), run);
       for (const auto& [quantity, channel] : seen) {
         const auto error = std::ranges::find(a.errors, quantity, &QuantityError::quantity);
         if (error == a.errors.end()) continue;
@@ -742,8 +746,10 @@ constexpr double worth_of_form = 0.05;
 void put_form(Diagnosis& d, const Search& s, const MapFit& alone, std::span<const std::size_t> found, double needed,
               std::span<const Recording> runs, std::span<const Recording> holdout) {
   const auto& trial = s.trial;
-  const auto form = std::ranges::find(trial.ordinary, form_id, &EffectForm::id);
-  if (form == trial.ordinary.end()) return;
+  const auto places = ordinary_places(trial);
+  const auto form =
+      std::ranges::find(places, form_id, [](const OrdinaryPlace& o) -> const std::string& { return o.form->id; });
+  if (form == places.end()) return;
   const auto standing = standing_of(s, found);
   if (standing.fit.point.size() == 0) return;
   const bool is_alone = s.accepted.empty() && s.prior_inflation == 1.0;
@@ -759,16 +765,14 @@ void put_form(Diagnosis& d, const Search& s, const MapFit& alone, std::span<cons
     return by ? by->after : missing;
   };
   if (!(left(without) - left(standing.fit) > worth_of_form)) return;
-  auto from = std::ssize(trial.parameters);
-  for (auto before = trial.ordinary.begin(); before != form; ++before) from += std::ssize(before->coordinates);
-  const std::span c{standing.fit.point.data() + from, form->coordinates.size()};
-  d.effects.push_back({.effect = form->at(c),
-                       .scope = Scope::ship,
-                       .probability = 1.0 / (1.0 + std::exp((needed - gain) / evidence_excess)),
-                       .onset = {},
-                       .end = {},
-                       .parameters = estimates(trial, *form, {}, standing.fit, from, part_map(*form, 0)),
-                       .indistinguishable_from = {}});
+  d.effects.push_back(
+      {.effect = form->form->at(form->coordinates(standing.fit.point)),
+       .scope = Scope::ship,
+       .probability = 1.0 / (1.0 + std::exp((needed - gain) / evidence_excess)),
+       .onset = {},
+       .end = {},
+       .parameters = estimates(trial, *form->form, {}, standing.fit, form->first, part_map(*form->form, 0)),
+       .indistinguishable_from = {}});
 }
 
 // ---------------------------------------------------------------- findings
@@ -946,7 +950,8 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   d.holdout = errors_of(ship, refitted, improved, holdout);
   d.discrepancy = discrepancy_of(d.train, d.holdout);
   if (d.discrepancy)
-    attempt(d, "the part that moved", [&] { d.moved = moved_part(trial, alone.point, *d.discrepancy, ship, runs); });
+    attempt(d, "the part that moved",
+            [&] { d.moved = moved_part(trial, alone.point, *d.discrepancy, ship, d.train, runs); });
   attempt(d, "the form of the forces", [&] { put_form(d, s, alone, standing, options.detection, runs, holdout); });
   d.verdict = verdict_of(d, s.on_board);
   if (!s.on_board && d.process_noise > ordinary_scale)

@@ -104,6 +104,9 @@ bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found);
 /// errors are. Its coordinates begin at `first`.
 bool is_as_ordinary(const Trial& trial, const EffectForm& form, const Point& point, Eigen::Index first);
 
+/// A ship of this search without one of the effects that were accepted, which are the last of hers.
+Ship without_accepted(Ship ship, const Search& s, std::size_t accepted);
+
 /// Whether an effect gains what is needed beside the baseline alone, too, or much more where it was accepted.
 bool is_told_by_itself(const Search& s, const Accepted& accepted, double needed);
 

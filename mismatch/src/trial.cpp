@@ -241,27 +241,34 @@ Unknown unknown_of(const Coordinate& c) {
 
 }  // namespace
 
+bool is_same_effect(const EffectForm& a, const EffectForm& b) { return a.id == b.id && channel_of(a) == channel_of(b); }
+
 bool stands_for(const EffectForm& form, const EffectForm& ordinary) {
   if (takes_rudder_lift(form.id) && takes_rudder_lift(ordinary.id)) return true;
-  return form.id == ordinary.id && form.id != form_id && channel_of(form) == channel_of(ordinary);
+  return form.id != form_id && is_same_effect(form, ordinary);
+}
+
+std::vector<OrdinaryPlace> ordinary_places(const Trial& trial) {
+  std::vector<OrdinaryPlace> places;
+  auto first = std::ssize(trial.parameters);
+  for (const auto& form : trial.ordinary) {
+    places.push_back({&form, first});
+    first += std::ssize(form.coordinates);
+  }
+  return places;
 }
 
 std::vector<Eigen::Index> replaced_by(const Trial& trial, const EffectForm& form) {
   std::vector<Eigen::Index> replaced;
-  auto at = std::ssize(trial.parameters);
-  for (const auto& o : trial.ordinary)
-    for (std::size_t i = 0; i < o.coordinates.size(); ++i, ++at)
-      if (stands_for(form, o)) replaced.push_back(at);
+  for (const auto& o : ordinary_places(trial))
+    if (stands_for(form, *o.form))
+      for (Eigen::Index i = 0; i < o.size(); ++i) replaced.push_back(o.first + i);
   return replaced;
 }
 
 std::optional<Effect> in_whose_place(const Trial& trial, const EffectForm& form, const Point& point) {
-  auto at = std::ssize(trial.parameters);
-  for (const auto& o : trial.ordinary) {
-    const auto size = o.coordinates.size();
-    if (stands_for(form, o) && form.id == o.id) return o.at({point.data() + at, size});
-    at += static_cast<Eigen::Index>(size);
-  }
+  for (const auto& o : ordinary_places(trial))
+    if (stands_for(form, *o.form) && form.id == o.form->id) return o.form->at(o.coordinates(point));
   return std::nullopt;
 }
 
@@ -339,22 +346,21 @@ double ordinary_deviations(const Trial& trial, const EffectForm& form, const Eff
   return std::abs((is.value - is.null) / usual->departure);
 }
 
-/// Calls use(form, first coordinate) for everything ordinary that no effect stands for.
-template <class Use>
-void for_each_ordinary(const Trial& trial, const Hypothesis& hypothesis, Use&& use) {
-  Eigen::Index next = std::ssize(trial.parameters);
-  for (const auto& form : trial.ordinary) {
-    if (std::ranges::none_of(hypothesis, [&](const EffectForm* h) { return stands_for(*h, form); })) use(form, next);
-    next += std::ssize(form.coordinates);
-  }
+/// Everything ordinary that no effect stands for.
+std::vector<OrdinaryPlace> still_ordinary(const Trial& trial, const Hypothesis& hypothesis) {
+  auto places = ordinary_places(trial);
+  std::erase_if(places, [&](const OrdinaryPlace& o) {
+    return std::ranges::any_of(hypothesis, [&](const EffectForm* h) { return stands_for(*h, *o.form); });
+  });
+  return places;
 }
 
-Effect ordinary_at(const EffectForm& form, const Point& point, Eigen::Index first) {
-  std::vector<double> c;
-  for (std::size_t i = 0; i < form.coordinates.size(); ++i)
-    c.push_back(
-        std::clamp(point[first + static_cast<Eigen::Index>(i)], form.coordinates[i].low, form.coordinates[i].high));
-  return form.at(c);
+Effect ordinary_at(const OrdinaryPlace& o, const Point& point) {
+  const auto c = o.coordinates(point);
+  std::vector<double> within(c.begin(), c.end());
+  for (std::size_t i = 0; i < within.size(); ++i)
+    within[i] = std::clamp(within[i], o.form->coordinates[i].low, o.form->coordinates[i].high);
+  return o.form->at(within);
 }
 
 /// What of another form goes with the rudder angle is a force of the rudder: where its lift has another factor, that
@@ -386,8 +392,7 @@ Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& po
   const auto add = [&](Effect effect, bool ordinary) {
     if (wanted(effect, ordinary)) ship.effects.push_back(std::move(effect));
   };
-  for_each_ordinary(trial, hypothesis,
-                    [&](const EffectForm& form, Eigen::Index first) { add(ordinary_at(form, point, first), true); });
+  for (const auto& o : still_ordinary(trial, hypothesis)) add(ordinary_at(o, point), true);
   Eigen::Index next = trial.baseline_size();
   for (const auto* form : hypothesis) {
     const std::span c{point.data() + next, form->coordinates.size()};
@@ -426,15 +431,15 @@ double ordinary_deviations(const Trial& trial, const EffectForm& form, std::span
 std::vector<OrdinaryEstimate> ordinary_instruments(const Trial& trial, const Hypothesis& hypothesis,
                                                    const MapFit& fit) {
   std::vector<OrdinaryEstimate> found;
-  for_each_ordinary(trial, hypothesis, [&](const EffectForm& form, Eigen::Index first) {
-    const auto effect = ordinary_at(form, fit.point, first);
-    if (form.coordinates.size() != 1 || place_of(effect) != EffectPlace::sensor) return;
-    const auto is = parameters_of(trial.ship, effect), one = parameters_of(trial.ship, form.at(std::vector{1.0}));
+  for (const auto& o : still_ordinary(trial, hypothesis)) {
+    const auto effect = ordinary_at(o, fit.point);
+    if (o.size() != 1 || place_of(effect) != EffectPlace::sensor) continue;
+    const auto is = parameters_of(trial.ship, effect), one = parameters_of(trial.ship, o.form->at(std::vector{1.0}));
     const auto i =
-        static_cast<std::size_t>(std::ranges::find(is, form.coordinates.front().name, &Parameter::key) - is.begin());
+        static_cast<std::size_t>(std::ranges::find(is, o.form->coordinates.front().name, &Parameter::key) - is.begin());
     found.push_back({effect, is[i].value - is[i].null,
-                     std::abs(one[i].value - one[i].null) * std::sqrt(fit.covariance(first, first)), is[i].key});
-  });
+                     std::abs(one[i].value - one[i].null) * std::sqrt(fit.covariance(o.first, o.first)), is[i].key});
+  }
   return found;
 }
 

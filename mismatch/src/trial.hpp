@@ -82,9 +82,27 @@ struct LikelyForm {
 LikelyForm likely_form(const Trial& usual, const Trial& now, const FormSizes& sizes, const Hypothesis& hypothesis,
                        const MapFit& fit);
 
-/// Whether an effect stands in the place of something ordinary: it is of the same kind, of the same channel if it has
-/// one, or takes the lift of the rudder as that does.
+/// The same effect, of the same channel if it is of one, whatever its scope.
+bool is_same_effect(const EffectForm& a, const EffectForm& b);
+
+/// Whether an effect stands in the place of something ordinary: it is the same, or takes the lift of the rudder as that
+/// does.
 bool stands_for(const EffectForm& form, const EffectForm& ordinary);
+
+/// What is ordinary, and where its coordinates begin in the baseline.
+struct OrdinaryPlace {
+  const EffectForm* form;
+  Eigen::Index first;
+
+  Eigen::Index size() const { return std::ssize(form->coordinates); }
+
+  std::span<const double> coordinates(const Point& point) const {
+    return {point.data() + first, form->coordinates.size()};
+  }
+};
+
+/// All that is ordinary, in the order of the baseline.
+std::vector<OrdinaryPlace> ordinary_places(const Trial& trial);
 
 /// Coordinates of the baseline in whose place an effect would stand: then they change nothing.
 std::vector<Eigen::Index> replaced_by(const Trial& trial, const EffectForm& form);

@@ -26,10 +26,16 @@ Eigen::Index to_release(const Vector& slope, const Vector& d, const Vector& low,
   return worst;
 }
 
-/// Active-set method from d = 0: on the way to the least over the free places, the first that meets its bound is held.
-Vector between_bounds(const Matrix& H, const Vector& g, const Vector& low, const Vector& high) {
-  Vector d = Vector::Zero(g.size());
-  std::vector<bool> held(static_cast<std::size_t>(g.size()), false);
+/// A step, and which of its places are held at a bound.
+struct Held {
+  Vector d;
+  std::vector<bool> held;
+};
+
+/// Active-set method from a step that keeps to the bounds: on the way to the least over the free places, the first that
+/// meets its bound is held.
+Held between_bounds(const Matrix& H, const Vector& g, const Vector& low, const Vector& high, Held from) {
+  auto& [d, held] = from;
   for (int change = 0; change < 20 * static_cast<int>(g.size()); ++change) {
     std::vector<Eigen::Index> free;
     for (Eigen::Index i = 0; i < g.size(); ++i)
@@ -48,7 +54,8 @@ Vector between_bounds(const Matrix& H, const Vector& g, const Vector& low, const
     if (stop < 0) break;
     held[static_cast<std::size_t>(stop)] = !held[static_cast<std::size_t>(stop)];
   }
-  return d.cwiseMax(low).cwiseMin(high);
+  d = d.cwiseMax(low).cwiseMin(high);
+  return from;
 }
 
 }  // namespace
@@ -56,18 +63,23 @@ Vector between_bounds(const Matrix& H, const Vector& g, const Vector& low, const
 Vector bounded_step(const Matrix& H, const Vector& g, const Vector& low, const Vector& high, double radius) {
   const auto identity = Matrix::Identity(H.rows(), H.cols());
   const double largest = H.diagonal().maxCoeff();
-  const auto damped = [&](double mu) { return between_bounds(H + mu * identity, g, low, high); };
-  double below = 1e-12 * largest;
-  Vector d = damped(below);
-  if (d.norm() <= radius) return d;
-  double above = below;
-  while ((d = damped(above)).norm() > radius) above *= 100.0;
+  const Held at_rest{Vector::Zero(g.size()), std::vector<bool>(static_cast<std::size_t>(g.size()), false)};
+  // each damping begins where the last ended: few places are held or released between two
+  Held now = at_rest;
+  const auto is_within = [&](double mu) {
+    if (!now.d.allFinite()) now = at_rest;
+    now = between_bounds(H + mu * identity, g, low, high, std::move(now));
+    return !(now.d.norm() > radius);
+  };
+  double above = 1e-12 * largest, below = above;
+  if (is_within(above)) return now.d;
+  do below = above, above *= 100.0;
+  while (!is_within(above) && above < HUGE_VAL);  // it ends where slopes are no numbers, too
+  Vector d = now.d;
   for (int i = 0; i < 40 && d.norm() < at_the_edge * radius; ++i) {
     const double mu = std::sqrt(below * above);
-    Vector at = damped(mu);
-    const bool within = at.norm() <= radius;
-    (within ? above : below) = mu;
-    if (within) d = std::move(at);
+    if (is_within(mu)) above = mu, d = now.d;
+    else below = mu;
   }
   return d;
 }
