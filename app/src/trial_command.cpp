@@ -204,7 +204,10 @@ void trial(const TrialArguments& a) {
   for (const auto& file : a.runs) {
     JudgedRun run{load_run(file, a.rudder_positive), {}, {}};
     run.trial = judge_trial(run.recording, options);
-    if (sailing != nullptr) run.simulated = simulated_trial(*sailing, run.trial);
+    if (sailing != nullptr) {
+      say_other_speed(*sailing, run.trial);
+      run.simulated = simulated_trial(*sailing, run.trial);
+    }
     trials.push_back(run.trial);
     runs.push_back(std::move(run));
   }

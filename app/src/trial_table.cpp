@@ -369,10 +369,24 @@ std::string in_words(const ImoSummary& s) {
   return words;
 }
 
-/// Nothing, with a word on stderr, where the ship cannot sail it.
+std::optional<double> only_speed(const Ship& ship) {
+  if (!std::holds_alternative<AbkowitzShip<double>>(ship.model)) return std::nullopt;
+  return service_speed(ship);
+}
+
+void say_other_speed(const Ship& ship, const TrialResult& t) {
+  const auto only = only_speed(ship);
+  if (!only || !t.approach.speed) return;
+  const auto simulated = fmt::format("{:.3g}", *only), recorded = fmt::format("{:.3g}", t.approach.speed->value);
+  if (simulated != recorded)
+    say_aside("swayaw: {}: simulated at {} m/s, the only speed of an abkowitz ship, not at the recorded {} m/s\n",
+              t.run, simulated, recorded);
+}
+
 SimulatedTrial simulated_trial(const Ship& ship, const TrialResult& t) {
   SimulatedTrial result;
-  const ManoeuvreOptions options{.speed = t.approach.speed ? std::optional(t.approach.speed->value) : std::nullopt};
+  ManoeuvreOptions options{.speed = only_speed(ship)};
+  if (!options.speed && t.approach.speed) options.speed = t.approach.speed->value;
   try {
     if (t.zigzag) {
       const ZigzagOrder order{t.manoeuvre.rudder, t.manoeuvre.heading, t.zigzag->first};

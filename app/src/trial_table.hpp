@@ -15,12 +15,18 @@ namespace swayaw::app {
 /// Ships for which the criteria of MSC.137(76) are made are at least so long [m].
 inline constexpr double shortest_ship_of_criteria = 100.0;
 
-/// The same manoeuvre of a ship, at the approach speed of the recording.
+/// The same manoeuvre of a ship, at the approach speed of the recording, or at the only one that she has.
 struct SimulatedTrial {
   std::optional<Zigzag> zigzag;
   std::optional<TurningCircle> turn;
   Json json;  ///< as `simulate --json` prints it; null without a ship
 };
+
+/// The only speed at which a ship is propelled, if she has but one [m/s]: an Abkowitz ship that of her polynomial.
+std::optional<double> only_speed(const Ship& ship);
+
+/// Says at which speed a ship makes the manoeuvre of a recording, where that is not the recorded one.
+void say_other_speed(const Ship& ship, const TrialResult& trial);
 
 /// The manoeuvre of a recording as the ship sails it; nothing but a null where she cannot.
 SimulatedTrial simulated_trial(const Ship& ship, const TrialResult& trial);

@@ -41,6 +41,22 @@ TEST_CASE("trial tells a simulated zigzag the numbers that simulate told", "[app
   CHECK(told["turns_against_rudder"] == false);
 }
 
+TEST_CASE("an Abkowitz ship is simulated at her own speed beside a recording, and that is said", "[app]") {
+  const Scratch scratch;
+  const auto mariner = test::ship_file("mariner.toml"), file = (scratch / "zz.csv").string();
+  const auto said = document("simulate " + mariner + " --zigzag 20/20 --out " + file);
+  const double first = said["overshoot_deg"][0];
+  const auto of_others = run(scratch, "trial " + zigzag + " --ship " + mariner + " --json");
+  CHECK_THAT(of_others.err, ContainsSubstring("simulated at 7.72 m/s, the only speed of an abkowitz ship, not at the "
+                                              "recorded 1.18 m/s"));
+  CHECK(nlohmann::json::parse(of_others.out)["runs"][0]["simulated"]["overshoot_deg"].size() >= 2);
+  // what a recording tells of its speed is never that of the file to the last digit
+  const auto own = run(scratch, "trial " + file + " --ship " + mariner + " --json");
+  CHECK(own.err.empty());
+  CHECK_THAT(nlohmann::json::parse(own.out)["runs"][0]["simulated"]["overshoot_deg"][0].get<double>(),
+             WithinAbs(first, 1e-6));
+}
+
 TEST_CASE("trial tells a simulated turn the numbers that simulate told", "[app][round-trip]") {
   const Scratch scratch;
   const auto file = (scratch / "turn.csv").string();
