@@ -424,7 +424,7 @@ MapFit fit_beside(const Trial& trial, const Hypothesis& hypothesis, MapFit now, 
     anew.head(trial.baseline_size()) = trial.mean;
     const auto from = [&](const Point& point, const Noise& noise) {
       try {
-        return fit(trial, hypothesis, with_start(point, told), noise, {.to_rank = refined_later});
+        return fit(trial, hypothesis, with_start(point, told), noise);
       } catch (const std::exception&) {  // she cannot sail from there
         return found;
       }

@@ -100,8 +100,7 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
     const double log_evidence = now + 0.5 * (log_determinant(problem.precision) - log_determinant(A));
     if (!std::isfinite(log_evidence)) break;  // the filter cannot follow, or slopes are no numbers
     if (gain > -worth_a_round) best = {here.point, log_evidence, found, inverse(A), std::move(information)};
-    const bool stays = about_same(found, noise);
-    if (wanted.to_rank ? stays || !(gain > rough) : stays && !(gain > worth_a_round)) break;
+    if (wanted.to_rank ? !(gain > rough) : !(gain > worth_a_round) && about_same(found, noise)) break;
     density = std::max(density, now), noise = found;
   }
   return best;
