@@ -508,8 +508,8 @@ std::vector<Screened> most_promising(const std::vector<Screened>& candidates, st
 }
 
 /// Gain in log evidence that must be predicted of one more effect beside an inexact form, for it to be fitted at all:
-/// of 77 for which less was predicted, in 39 labelled cases as on board, none gained more than 10 (20 are needed), and
-/// each took some 0.3 s.
+/// of 77 for which less was predicted, in 39 labelled cases as on board, none gained more than 10 (15 are needed at
+/// least), and each took some 0.3 s.
 constexpr double least_of_one_more = 1.0;
 
 /// Whether an effect is larger than its practical floor somewhere within two deviations of each coordinate.
