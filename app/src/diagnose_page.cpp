@@ -239,14 +239,11 @@ void add_manoeuvre(PageTable& table, const Ship& given, const Ship& after, const
 } catch (const std::exception&) {  // a run that is no standard manoeuvre has none of these numbers
 }
 
-std::string at_only_speed(const Ship& ship) {
-  const auto speed = only_speed(ship);
-  return speed ? fmt::format("; simulated at {:.3g} m/s, the only speed of an abkowitz ship", *speed) : "";
-}
-
 PageTable table_of(const Ship& ship, const Diagnosis& d) {
+  const auto speed = only_speed(ship);
   PageTable table{
-      .caption = "The manoeuvres: recorded, simulated as given, and with what was found" + at_only_speed(ship),
+      .caption = "The manoeuvres: recorded, simulated as given, and with what was found" +
+                 (speed ? "; simulated" + at_only_speed(*speed) : ""),
       .columns = {"", "Recorded", "As given", d.effects.empty() ? "Refitted" : "With what was found", "IMO limit"},
       .rows = {}};
   for (const auto* pictures : {&d.train_pictures, &d.holdout_pictures})

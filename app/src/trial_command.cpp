@@ -201,9 +201,15 @@ void trial(const TrialArguments& a) {
     say_aside("swayaw: {}: a linear ship tells her length; she is not simulated\n", a.ship.string());
   std::vector<JudgedRun> runs;
   std::vector<TrialResult> trials;
+  std::vector<std::string> not_judged;
   for (const auto& file : a.runs) {
     JudgedRun run{load_run(file, a.rudder_positive), {}, {}};
-    run.trial = judge_trial(run.recording, options);
+    try {
+      run.trial = judge_trial(run.recording, options);
+    } catch (const Refusal& refusal) {  // the others are
+      not_judged.emplace_back(refusal.what());
+      continue;
+    }
     if (sailing != nullptr) {
       say_other_speed(*sailing, run.trial);
       run.simulated = simulated_trial(*sailing, run.trial);
@@ -211,12 +217,15 @@ void trial(const TrialArguments& a) {
     trials.push_back(run.trial);
     runs.push_back(std::move(run));
   }
+  if (runs.empty()) throw Refusal(fmt::format("{}", fmt::join(not_judged, "; ")));
+  for (const auto& why : not_judged) say_aside("swayaw: {}; the other runs are judged without it\n", why);
   const auto summary = summary_of(trials);
   Json document{{"schema", "swayaw.trial/1"},
                 {"version", version()},
                 {"ship", sailing != nullptr ? Json(sailing->name) : Json(nullptr)},
                 {"length_m", number(options.L)},
                 {"runs", Json::array()},
+                {"not_judged", not_judged},
                 {"imo",
                  {{"verdict", in_words(summary)},
                   {"failed", summary.failed},
@@ -228,7 +237,9 @@ void trial(const TrialArguments& a) {
                  {.ship = sailing != nullptr ? sailing->name : "",
                   .L = options.L,
                   .L_source = a.length ? "as given" : "of the ship file",
-                  .si = a.report.si},
+                  .si = a.report.si,
+                  .only_speed = sailing != nullptr ? only_speed(*sailing) : std::nullopt,
+                  .not_judged = not_judged},
                  a.report.file);
   if (a.json) return print_document(document);
   for (const auto& run : runs) print_run(run, options.L), say("\n");

@@ -463,7 +463,8 @@ PagePicture picture_of_run(const JudgedRun& run, const TrialQuestion& q) {
   else plot.panels.push_back(circle ? circle_of(run, q.L) : headings_of(run));
   const auto beside = simulated_run(run) == nullptr
                           ? std::string()
-                          : fmt::format(" Dashed: {} in the same manoeuvre at the same approach speed.", q.ship);
+                          : fmt::format(" Dashed: {} in the same manoeuvre{}.", q.ship,
+                                        q.only_speed ? at_only_speed(*q.only_speed) : " at the same approach speed");
   return picture_of(
       plot,
       fmt::format("{} of {}.",
@@ -509,11 +510,12 @@ std::vector<std::string> assumed_of(const std::vector<JudgedRun>& runs, const Tr
       q.L ? fmt::format("Length {:.4g} m, {}.", *q.L, q.L_source) : "The length of the ship is not known.",
       speed_words(runs, units)};
   if (auto drift = drift_words(runs, units); !drift.empty()) lines.push_back(std::move(drift));
+  for (const auto& why : q.not_judged) lines.push_back(fmt::format("Not judged: {}.", why));
   if (!q.ship.empty())
     lines.push_back(
-        fmt::format("Simulated: {}, propulsion held, in calm deep water unless her "
+        fmt::format("Simulated: {}{}, propulsion held, in calm deep water unless her "
                     "file says otherwise.",
-                    q.ship));
+                    q.ship, q.only_speed ? at_only_speed(*q.only_speed) : ""));
   lines.emplace_back(
       "Rudder angles of the pictures are positive to port. A criterion is decided where its limit lies "
       "more than two standard errors from the value.");

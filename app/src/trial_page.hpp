@@ -15,6 +15,8 @@ struct TrialQuestion {
   std::optional<double> L;  ///< length used [m]
   std::string L_source;     ///< "of the ship file"
   bool si = false;
+  std::optional<double> only_speed{};     ///< of a ship that is not simulated at that of the recording [m/s]
+  std::vector<std::string> not_judged{};  ///< why runs were left out
 };
 
 /// What the page says first: the criteria, how sure they are, what was not sailed.

@@ -374,13 +374,16 @@ std::optional<double> only_speed(const Ship& ship) {
   return service_speed(ship);
 }
 
+std::string at_only_speed(double speed) {
+  return fmt::format(" at {:.3g} m/s, the only speed of an abkowitz ship", speed);
+}
+
 void say_other_speed(const Ship& ship, const TrialResult& t) {
   const auto only = only_speed(ship);
   if (!only || !t.approach.speed) return;
-  const auto simulated = fmt::format("{:.3g}", *only), recorded = fmt::format("{:.3g}", t.approach.speed->value);
-  if (simulated != recorded)
-    say_aside("swayaw: {}: simulated at {} m/s, the only speed of an abkowitz ship, not at the recorded {} m/s\n",
-              t.run, simulated, recorded);
+  const auto recorded = fmt::format("{:.3g}", t.approach.speed->value);
+  if (fmt::format("{:.3g}", *only) != recorded)
+    say_aside("swayaw: {}: simulated{}, not at the recorded {} m/s\n", t.run, at_only_speed(*only), recorded);
 }
 
 SimulatedTrial simulated_trial(const Ship& ship, const TrialResult& t) {

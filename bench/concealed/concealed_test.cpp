@@ -545,6 +545,18 @@ TEST_CASE("what hides in a form, behind another summit or on other courses is fo
   }
 }
 
+// Coefficients had gone up to 8 of their deviations from the file, and beside them a shaft that slows by a fifth was
+// predicted to gain nothing.
+TEST_CASE("what predicts most beside the ship as given is found where coefficients have gone far from it",
+          "[bench][on_board][limit]") {
+  const auto c = made(plan_named("on_board", 300, 35).at(38));
+  REQUIRE(c.labels.size() == 1);
+  const auto d = diagnose(c.ship, c.train, c.reference, c.holdout);
+  const auto candidate = std::ranges::find(d.candidates, c.labels.front().effect, &Candidate::effect);
+  REQUIRE(candidate != d.candidates.end());
+  CHECK(candidate->log_evidence_gain > 100.0);
+}
+
 TEST_CASE("as many cases of a plan are as many structures, and none is clean where something is hidden",
           "[bench][on_board][limit]") {
   std::set<std::string> ships;

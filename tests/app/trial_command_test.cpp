@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <catch.hpp>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -55,6 +58,23 @@ TEST_CASE("an Abkowitz ship is simulated at her own speed beside a recording, an
   CHECK(own.err.empty());
   CHECK_THAT(nlohmann::json::parse(own.out)["runs"][0]["simulated"]["overshoot_deg"][0].get<double>(),
              WithinAbs(first, 1e-6));
+}
+
+TEST_CASE("a run that is no manoeuvre is left out with the reason, and the others are judged", "[app]") {
+  const Scratch scratch;
+  const auto passage = (scratch / "passage.csv").string(), page = (scratch / "page.html").string();
+  std::string rows = "# manoeuvre = \"passage\"\ntime_s,psi_rad,delta_rad\n";
+  for (int i = 0; i < 400; ++i) rows += fmt::format("{},{},0.1\n", i, i / 100 % 2 ? 0.3 : 0.0);
+  std::ofstream(passage) << rows;
+  const auto both = run(scratch, "trial " + zigzag + " " + passage + " --json --report " + page);
+  CHECK(both.code == 0);
+  CHECK_THAT(both.err, ContainsSubstring("passage.csv"));
+  CHECK_THAT(both.err, ContainsSubstring("the other runs are judged without it"));
+  const auto told = nlohmann::json::parse(both.out);
+  CHECK(told["runs"].size() == 1);
+  CHECK(told["not_judged"].size() == 1);
+  CHECK_THAT(read_text(page), ContainsSubstring("Not judged: "));
+  CHECK_THAT(refusal("trial " + passage), ContainsSubstring("which manoeuvre this is cannot be told"));
 }
 
 TEST_CASE("trial tells a simulated turn the numbers that simulate told", "[app][round-trip]") {

@@ -380,6 +380,32 @@ TEST_CASE("simulated manoeuvres of the KVLCC2 are judged as two independent prog
   }
 }
 
+TEST_CASE("the angles of a manoeuvre are read from its name, not the number or the date of the run",
+          "[identification][regression]") {
+  const auto ship = read_ship(test::ships / "kvlcc2.toml");
+  const auto named = [](Recording run, const char* name) {
+    run.facts.manoeuvre = name;
+    return judge_trial(run, {}).manoeuvre;
+  };
+  const auto turn = turning_circle(ship, {radians(35.0), Side::starboard}, {}).run;
+  for (const auto* name : {"turn 35", "2_turn35_s", "35 deg turning circle", "Run 12: turn 35"}) {
+    INFO(name);
+    CHECK(named(turn, name).name == "turn 35");
+    CHECK(named(turn, name).said);
+  }
+  for (const auto* name : {"turn_14-Sep-2020_13_39", "3 turn", "turning circle"}) {  // none of these is an angle
+    INFO(name);
+    CHECK(named(turn, name).name == "turn 35");
+    CHECK(!named(turn, name).said);
+  }
+  const auto zigzag_run = zigzag(ship, {radians(10.0), radians(10.0), Side::starboard}, {}).run;
+  for (const auto* name : {"zigzag 10/10", "10/10 zigzag", "4_zigzag10_10_p"}) {
+    INFO(name);
+    CHECK(named(zigzag_run, name).name == "zigzag 10/10");
+    CHECK(named(zigzag_run, name).said);
+  }
+}
+
 TEST_CASE("the KCS model turns and yaws as SIMMAN's runs do, without drift", "[identification][published]") {
   const auto folder = test::benchmark_recordings("kcs");
   if (!folder) return;

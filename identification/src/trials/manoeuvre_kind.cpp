@@ -46,7 +46,8 @@ std::string lower(std::string text) {
 }
 
 /// Numbers of a text in their order, without sign.
-std::vector<double> numbers_in(const std::string& text) {
+std::vector<double> numbers_in(std::string_view part) {
+  const std::string text(part);
   std::vector<double> result;
   for (const char* p = text.c_str(); *p != '\0';) {
     char* end = nullptr;
@@ -82,14 +83,30 @@ struct Words {
   }
 };
 
+/// Angles stand behind the word, "turn 35" and "2_turn35_s", or before it, "20 deg turn" and "10/10 zigzag".
+Words with_angles(TrialKind kind, std::string_view text, std::size_t word) {
+  Words behind{kind, numbers_in(text.substr(word))}, before{kind, numbers_in(text.substr(0, word))};
+  return before.complete() && !behind.complete() ? before : behind;
+}
+
 std::optional<Words> words_of(const std::string& manoeuvre) {
   const std::string text = lower(manoeuvre);
   const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
-  if (has("zig")) return Words{TrialKind::zigzag, numbers_in(text)};
+  if (const auto word = text.find("zig"); word != std::string::npos) return with_angles(TrialKind::zigzag, text, word);
   if (has("spiral")) return Words{TrialKind::spiral, {}};
-  if (has("turn") || has("circle") || has("pull")) return Words{TrialKind::turn, numbers_in(text)};
+  for (const auto* name : {"turn", "circle", "pull"})
+    if (const auto word = text.find(name); word != std::string::npos) return with_angles(TrialKind::turn, text, word);
   if (has("straight") || has("steady") || has("speed run")) return Words{TrialKind::steady, {}};
   return std::nullopt;
+}
+
+/// Whether words tell angles, and the rudder went as far as they say, or half or twice as far: a number may be that of
+/// the run.
+bool tells_angles(const Words& words, double largest_rudder) {
+  if (!words.complete()) return false;
+  if (words.angles.empty()) return true;
+  const double share = radians(words.angles.front()) / largest_rudder;
+  return 0.5 < share && share < 2.0;
 }
 
 /// The manoeuvre that the recording holds, the longest if there are more.
@@ -138,7 +155,7 @@ TrialManoeuvre manoeuvre_of(const TrialRun& run) {
   if (!told && run.largest < still_rudder && range_of(run.psi) < straight_heading)
     return manoeuvre_named(run, {TrialKind::steady, {}}, false);
   if (steered && run.largest < still_rudder) refuse_still(run, told ? name_of(told->kind) : "manoeuvre");
-  if (told && told->complete()) return manoeuvre_named(run, *told, true);
+  if (told && tells_angles(*told, run.largest)) return manoeuvre_named(run, *told, true);
   const auto found = found_in(*run.recording);
   if (found && (!told || found->kind == told->kind)) return manoeuvre_named(run, *found, false);
   if (told && told->kind == TrialKind::turn)
