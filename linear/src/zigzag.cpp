@@ -17,6 +17,10 @@ using Rudder = RudderLine<double>;
 /// of numbers.
 constexpr double runaway = 1e9;
 
+/// Legs between two orders. One ends where the exponentials of the ship leave the range of numbers: published ships
+/// need a few, one whose motion grows or dies 10⁵⁶ times in a ship length would need memory without end.
+constexpr std::size_t most_legs = 5'000;
+
 /// Sails leg after leg.
 class LinearVoyage {
  public:
@@ -36,7 +40,11 @@ class LinearVoyage {
 
   /// Sails until the derivative of psi of that order passes `value`; keeps the legs. @return whether it did
   bool sail_to(int level, double value) {
-    while (now_ < longest_ && std::abs(state_.psi) < runaway) {
+    for (std::size_t legs = 0; now_ < longest_ && std::abs(state_.psi) < runaway; ++legs) {
+      if (legs == most_legs)
+        throw Refusal(
+            "the motion of this linear ship changes too fast to be sailed: look at her length over beam, "
+            "added masses and derivatives");
       const Rudder rudder = line();
       const LegFunctions functions(ship_, state_, rudder);
       const double ramp = moving_ ? (target_ - angle_) / rudder.rate : longest_ - now_;

@@ -294,5 +294,12 @@ TEST_CASE("senseless zigzags are refused", "[linear][refusal]") {
                     ContainsSubstring("rudder rate"));
 }
 
+TEST_CASE("a ship whose motion changes without end in a moment is refused, and takes no memory", "[linear][refusal]") {
+  auto ship = RandomLinearShips::tanker();
+  for (double* c : {&ship.a1, &ship.b1, &ship.c1, &ship.a2, &ship.b2, &ship.c2}) *c *= 1e56;
+  CHECK_THROWS_WITH(linear_zigzag(ship, {.rudder = radians(10.0), .heading = radians(10.0), .rate = radians(10.0)}),
+                    ContainsSubstring("changes too fast to be sailed"));
+}
+
 }  // namespace
 }  // namespace swayaw
