@@ -26,7 +26,7 @@ struct EffectForm {
   std::vector<double> window{};
   /// Where a fit begins, too: what is known of it besides what a fit without it predicts. Empty for most.
   std::vector<double> told{};
-  bool told_beside_given = false;  ///< beside the ship as given alone
+  bool told_beside_given = false;  ///< that begins from the ship as given alone
   double begin = 0.0;              ///< [s], from which onset and end among the coordinates count
   std::function<EffectForm(std::span<const std::size_t>)> with_terms{};
   Scope scope = Scope::ship;         ///< of the parts: group or run; of the ship where there are none

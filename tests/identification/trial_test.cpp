@@ -398,6 +398,10 @@ TEST_CASE("the angles of a manoeuvre are read from its name, not the number or t
     CHECK(named(turn, name).name == "turn 35");
     CHECK(!named(turn, name).said);
   }
+  // a pair is no number of a run, and a helmsman may put the rudder further over when it is done
+  auto hard_over = zigzag(ship, {radians(10.0), radians(10.0), Side::starboard}, {}).run;
+  hard_over.channels[index_of(Channel::delta)].back() = radians(35.0);
+  CHECK(named(hard_over, "zigzag 10/10").said);
   const auto zigzag_run = zigzag(ship, {radians(10.0), radians(10.0), Side::starboard}, {}).run;
   for (const auto* name : {"zigzag 10/10", "10/10 zigzag", "4_zigzag10_10_p"}) {
     INFO(name);

@@ -100,11 +100,10 @@ std::optional<Words> words_of(const std::string& manoeuvre) {
   return std::nullopt;
 }
 
-/// Whether words tell angles, and the rudder went as far as they say, or half or twice as far: a number may be that of
-/// the run.
+/// Whether words tell angles. One number may be that of the run: that of a turn counts where the rudder went within
+/// half and twice as far.
 bool tells_angles(const Words& words, double largest_rudder) {
-  if (!words.complete()) return false;
-  if (words.angles.empty()) return true;
+  if (words.kind != TrialKind::turn || !words.complete()) return words.complete();
   const double share = radians(words.angles.front()) / largest_rudder;
   return 0.5 < share && share < 2.0;
 }
