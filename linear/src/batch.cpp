@@ -47,8 +47,16 @@ void require_same_length(const ShipColumns& s) {
     if (column->size() != s.a1.size()) throw std::domain_error("columns of ship coefficients differ in length");
 }
 
+LinearZigzag<double> zigzag_or_none(const SwayYawCoefficients<double>& ship, const LinearZigzagOrder& order) {
+  try {
+    return linear_zigzag(ship, order);
+  } catch (const Refusal&) {
+    return {};
+  }
+}
+
 void sail_by_numbers(const ShipColumns& s, std::size_t ship, const LinearZigzagOrder& order, ZigzagTable& table) {
-  const auto zigzag = linear_zigzag({s.a1[ship], s.b1[ship], s.c1[ship], s.a2[ship], s.b2[ship], s.c2[ship]}, order);
+  const auto zigzag = zigzag_or_none({s.a1[ship], s.b1[ship], s.c1[ship], s.a2[ship], s.b2[ship], s.c2[ship]}, order);
   const std::size_t count = std::min(zigzag.reversals.size(), order.reversals);
   table.count[ship] = static_cast<unsigned char>(count);
   for (std::size_t r = 0; r < count; ++r) {

@@ -8,6 +8,7 @@
 
 #include "modes.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/refusal.hpp"
 #include "swayaw/linear/response.hpp"
 
 /// Zeros of heading, yaw rate and their derivatives along a leg. Not installed.
@@ -227,12 +228,24 @@ class LegFunctions {
   FreeStart yaw_{}, drift_{};
 };
 
+/// Legs between two orders, or parts of a leg. One ends where the exponentials of the ship leave the range of numbers:
+/// published ships need a few, one whose motion grows or dies 10⁵⁶ times in a ship length would need them without end.
+constexpr std::size_t most_legs = 5'000;
+
+inline void require_sailable(std::size_t legs) {
+  if (legs == most_legs)
+    throw Refusal(
+        "the motion of this linear ship changes too fast to be sailed: look at her length over beam, "
+        "added masses and derivatives");
+}
+
 /// Calls visit(state, s) at all s in (0, length] at which the derivative of psi of that order passes zero.
 template <class Visit>
 void for_each_zero(const LegShip& ship, LinearState<double> start, RudderLine<double> rudder, double length, int level,
                    const Visit& visit) {
   double from = 0.0;
-  while (from < length) {
+  for (std::size_t legs = 0; from < length; ++legs) {
+    require_sailable(legs);
     const LegFunctions functions(ship, start, rudder);
     const auto [found, last] = functions.sail(level, 0.0, std::min(length - from, functions.horizon()));
     if (found) visit(LegFunctions::state(last), from + last.s);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "leg_functions.hpp"
-#include "swayaw/core/refusal.hpp"
 
 namespace swayaw::inline linear {
 using namespace detail;
@@ -16,10 +15,6 @@ using Rudder = RudderLine<double>;
 /// A heading [rad] from which no ship comes back: only an unstable one gets there, and her motion soon leaves the range
 /// of numbers.
 constexpr double runaway = 1e9;
-
-/// Legs between two orders. One ends where the exponentials of the ship leave the range of numbers: published ships
-/// need a few, one whose motion grows or dies 10⁵⁶ times in a ship length would need memory without end.
-constexpr std::size_t most_legs = 5'000;
 
 /// Sails leg after leg.
 class LinearVoyage {
@@ -41,10 +36,7 @@ class LinearVoyage {
   /// Sails until the derivative of psi of that order passes `value`; keeps the legs. @return whether it did
   bool sail_to(int level, double value) {
     for (std::size_t legs = 0; now_ < longest_ && std::abs(state_.psi) < runaway; ++legs) {
-      if (legs == most_legs)
-        throw Refusal(
-            "the motion of this linear ship changes too fast to be sailed: look at her length over beam, "
-            "added masses and derivatives");
+      require_sailable(legs);
       const Rudder rudder = line();
       const LegFunctions functions(ship_, state_, rudder);
       const double ramp = moving_ ? (target_ - angle_) / rudder.rate : longest_ - now_;

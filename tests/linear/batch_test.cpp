@@ -133,6 +133,23 @@ TEST_CASE("a batch may be empty, and refuses what makes no sense", "[linear][ref
       ContainsSubstring("16 reversals"));
 }
 
+TEST_CASE("a ship whose motion changes without end makes no reversal, and the others of her batch make theirs",
+          "[linear][refusal]") {
+  const LinearZigzagOrder order{.rudder = radians(10.0), .heading = radians(10.0), .rate = radians(10.0)};
+  auto fleet = fleet_of(3, 67);
+  auto too_fast = RandomLinearShips::tanker();
+  for (double* c : {&too_fast.a1, &too_fast.b1, &too_fast.c1, &too_fast.a2, &too_fast.b2, &too_fast.c2}) *c *= 1e56;
+  fleet.add(too_fast);
+  CHECK_THROWS_WITH(linear_zigzag(too_fast, order), ContainsSubstring("changes too fast to be sailed"));
+  const auto table = zigzag_batch(fleet.columns(), order);
+  CHECK(table.count[3] == 0);
+  CHECK(std::isnan(table.execute[table.at(0, 3)]));
+  for (const std::size_t ship : {0, 1, 2}) {
+    INFO("ship " << ship);
+    CHECK(table.count[ship] == linear_zigzag(fleet.ship(ship), order).reversals.size());
+  }
+}
+
 TEST_CASE("samples of a zigzag are the states of its legs", "[linear][second-route]") {
   const auto fleet = fleet_of(300, 65);
   const LinearZigzagOrder order{

@@ -46,11 +46,10 @@ struct ZigzagTable {
 ///
 /// The packs follow ships with real poles well apart and away from zero, one ship a lane, and leave the others to the
 /// scalar code, together with those for which the signs at the ends of a leg do not settle how often the heading or yaw
-/// rate passes its goal.
+/// rate passes its goal. A ship that `linear_zigzag` refuses, since her motion changes too fast, makes no reversal.
 ///
 /// @throws std::domain_error  if the columns differ in length, an angle or the rate is not positive, more than 16
-/// reversals
-///                            are asked for, or the instruction set is not available
+///                            reversals are asked for, or the instruction set is not available
 ZigzagTable zigzag_batch(const ShipColumns& ships, const LinearZigzagOrder& order, const BatchOptions& options = {});
 
 /// The same into a table of before, whose memory serves again.
