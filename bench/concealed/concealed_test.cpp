@@ -557,6 +557,42 @@ TEST_CASE("what predicts most beside the ship as given is found where coefficien
   CHECK(candidate->log_evidence_gain > 100.0);
 }
 
+// A log that reads 13 % too much and a stream: the runs used gained by either, and those held out, on other courses,
+// lost by either.
+TEST_CASE("two errors that runs held out refute one by one are found together", "[bench][on_board][limit]") {
+  const auto c = made(plan_named("on_board", 300, 35).at(142));
+  REQUIRE(c.labels.size() == 2);
+  const auto d = diagnose(c.ship, c.train, c.reference, c.holdout);
+  INFO(d.words);
+  REQUIRE(d.effects.size() == 2);
+  for (const auto& [key, near] :
+       {std::pair{"scale", 0.03}, std::pair{"current_speed_m_s", 0.2}, std::pair{"current_to_rad", radians(15.0)}}) {
+    INFO(key);
+    std::optional<double> truth, value;
+    for (const auto& label : c.labels)
+      for (const auto& n : label.parameters)
+        if (n.key == key) truth = n.value;
+    for (const auto& found : d.effects)
+      for (const auto& p : found.parameters)
+        if (p.key == key) value = p.value;
+    REQUIRE((truth && value));
+    CHECK(std::abs(wrapped(*value - *truth)) < near);
+  }
+  for (const auto& candidate : d.candidates)
+    if (candidate.effect == id_of(d.effects[0].effect) || candidate.effect == id_of(d.effects[1].effect))
+      CHECK_FALSE(candidate.refuted);
+}
+
+// A wind that came first stood for half of the waves that were there.
+TEST_CASE("what the whole would lack most is named first", "[bench][on_board][limit]") {
+  const auto c = made(plan_named("on_board", 300, 35).at(30));
+  REQUIRE(c.labels.size() == 1);
+  const auto d = diagnose(c.ship, c.train, c.reference, c.holdout);
+  INFO(d.words);
+  REQUIRE(!d.effects.empty());
+  CHECK(id_of(d.effects.front().effect) == c.labels.front().effect);
+}
+
 TEST_CASE("as many cases of a plan are as many structures, and none is clean where something is hidden",
           "[bench][on_board][limit]") {
   std::set<std::string> ships;

@@ -586,6 +586,11 @@ bool could_be_form(const Trial& trial, const EffectForm& form, const Effect& eff
   return std::ranges::none_of(form.coordinates, &Coordinate::acts) || !(heel_of(trial.runs) > 0.0);
 }
 
+/// Whether it is asked of an effect that was accepted.
+bool asks_for_form(const Trial& trial, const Search& s, std::size_t accepted) {
+  return s.on_board && could_be_form(trial, *s.accepted[accepted].form, s.accepted[accepted].effect);
+}
+
 /// Log evidence by which a force that follows the motion late is more than a form: no form is late. Of simulated ships
 /// of another structure it was 25 at most where nothing was hidden, 67 and 83 where errors of instruments were, and 74,
 /// 105, 194, 222, 230 and 516 where forces had a memory.
@@ -611,31 +616,65 @@ std::map<Quantity, double> falls_of(const ShipInRun& from, const ShipInRun& to,
   return falls;
 }
 
+/// Some of the effects that were accepted, and the fit with them and no others.
+struct Standing {
+  Hypothesis effects;
+  MapFit fit;  ///< empty where she cannot sail like that
+};
+
+/// All fitted once more from where it is, with these of the effects that were accepted.
+/// @param which  in their order
+Standing refitted_with(const Search& s, std::span<const std::size_t> which) {
+  Standing standing;
+  const auto base = s.trial.baseline_size();
+  std::vector<Eigen::Index> places(static_cast<std::size_t>(base));
+  std::iota(places.begin(), places.end(), 0);
+  auto from = base;
+  for (std::size_t i = 0; i < s.accepted.size(); ++i) {
+    const auto size = std::ssize(s.accepted[i].form->coordinates);
+    if (std::ranges::count(which, i) > 0) {
+      standing.effects.push_back(s.accepted[i].form);
+      for (Eigen::Index k = 0; k < size; ++k) places.push_back(from + k);
+    }
+    from += size;
+  }
+  standing.fit = fit(s.trial, standing.effects, s.now.point(places), s.now.noise, {.rounds = 3});
+  return standing;
+}
+
+/// The same with all but one.
+Standing refitted_without(const Search& s, std::size_t accepted) try {
+  std::vector<std::size_t> others;
+  for (std::size_t i = 0; i < s.accepted.size(); ++i)
+    if (i != accepted) others.push_back(i);
+  return refitted_with(s, others);
+} catch (const std::exception&) {
+  return {};
+}
+
+/// What the log evidence of the whole lacks without one of the effects that were accepted; infinite where she cannot
+/// sail without it.
+double worth(const Search& s, const Standing& without) {
+  return without.fit.point.size() == 0 ? HUGE_VAL : s.now.log_evidence - without.fit.log_evidence;
+}
+
 /// Whether an effect that follows the motion is more than a form that is wrong by a few per cent: without it, all else
 /// fitted once more, replays of all runs err by more, and those of runs that were not used do not err less with the
 /// coefficients alone; or the form is larger than any and with it is not, or she cannot sail them at all; or it is
 /// late, and the evidence tells that clearly.
-/// @param first   coordinate of the effect
-/// @param budget  with all effects
-/// @param alone   the coefficients alone refitted
-bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, Eigen::Index first,
+/// @param without  all else, fitted once more
+/// @param budget   with all effects
+/// @param alone    the coefficients alone refitted
+bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, const Standing& without,
                        std::span<const ForceBudget> budget, const ShipInRun& alone, std::span<const Recording> runs,
                        std::span<const Recording> holdout) try {
   constexpr double a_few_per_cent = 0.03;  // of the variation of a quantity
-  if (!s.on_board || !could_be_form(trial, *s.accepted[accepted].form, s.accepted[accepted].effect)) return true;
+  if (without.fit.point.size() == 0) return true;
+  if (follows(s.accepted[accepted].effect) == Follows::past && worth(s, without) > clearly_late) return true;
+  if (!has_large_form(budget) && has_large_form(budget_of(trial, without.effects, without.fit))) return true;
   const auto all = s.hypothesis();
-  auto without = all;
-  without.erase(without.begin() + static_cast<std::ptrdiff_t>(accepted));
-  const auto size = std::ssize(all[accepted]->coordinates), rest = s.now.point.size() - first - size;
-  Point start(s.now.point.size() - size);
-  start << s.now.point.head(first), s.now.point.tail(rest);
-  const auto found = fit(trial, without, start, s.now.noise, {.rounds = 3});
-  if (found.point.size() == 0) return true;
-  if (follows(s.accepted[accepted].effect) == Follows::past && s.now.log_evidence - found.log_evidence > clearly_late)
-    return true;
-  if (!has_large_form(budget) && has_large_form(budget_of(trial, without, found))) return true;
   const auto with_all = [&](const Recording& run) { return ship_at(trial, all, s.now.point, &run); };
-  const auto less = [&](const Recording& run) { return ship_at(trial, without, found.point, &run); };
+  const auto less = [&](const Recording& run) { return ship_at(trial, without.effects, without.fit.point, &run); };
   auto beside_alone = falls_of(alone, with_all, {holdout});
   return std::ranges::any_of(falls_of(less, with_all, {runs, holdout}), [&](const auto& fall) {
     return fall.second > a_few_per_cent && beside_alone[fall.first] > -a_few_per_cent;
@@ -705,31 +744,11 @@ MapFit without_form(const Trial& prior, const Search& s, const Hypothesis& hypot
 /// The coefficients alone refitted, known as was said.
 MapFit refitted_alone(const Search& s) { return s.on_board ? without_form(s.usual, s, {}, s.null) : s.null; }
 
-/// Some of the effects that were accepted, and the fit with them and no others.
-struct Standing {
-  Hypothesis effects;
-  MapFit fit;
-};
-
-/// @param which  of those that were accepted, in their order
+/// The same with those that stand; the fits that are there already as they are, or where they began.
 Standing standing_of(const Search& s, std::span<const std::size_t> which) {
   if (which.size() == s.accepted.size()) return {s.hypothesis(), s.now};
   if (which.empty()) return {{}, fit(s.trial, {}, s.null.point, s.null.noise, {.rounds = 3})};
-  Standing standing;
-  const auto base = s.trial.baseline_size();
-  std::vector<Eigen::Index> places(static_cast<std::size_t>(base));
-  std::iota(places.begin(), places.end(), 0);
-  auto from = base;
-  for (std::size_t i = 0; i < s.accepted.size(); ++i) {
-    const auto size = std::ssize(s.accepted[i].form->coordinates);
-    if (std::ranges::count(which, i) > 0) {
-      standing.effects.push_back(s.accepted[i].form);
-      for (Eigen::Index k = 0; k < size; ++k) places.push_back(from + k);
-    }
-    from += size;
-  }
-  standing.fit = fit(s.trial, standing.effects, s.now.point(places), s.now.noise, {.rounds = 3});
-  return standing;
+  return refitted_with(s, which);
 }
 
 /// Fall of the error of what it is judged by in replays, over its variation, by which a form is off by more than any:
@@ -777,13 +796,20 @@ void put_form(Diagnosis& d, const Search& s, const MapFit& alone, std::span<cons
 
 // ---------------------------------------------------------------- findings
 
-/// Effects in the order of what they bring; the words of those too small to matter; all candidates.
+/// Effects, those first without which the whole would lack most; the words of those too small to matter; all
+/// candidates.
 /// @return which of those that were accepted stand
 std::vector<std::size_t> put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipInRun& alone,
                                      double needed, std::span<const Recording> runs,
                                      std::span<const Recording> holdout) {
   auto tried = s.first;
   std::vector<std::size_t> standing;
+  std::vector<std::pair<double, FoundEffect>> found_effects;  // with what each is worth beside the others
+  std::vector<Standing> without(s.accepted.size());
+  in_parallel(without.size(), 0, [&](std::size_t i) {
+    const bool decides_order = s.on_board && without.size() > 1 && !s.accepted[i].trace;
+    if (decides_order || asks_for_form(trial, s, i)) without[i] = refitted_without(s, i);
+  });
   Eigen::Index from = trial.baseline_size();
   for (std::size_t i = 0; i < s.accepted.size(); ++i) {
     const auto& accepted = s.accepted[i];
@@ -810,10 +836,11 @@ std::vector<std::size_t> put_effects(Diagnosis& d, const Trial& trial, const Sea
     // forces that nothing bore out bear out no other. Of 202 cases as on board that were looked at (seed 33 and
     // labelled) eight had an effect found beside such forces alone: of the five that were hidden four gained 24 or more
     // alone as well, and one 296 beside them; three that were not there gained 9.5 at most and 15 to 27
-    const bool leans_on_nothing = i > 0 && d.effects.empty() && !is_told_by_itself(s, accepted, needed);
+    const bool leans_on_nothing = i > 0 && found_effects.empty() && !is_told_by_itself(s, accepted, needed);
     const bool not_borne_out = too_large || leans_on_nothing;
-    if (!trace && !not_borne_out && is_more_than_form(trial, s, i, from, d.budget, alone, runs, holdout)) {
-      d.effects.push_back(std::move(found));
+    if (!trace && !not_borne_out &&
+        (!asks_for_form(trial, s, i) || is_more_than_form(trial, s, i, without[i], d.budget, alone, runs, holdout))) {
+      found_effects.emplace_back(worth(s, without[i]), std::move(found));
       standing.push_back(i);
     } else {
       if (!not_borne_out) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
@@ -825,6 +852,8 @@ std::vector<std::size_t> put_effects(Diagnosis& d, const Trial& trial, const Sea
     }
     from += size;
   }
+  std::ranges::stable_sort(found_effects, std::greater{}, [](const auto& f) { return f.first; });
+  for (auto& [_, found] : found_effects) d.effects.push_back(std::move(found));
   d.candidates = ranked(tried, s.first_unfitted, needed);
   return standing;
 }

@@ -710,16 +710,17 @@ HeldOutRuns held_out_runs(const Trial& unused, const Search& s) {
           s.on_board ? log_likelihood(problem_of(s.trial, hypothesis), s.now.point, s.now.noise) : 0.0};
 }
 
-/// Whether the last effect stands in the place of what was ordinary, and was larger than that.
-bool moved(const MapFit& fit, const Trial& trial, const Hypothesis& before, const Hypothesis& after) {
-  if (after.size() == before.size()) return false;
-  return std::ranges::any_of(replaced_by(trial, *after.back()),
-                             [&](Eigen::Index i) { return fit.point[i] != trial.mean[i]; });
+/// What was ordinary, in the place of which stands what is new.
+std::vector<Eigen::Index> replaced_by_new(const Trial& trial, const Hypothesis& before, const Hypothesis& after) {
+  std::vector<Eigen::Index> replaced;
+  for (std::size_t i = before.size(); i < after.size(); ++i)
+    std::ranges::copy(replaced_by(trial, *after[i]), std::back_inserter(replaced));
+  return replaced;
 }
 
-/// A fit with what was ordinary at its mean, in the place of which the last effect stands.
-MapFit without(MapFit fit, const Trial& trial, const Hypothesis& after) {
-  for (const auto i : replaced_by(trial, *after.back())) fit.point[i] = trial.mean[i];
+/// A fit with these coordinates at their means.
+MapFit at_mean(MapFit fit, const Trial& trial, std::span<const Eigen::Index> coordinates) {
+  for (const auto i : coordinates) fit.point[i] = trial.mean[i];
   return fit;
 }
 
@@ -729,8 +730,10 @@ double held_out_gain(const Trial& trial, const HeldOutRuns& held_out, const Hypo
                      const Hypothesis& after, const MapFit& b) {
   if (!held_out.is_empty()) {
     const auto& unused = held_out.unused;
-    if (!moved(a, trial, before, after)) return gain_of_likelihood(unused, before, a, held_out.now, after, b);
-    return gain_of_likelihood(unused, before, without(a, trial, after), after, b);
+    const auto replaced = replaced_by_new(trial, before, after);
+    const bool moved = std::ranges::any_of(replaced, [&](Eigen::Index i) { return a.point[i] != trial.mean[i]; });
+    if (!moved) return gain_of_likelihood(unused, before, a, held_out.now, after, b);
+    return gain_of_likelihood(unused, before, at_mean(a, trial, replaced), after, b);
   }
   const auto parts = trial.parts();
   std::vector<double> gains(parts.size());
@@ -772,21 +775,32 @@ double rows_of(const Trial& trial) {
 /// What an effect gains in log evidence if its likelihood counts as it shows in runs that were not used. Evidence is
 /// gained by likelihood, and by coefficients that need not be strained any longer; only the first shows in other runs,
 /// and there it is as large, row by row, where the effect is what it is taken for.
-/// @param elsewhere  what those runs gain in log likelihood
-double gain_as_elsewhere(const HeldOutRuns& held_out, const Trial& trial, const Search& s, const FittedCandidate& tried,
-                         double elsewhere) {
-  const auto after = with(s.hypothesis(), *tried.form);
-  const double here = log_likelihood(problem_of(trial, after), tried.fit.point, tried.fit.noise) - held_out.used;
+/// @param gain       in log evidence, of the runs used
+/// @param elsewhere  what those others gain in log likelihood
+double gain_as_elsewhere(const HeldOutRuns& held_out, const Trial& trial, const Hypothesis& after, const MapFit& found,
+                         double gain, double elsewhere) {
+  const double here = log_likelihood(problem_of(trial, after), found.point, found.noise) - held_out.used;
   const double rows = rows_of(trial), other_rows = held_out.is_empty() ? rows : rows_of(held_out.unused);
-  return tried.gain - here + elsewhere * rows / other_rows;
+  return gain - here + elsewhere * rows / other_rows;
+}
+
+/// Whether runs that were not used bear out what gains in those used; beside an inexact form.
+///
+/// What is fixed to the earth is large on some courses and small on others: of a wind and of the waves of two cases as
+/// on board (seed 34) runs held out kept a quarter, and gained 22 to 115 in log likelihood all the same. Runs used that
+/// are left out in turn gain in sum, and are no such witness: winds of single turns of the Esso Osaka, one 60 deg off.
+bool is_borne_out(const HeldOutRuns& held_out, Follows kind, double gain, double elsewhere, double as_elsewhere,
+                  double needed) {
+  const bool tells_enough = !held_out.is_empty() && kind == Follows::earth && elsewhere > needed;
+  return tells_enough || as_elsewhere > least_kept * gain;
 }
 
 /// What runs that were not used say of an effect that was tried. Of a single run that is short nothing is known.
 void ask(const HeldOutRuns& held_out, const Trial& trial, const Search& s, FittedCandidate& tried, double needed) {
   const bool of_a_time = is_of_a_time(tried.effect);
   if (held_out.is_empty() && (of_a_time || trial.parts().empty())) return;
-  const auto before = s.hypothesis();
-  const double gain = held_out_gain(trial, held_out, before, s.now, with(before, *tried.form), tried.fit);
+  const auto before = s.hypothesis(), after = with(before, *tried.form);
+  const double gain = held_out_gain(trial, held_out, before, s.now, after, tried.fit);
   if (!held_out.is_empty())
     tried.held_out =
         of_a_time ? std::max(0.0, gain) : gain;  // without held-out runs the same runs have told it already
@@ -795,13 +809,8 @@ void ask(const HeldOutRuns& held_out, const Trial& trial, const Search& s, Fitte
     tried.refuted = speaks_against(gain, tried.gain, needed);
     return;
   }
-  tried.as_elsewhere = gain_as_elsewhere(held_out, trial, s, tried, gain);
-  // what is fixed to the earth is large on some courses and small on others: of a wind and of the waves of two cases as
-  // on board (seed 34) runs held out kept a quarter, and gained 22 to 115 in log likelihood all the same. Runs used
-  // that are left out in turn gain in sum, and are no such witness: winds of single turns of the Esso Osaka, one 60 deg
-  // off
-  const bool tells_enough = !held_out.is_empty() && follows(tried.effect) == Follows::earth && gain > needed;
-  tried.refuted = !tells_enough && !(*tried.as_elsewhere > least_kept * tried.gain);
+  tried.as_elsewhere = gain_as_elsewhere(held_out, trial, after, tried.fit, tried.gain, gain);
+  tried.refuted = !is_borne_out(held_out, follows(tried.effect), tried.gain, gain, *tried.as_elsewhere, needed);
 }
 
 // ---------------------------------------------------------------- choice
@@ -1140,7 +1149,99 @@ std::optional<MapFit> likelier_without(const Search& s, const Hypothesis& before
 struct Progress {
   std::size_t findings = 0, traces = 0;
   std::optional<std::size_t> anew_beside{};  ///< how many effects the last time
+  bool beside_refuted = false;               ///< the one to follow decides whether the last one stands
 };
+
+bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& options, Progress& progress);
+
+/// Where a search stands.
+struct Stand {
+  MapFit now;
+  FormSizes sizes;
+  double prior_inflation;
+  Hypothesis effects;
+};
+
+Stand stand_of(const Search& s) { return {s.now, s.sizes, s.prior_inflation, s.hypothesis()}; }
+
+void go_back(Search& s, const Stand& to) {
+  s.accepted.erase(s.accepted.begin() + std::ssize(to.effects), s.accepted.end());
+  s.prior_inflation = to.prior_inflation;
+  take_sizes(s, to.sizes);
+  s.now = to.now;
+}
+
+/// The best candidate that runs held out refute, if it is no force of hers and gains much in the runs used; or null.
+/// @param tried  best first by runs used and held out
+FittedCandidate* refuted_elsewhere(std::span<FittedCandidate> tried, double needed) {
+  const auto found = std::ranges::find_if(tried, [&](const FittedCandidate& t) {
+    const auto kind = follows(t.effect);
+    return t.refuted && !t.trace && (kind == Follows::earth || kind == Follows::instruments) &&
+           t.gain > clearly * needed;
+  });
+  return found == tried.end() ? nullptr : &*found;
+}
+
+/// What runs that were not used say of all that was accepted since.
+struct Elsewhere {
+  double gain, as_elsewhere;
+  bool bears_out;
+};
+
+Elsewhere elsewhere_since(const Stand& before, const Search& s, const HeldOutRuns& held_out, double needed) {
+  const auto after = s.hypothesis();
+  const double here = s.now.log_evidence - before.now.log_evidence;
+  const double gain = held_out_gain(s.trial, held_out, before.effects, before.now, after, s.now);
+  const double as_elsewhere = gain_as_elsewhere(held_out, s.trial, after, s.now, here, gain);
+  const bool of_earth = std::any_of(s.accepted.begin() + std::ssize(before.effects), s.accepted.end(),
+                                    [](const Accepted& a) { return follows(a.effect) == Follows::earth; });
+  const auto kind = of_earth ? Follows::earth : Follows::instruments;
+  return {gain, as_elsewhere, is_borne_out(held_out, kind, here, gain, as_elsewhere, needed)};
+}
+
+/// A candidate, and one more beside it.
+/// @return what runs that were not used say of both; nothing where none was found
+std::optional<Elsewhere> with_one_more(const Trial& unused, Search& s, const DiagnosisOptions& options,
+                                       Progress& progress, const HeldOutRuns& held_out, const FittedCandidate& first,
+                                       const Ranking& ranking) {
+  const auto before = stand_of(s);
+  s.accepted.push_back(accepted_as(first, ranking));
+  s.now = first.fit;
+  fit_form(s, first.sizes), stand_on_highest_summit(s);
+  ++progress.findings, progress.beside_refuted = true;
+  const bool found = find_another(unused, s, options, progress) && s.accepted.size() == before.effects.size() + 2;
+  progress.beside_refuted = false;
+  if (!found || s.accepted.back().trace) return std::nullopt;
+  return elsewhere_since(before, s, held_out, ranking.needed);
+}
+
+/// Two errors that are no forces of hers may hide each other from runs held out: a log that reads 13 % too much and a
+/// stream of 0.75 m/s gained 360 and 440 in log evidence alone, and runs held out, on other courses, lost 190 by the
+/// stream (two such cases as on board of seed 35). So what gains much and is refuted is tried with one more beside it,
+/// and the runs held out are asked about both. Of 75 clean cases of that seed none had a candidate of the kind.
+/// @param first  of those that were tried beside what is accepted; of a pair that stands neither is refuted any longer
+/// @return whether both were accepted; else all is as before
+bool find_a_pair(const Trial& unused, Search& s, const DiagnosisOptions& options, Progress& progress,
+                 const HeldOutRuns& held_out, FittedCandidate& first, std::span<FittedCandidate> tried,
+                 const Ranking& ranking) {
+  const auto before = stand_of(s);
+  try {
+    auto beside = progress;
+    const auto elsewhere = with_one_more(unused, s, options, beside, held_out, first, ranking);
+    if (elsewhere && elsewhere->bears_out) {
+      first.refuted = false, first.as_elsewhere = elsewhere->as_elsewhere;
+      if (!held_out.is_empty()) first.held_out = elsewhere->gain;
+      for (auto& t : tried)
+        if (t.form->id == s.accepted.back().form->id) t.refuted = false;
+      s.accepted[before.effects.size()] = accepted_as(first, ranking);
+      progress = beside;
+      return true;
+    }
+  } catch (const std::exception&) {  // she cannot sail with both
+  }
+  go_back(s, before);
+  return false;
+}
 
 /// One effect more, if one is told. @return whether another may follow
 bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& options, Progress& progress) {
@@ -1157,8 +1258,19 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
   auto tried = confirmed(s, before, linear, candidates);
   const auto held_out = held_out_runs(unused, s);
   auto best = chosen(held_out, s, tried, needed, progress.traces < most_traces);
-  std::ranges::stable_sort(tried, std::greater{}, whole_gain);
-  if (s.accepted.empty()) s.first = tried, s.first_unfitted = unfitted;
+  const bool is_first = s.accepted.empty();
+  const auto keep = [&]() {
+    std::ranges::stable_sort(tried, std::greater{}, whole_gain);
+    if (is_first) s.first = tried, s.first_unfitted = unfitted;
+  };
+  keep();
+  const bool may_pair = s.on_board && !progress.beside_refuted && progress.findings + 2 <= options.most_effects;
+  auto* first = may_pair ? refuted_elsewhere(tried, needed) : nullptr;
+  if (first && !(best && whole_gain(*best) > first->gain) &&
+      find_a_pair(unused, s, options, progress, held_out, *first, tried, {tried, unfitted, needed})) {
+    keep();
+    return true;
+  }
   if (!best) return false;
   if (const auto without = likelier_without(s, before, *best)) {
     const double less = without->log_evidence - s.now.log_evidence;
@@ -1288,7 +1400,8 @@ std::optional<MapFit> with_a_stream(const Trial& trial, const MapFit& null, std:
   const auto start = ordinary ? coordinates_of(trial.ship, *stream, *ordinary) : std::nullopt;
   if (!start) return std::nullopt;
   const Hypothesis hypothesis{&*stream};
-  auto found = fit(trial, hypothesis, with_start(without(null, trial, hypothesis).point, *start), null.noise, options);
+  auto found = fit(trial, hypothesis, with_start(at_mean(null, trial, replaced_by(trial, *stream)).point, *start),
+                   null.noise, options);
   if (!std::isfinite(found.log_evidence)) return std::nullopt;
   return found;
 } catch (const std::exception&) {
