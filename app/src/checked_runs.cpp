@@ -22,10 +22,21 @@ void refuse_mistakes(const RunCheck& check) {
                             words_for(*wrong), remedy_for(*wrong)));
 }
 
+/// "samples far from their neighbours left out: x 2, y 2"; empty where there are none.
+std::string outlier_words(const RunCheck& check) {
+  std::vector<std::string> counts;
+  for (const auto& c : check.channels)
+    if (!c.outliers.empty() && std::ranges::count(motion_channels(), c.channel) > 0)
+      counts.push_back(fmt::format("{} {}", short_name(c.channel), c.outliers.size()));
+  if (counts.empty()) return {};
+  return fmt::format("samples far from their neighbours left out: {}", fmt::join(counts, ", "));
+}
+
 void tell(const RunCheck& check) {
   std::vector<std::string> told;
   for (const auto& e : check.errors)
     if (e.told) told.push_back(words_for(e));
+  if (auto words = outlier_words(check); !words.empty()) told.push_back(std::move(words));
   if (!told.empty()) say_aside("swayaw: {}: {}\n", check.run, fmt::join(told, "; "));
 }
 
@@ -53,6 +64,7 @@ std::vector<Recording> checked_runs(const std::vector<std::filesystem::path>& fi
   const auto checks = checks_of(runs, ShortRuns::passed_over);
   std::ranges::for_each(checks, refuse_mistakes);
   std::ranges::for_each(checks, tell);
+  for (auto& run : runs) run = without_outliers(std::move(run));
   return runs;
 }
 

@@ -239,11 +239,11 @@ void add_manoeuvre(PageTable& table, const Ship& given, const Ship& after, const
 } catch (const std::exception&) {  // a run that is no standard manoeuvre has none of these numbers
 }
 
-PageTable table_of(const Ship& ship, const Diagnosis& d) {
+PageTable table_of(const Ship& ship, const Diagnosis& d, const UserUnits& units) {
   const auto speed = only_speed(ship);
   PageTable table{
       .caption = "The manoeuvres: recorded, simulated as given, and with what was found" +
-                 (speed ? "; simulated" + at_only_speed(*speed) : ""),
+                 (speed ? "; simulated" + at_only_speed(units.speed(*speed)) : ""),
       .columns = {"", "Recorded", "As given", d.effects.empty() ? "Refitted" : "With what was found", "IMO limit"},
       .rows = {}};
   for (const auto* pictures : {&d.train_pictures, &d.holdout_pictures})
@@ -350,7 +350,7 @@ Page diagnosis_first_screen(const Ship& ship, const Diagnosis& d, const Diagnose
                         {"How sure is it?", how_sure(d, d.holdout.size(), units)},
                         {"What should I sail next?", what_next(d)}},
             .picture = picture_of_proof(ship, d, units),
-            .table = table_of(ship, d),
+            .table = table_of(ship, d, units),
             .assumed = assumed_of(d, a),
             .sections = direction_sections(d, units)};
   page.sections.push_back({.title = "In one sentence", .words = {d.words}});

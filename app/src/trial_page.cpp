@@ -455,16 +455,21 @@ const JudgedRun& decisive(const std::vector<JudgedRun>& runs) {
   return all.empty() ? runs.front() : *std::ranges::max_element(all, {}, &Judged::load)->run;
 }
 
+/// At which speed her file has her simulated, if at one only; or what stands in its place.
+std::string simulated_at(const TrialQuestion& q, std::string_view else_at) {
+  if (!q.only_speed) return std::string(else_at);
+  return at_only_speed(UserUnits(q.si, q.L.value_or(0.0)).speed(*q.only_speed));
+}
+
 PagePicture picture_of_run(const JudgedRun& run, const TrialQuestion& q) {
   const auto& t = run.trial;
   const bool circle = t.turn && run.recording.has(Channel::x) && run.recording.has(Channel::y);
   Plot plot{.title = t.run, .panels = {}};
   if (t.spiral) plot.panels.push_back(spiral_of(*t.spiral));
   else plot.panels.push_back(circle ? circle_of(run, q.L) : headings_of(run));
-  const auto beside = simulated_run(run) == nullptr
-                          ? std::string()
-                          : fmt::format(" Dashed: {} in the same manoeuvre{}.", q.ship,
-                                        q.only_speed ? at_only_speed(*q.only_speed) : " at the same approach speed");
+  const auto beside = simulated_run(run) == nullptr ? std::string()
+                                                    : fmt::format(" Dashed: {} in the same manoeuvre{}.", q.ship,
+                                                                  simulated_at(q, " at the same approach speed"));
   return picture_of(
       plot,
       fmt::format("{} of {}.",
@@ -515,7 +520,7 @@ std::vector<std::string> assumed_of(const std::vector<JudgedRun>& runs, const Tr
     lines.push_back(
         fmt::format("Simulated: {}{}, propulsion held, in calm deep water unless her "
                     "file says otherwise.",
-                    q.ship, q.only_speed ? at_only_speed(*q.only_speed) : ""));
+                    q.ship, simulated_at(q, "")));
   lines.emplace_back(
       "Rudder angles of the pictures are positive to port. A criterion is decided where its limit lies "
       "more than two standard errors from the value.");

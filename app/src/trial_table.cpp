@@ -374,16 +374,16 @@ std::optional<double> only_speed(const Ship& ship) {
   return service_speed(ship);
 }
 
-std::string at_only_speed(double speed) {
-  return fmt::format(" at {:.3g} m/s, the only speed of an abkowitz ship", speed);
+std::string at_only_speed(std::string_view speed) {
+  return fmt::format(" at {}, the only speed of an abkowitz ship", speed);
 }
 
 void say_other_speed(const Ship& ship, const TrialResult& t) {
   const auto only = only_speed(ship);
   if (!only || !t.approach.speed) return;
-  const auto recorded = fmt::format("{:.3g}", t.approach.speed->value);
-  if (fmt::format("{:.3g}", *only) != recorded)
-    say_aside("swayaw: {}: simulated{}, not at the recorded {} m/s\n", t.run, at_only_speed(*only), recorded);
+  const auto hers = fmt::format("{:.3g} m/s", *only), recorded = fmt::format("{:.3g} m/s", t.approach.speed->value);
+  if (hers != recorded)
+    say_aside("swayaw: {}: simulated{}, not at the recorded {}\n", t.run, at_only_speed(hers), recorded);
 }
 
 SimulatedTrial simulated_trial(const Ship& ship, const TrialResult& t) {

@@ -25,8 +25,8 @@ struct SimulatedTrial {
 /// The only speed at which a ship is propelled, if she has but one [m/s]: an Abkowitz ship that of her polynomial.
 std::optional<double> only_speed(const Ship& ship);
 
-/// " at 8.57 m/s, the only speed of an abkowitz ship".
-std::string at_only_speed(double speed);
+/// " at 16.7 kn, the only speed of an abkowitz ship".
+std::string at_only_speed(std::string_view speed);
 
 /// Says at which speed a ship makes the manoeuvre of a recording, where that is not the recorded one.
 void say_other_speed(const Ship& ship, const TrialResult& trial);

@@ -19,6 +19,7 @@
 #include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/identification/data_compatibility.hpp"
 #include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 #include "trial.hpp"
@@ -929,9 +930,10 @@ std::string_view name_of(DiagnosisVerdict verdict) {
   return {};
 }
 
-Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference,
-                   std::span<const Recording> holdout, const DiagnosisOptions& options) {
-  if (runs.empty()) throw Refusal("there is no run to diagnose");
+namespace {
+
+Diagnosis diagnose_clean(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference,
+                         std::span<const Recording> holdout, const DiagnosisOptions& options) {
   const auto goes_on = [&](std::string_view what) { return !options.progress || options.progress(what); };
   const auto channels = recorded_channels(runs, motion_channels());
   const auto trials = [&](bool on_board) {
@@ -1008,6 +1010,21 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
     });
   d.words = words_of(d);
   return d;
+}
+
+std::vector<Recording> all_without_outliers(std::span<const Recording> runs) {
+  std::vector<Recording> clean(runs.size());
+  in_parallel(runs.size(), 0, [&](std::size_t i) { clean[i] = without_outliers(runs[i]); });
+  return clean;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference,
+                   std::span<const Recording> holdout, const DiagnosisOptions& options) {
+  if (runs.empty()) throw Refusal("there is no run to diagnose");
+  return diagnose_clean(ship, all_without_outliers(runs), all_without_outliers(reference),
+                        all_without_outliers(holdout), options);
 }
 
 }  // namespace swayaw::mismatch

@@ -1218,17 +1218,21 @@ std::optional<Elsewhere> with_one_more(const Trial& unused, Search& s, const Dia
 /// Two errors that are no forces of hers may hide each other from runs held out: a log that reads 13 % too much and a
 /// stream of 0.75 m/s gained 360 and 440 in log evidence alone, and runs held out, on other courses, lost 190 by the
 /// stream (two such cases as on board of seed 35). So what gains much and is refuted is tried with one more beside it,
-/// and the runs held out are asked about both. Of 75 clean cases of that seed none had a candidate of the kind.
+/// and the runs held out are asked about both. Of 75 clean cases of that seed none had a candidate of the kind. What
+/// stands by itself is no such companion: it is accepted first, and the other asked beside it, or the gain of the one
+/// would bear out both (zigzags of R/V Gunnerus: a scale of the gyro, and waves where there were none).
 /// @param first  of those that were tried beside what is accepted; of a pair that stands neither is refuted any longer
+/// @param best   that stands by itself, if one does
 /// @return whether both were accepted; else all is as before
 bool find_a_pair(const Trial& unused, Search& s, const DiagnosisOptions& options, Progress& progress,
                  const HeldOutRuns& held_out, FittedCandidate& first, std::span<FittedCandidate> tried,
-                 const Ranking& ranking) {
+                 const Ranking& ranking, const std::optional<FittedCandidate>& best) {
   const auto before = stand_of(s);
   try {
     auto beside = progress;
     const auto elsewhere = with_one_more(unused, s, options, beside, held_out, first, ranking);
-    if (elsewhere && elsewhere->bears_out) {
+    const bool stands_alone = best && is_same_effect(*best->form, *s.accepted.back().form);
+    if (elsewhere && elsewhere->bears_out && !stands_alone) {
       first.refuted = false, first.as_elsewhere = elsewhere->as_elsewhere;
       if (!held_out.is_empty()) first.held_out = elsewhere->gain;
       for (auto& t : tried)
@@ -1267,7 +1271,7 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
   const bool may_pair = s.on_board && !progress.beside_refuted && progress.findings + 2 <= options.most_effects;
   auto* first = may_pair ? refuted_elsewhere(tried, needed) : nullptr;
   if (first && !(best && whole_gain(*best) > first->gain) &&
-      find_a_pair(unused, s, options, progress, held_out, *first, tried, {tried, unfitted, needed})) {
+      find_a_pair(unused, s, options, progress, held_out, *first, tried, {tried, unfitted, needed}, best)) {
     keep();
     return true;
   }

@@ -89,6 +89,9 @@ void add_checks(py::module_& m) {
   m.def("repaired", &repaired, py::arg("run"), py::arg("check"), Unlocked(),
         "The run without the errors that were told, and without outliers."
         "\n\nrun: that was checked. check: of `check`.");
+  m.def("without_outliers", &without_outliers, py::arg("run"), Unlocked(),
+        "The run with outliers of the channels that show the motion missing."
+        "\n\nrun: a recording, perhaps with wrong fixes of the satellites.");
   m.def("measured_samples", &measured_samples_of, py::arg("run"), py::arg("channel"),
         "Places of the samples of a channel that were really measured."
         "\n\nrun: a recording, perhaps of a logger that repeats old values. channel: by its short name.");

@@ -4653,6 +4653,11 @@ def with_forces(run: Recording, ship: Ship) -> Recording:
     
     ship: of any nonlinear model. run: a recording; Refusal if it does not tell rudder or speed."""
 
+def without_outliers(run: Recording) -> Recording:
+    """The run with outliers of the channels that show the motion missing.
+    
+    run: a recording, perhaps with wrong fixes of the satellites."""
+
 def writable(found: Ship, beginning: Ship) -> Tuple[Ship, List[str]]:
     """The ship as a file can hold her, and what had to give way for that, in words.
     

@@ -68,6 +68,7 @@ const RefusalCase cases[] = {
     {"t [s],Heading [deg],Rudder [deg]\n0,350,1\n1,351,2\n", "[run]\nrudder_positive = \"left\"",
      "map.toml:2:", "port"},
     {"t [s],Heading [deg],Rudder [deg]\n0,350,1\n1,351,2\n", "[run", "map.toml:1:", ""},
+    {"t [s],Heading [deg],Rudder [deg]\n0,350,1\n1e13,351,2\n", "", "log.csv:3:1:", "\"1e13\" is not a time"},
 };
 
 TEST_CASE("what cannot be read is refused in one line with its place", "[core][import][refusal]") {

@@ -421,6 +421,52 @@ TEST_CASE("the samples that were measured are the fixes, and none that is missin
   }
 }
 
+// A logger writes positions at times of its own, between fixes: a wrong one shows in two samples.
+TEST_CASE("a wrong fix between two samples is an outlier in both, and a jump is none", "[identification][law]") {
+  std::mt19937 engine(8);
+  std::normal_distribution<> noise(0.0, 0.05);
+  std::uniform_real_distribution<> uniform;
+  for (int k = 0; k < 20; ++k) {
+    const double shift = 0.2 + 0.6 * uniform(engine), wrong = uniform(engine) < 0.5 ? 25.0 : -25.0;
+    std::vector<double> fix;
+    for (int j = 0; j <= 301; ++j) fix.push_back(8.0 * j + 100.0 * std::sin(0.02 * j) + noise(engine));
+    fix[120] += wrong;
+    for (std::size_t j = 200; j < fix.size(); ++j) fix[j] += wrong;  // from here on elsewhere
+    Recording run;
+    const auto at = [&](std::size_t i) { return (1.0 - shift) * fix[i] + shift * fix[i + 1]; };
+    for (std::size_t i = 0; i < 300; ++i) run.time.push_back(static_cast<double>(i));
+    const auto x = run.fill(Channel::x), u = run.fill(Channel::u);
+    for (std::size_t i = 0; i < 300; ++i) x[i] = at(i), u[i] = 8.0;
+    INFO("fixes " << shift << " s after the samples");
+    const auto clean = without_outliers(run);
+    for (std::size_t i = 0; i < 300; ++i) CHECK(std::isnan(clean[Channel::x][i]) == (i == 119 || i == 120));
+    CHECK(std::ranges::equal(clean[Channel::u], run[Channel::u]));
+  }
+}
+
+// Tenths of a degree are no round numbers in radians of six decimals.
+TEST_CASE("rounding is seen behind that of the file, and steps of what is rounded are no outliers",
+          "[identification][law]") {
+  Recording run;
+  for (int i = 0; i < 900; ++i) run.time.push_back(0.5 * i);
+  const auto psi = run.fill(Channel::psi), delta = run.fill(Channel::delta);
+  for (std::size_t i = 0; i < 900; ++i) {
+    const double t = run.time[i];
+    const auto written = [](double degrees) {
+      return 1e-6 * std::round(1e6 * radians(0.1 * std::round(10.0 * degrees)));
+    };
+    psi[i] = written(-60.0 - 0.9 * t - 3.0 * std::sin(0.05 * t));
+    delta[i] = written(std::fmod(t, 90.0) < 10.0 ? 35.0 + 0.3 * std::sin(40.0 * t) : 35.0);  // held, and moved at times
+  }
+  const auto check = check_run(run);
+  for (const auto channel : {Channel::psi, Channel::delta}) {
+    const auto c = *std::ranges::find(check.channels, channel, &ChannelCharacter::channel);
+    INFO(short_name(channel));
+    CHECK(std::abs(c.step - radians(0.1)) < 1e-3 * radians(0.1));
+    CHECK(c.outliers.empty());
+  }
+}
+
 // ---------------------------------------------------------------- channels that were not measured
 
 /// ug, vg of positions by central differences, in the axes of the heading.

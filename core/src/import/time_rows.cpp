@@ -140,6 +140,8 @@ class TimeRowsReader {
       if (!clock) refuse_cell(table, reader, cell, "clock time hhmmss");
       value = *clock;
     }
+    constexpr double longest = 1e11;  // [s], 3,200 years: beyond 292,000 microseconds leave the range of integers
+    if (!(std::abs(value * facts.seconds) < longest)) refuse_cell(table, reader, cell, "time");
     auto time = static_cast<Microseconds>(std::llround(value * facts.seconds * 1e6));
     // a day of 2024 with all digits of a double is exact to a microsecond; its seconds are meant
     constexpr Microseconds ms = 1000;

@@ -123,7 +123,7 @@ class TimesReader {
         const auto end = std::find_if(begin, times.end(), [&](Microseconds time) { return time != same; });
         if (end != times.end()) step = *end - same;
         const auto count = end - begin;
-        for (std::ptrdiff_t k = 0; begin != end; ++begin, ++k) *begin += step * k / count;
+        for (std::ptrdiff_t k = 0; begin != end; ++begin, ++k) *begin += step / count * k + step % count * k / count;
       }
     }
   }

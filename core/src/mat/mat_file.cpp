@@ -62,6 +62,8 @@ MatStruct element_of(const matvar_t& variable, std::size_t element) {
 }
 
 MatValue struct_of(const matvar_t& variable) {
+  // of any number, none of which holds a thing: a damaged file of 550 bytes has four billion of them
+  if (field_names(variable).empty()) return {MatStruct{}};
   if (count_of(variable) == 1) return {element_of(variable, 0)};
   MatCell elements{.values = {}, .is_row = is_row(variable)};
   for (std::size_t k = 0; k < count_of(variable); ++k) elements.values.push_back({element_of(variable, k)});

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "channel_character.hpp"
 #include "mistakes.hpp"
 #include "run_motion.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
@@ -114,6 +115,10 @@ Instruments<double> instruments_of(std::span<const InstrumentError> told) {
   return instruments;
 }
 
+void leave_out(Recording& run, Channel channel, std::span<const std::size_t> samples) {
+  for (const std::size_t i : samples) run.channels[index_of(channel)][i] = missing;
+}
+
 /// An antenna that was told beside velocities over ground is off the point that these are of: they stay.
 Recording put_right(const Recording& run, std::span<const InstrumentError> told) {
   auto result = as_it_was(run, instruments_of(told));
@@ -128,10 +133,15 @@ Recording put_right(const Recording& run, std::span<const InstrumentError> told)
 
 }  // namespace
 
+Recording without_outliers(Recording run) {
+  for (const Channel channel : motion_channels())
+    if (run.has(channel)) leave_out(run, channel, character_of(run, channel).outliers);
+  return run;
+}
+
 Recording repaired(const Recording& run, const RunCheck& check) {
   auto result = run;
-  for (const auto& c : check.channels)
-    for (const std::size_t i : c.outliers) result.channels[index_of(c.channel)][i] = missing;
+  for (const auto& c : check.channels) leave_out(result, c.channel, c.outliers);
   std::vector<InstrumentError> mistakes, told;
   for (const auto& e : check.errors)
     if (is_mistake(e.kind)) mistakes.push_back(e);

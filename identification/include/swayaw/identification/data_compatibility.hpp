@@ -65,7 +65,7 @@ struct ChannelCharacter {
   double noise = 0.0;                 ///< standard deviation of the white part
   double interval = 0.0;              ///< mean time between samples that were measured [s]
   bool interpolated = false;          ///< samples between fixes are on straight lines
-  std::vector<std::size_t> outliers;  ///< single samples, or single fixes, far from both neighbours
+  std::vector<std::size_t> outliers;  ///< single samples, or samples of one fix, far from their neighbours
   std::vector<std::size_t> measured;  ///< neither missing nor an outlier nor on a straight line between fixes
 };
 
@@ -75,6 +75,10 @@ struct ChannelCharacter {
 ///
 /// @return ascending; empty if the run has no such channel. n log n of the samples
 std::vector<std::size_t> measured_samples_of(const Recording& run, Channel channel);
+
+/// The run with outliers of the channels that show the motion missing, as a wrong fix of the satellites: one, that was
+/// interpolated to the times of the file, shows in two samples. What goes on from a recorded state would take it up.
+Recording without_outliers(Recording run);
 
 /// A channel that was not measured, and what it was made of: "a constant, 0 m/s", "the yaw rate", "the slope of the
 /// positions". It tells nothing, and the check leaves it out.
