@@ -1202,9 +1202,8 @@ Elsewhere elsewhere_since(const Stand& before, const Search& s, const HeldOutRun
 /// A candidate, and one more beside it.
 /// @return what runs that were not used say of both; nothing where none was found
 std::optional<Elsewhere> with_one_more(const Trial& unused, Search& s, const DiagnosisOptions& options,
-                                       Progress& progress, const HeldOutRuns& held_out, const FittedCandidate& first,
-                                       const Ranking& ranking) {
-  const auto before = stand_of(s);
+                                       Progress& progress, const Stand& before, const HeldOutRuns& held_out,
+                                       const FittedCandidate& first, const Ranking& ranking) {
   s.accepted.push_back(accepted_as(first, ranking));
   s.now = first.fit;
   fit_form(s, first.sizes), stand_on_highest_summit(s);
@@ -1230,7 +1229,7 @@ bool find_a_pair(const Trial& unused, Search& s, const DiagnosisOptions& options
   const auto before = stand_of(s);
   try {
     auto beside = progress;
-    const auto elsewhere = with_one_more(unused, s, options, beside, held_out, first, ranking);
+    const auto elsewhere = with_one_more(unused, s, options, beside, before, held_out, first, ranking);
     const bool stands_alone = best && is_same_effect(*best->form, *s.accepted.back().form);
     if (elsewhere && elsewhere->bears_out && !stands_alone) {
       first.refuted = false, first.as_elsewhere = elsewhere->as_elsewhere;
