@@ -515,6 +515,29 @@ TEST_CASE("ordinary errors of log and clock in a run that the file fits are no f
   }
 }
 
+// Strips of a tanker's hull are not the polynomial of her file; exact recordings tell that, as a drag of 0.13 to 0.21.
+TEST_CASE("the polynomial of a hull lacks no cross-flow drag, and the smallest that is hidden is found",
+          "[bench][limit]") {
+  const auto diagnosed = [](std::string_view plan, std::size_t cases, std::uint64_t seed, std::size_t place) {
+    const auto c = made(plan_named(plan, cases, seed).at(place));
+    return std::pair{c.labels, diagnose(c.ship, c.train, c.reference, c.holdout)};
+  };
+  for (const std::size_t place : {42, 45}) {
+    const auto [hidden, d] = diagnosed("clean", 1000, 777, place);
+    INFO(d.words);
+    CHECK(hidden.empty());
+    CHECK(d.verdict == DiagnosisVerdict::nothing_missing);
+    CHECK(d.as_form == std::vector<std::string>{"cross-flow drag"});
+    CHECK(std::ranges::none_of(d.improved.effects, [](const Effect& e) { return id_of(e) == "cross_flow_drag"; }));
+  }
+  const auto [hidden, d] = diagnosed("singles", 110, 555, 67);
+  INFO(d.words);
+  REQUIRE(hidden.size() == 1);
+  CHECK(hidden.front().severity == Severity::weak);
+  REQUIRE(d.effects.size() == 1);
+  CHECK(id_of(d.effects.front().effect) == hidden.front().effect);
+}
+
 // Of 300 cases of a seed that was looked at these were missed, and not for the physics: the sway that an error of the
 // compass feigns had taken the force away that resists it; a ship that cannot sail without her stream ended the search;
 // a wind was refuted by runs that gained by it; a heel that nobody recorded was to act more than it gained.
