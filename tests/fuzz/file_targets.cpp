@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <vector>
 
 #include "case_tasks.hpp"
@@ -18,10 +17,6 @@
 
 namespace swayaw::fuzz {
 namespace {
-
-void write(const std::filesystem::path& file, std::string_view bytes) {
-  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-}
 
 // ---------------------------------------------------------------- recordings
 

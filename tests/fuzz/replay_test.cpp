@@ -13,7 +13,6 @@
 #include "files.hpp"
 #include "memory.hpp"
 #include "mutator.hpp"
-#include "swayaw/core/atomic_file.hpp"
 #include "targets.hpp"
 
 /// Any bytes end in a result, or in one line that names the file: mutated inputs of every reader, the same in every
@@ -108,9 +107,7 @@ class Replay {
   fs::path last_input() const { return fs::temp_directory_path() / (std::string("swayaw-fuzz-") + target_.name); }
 
   /// A crash or a hang ends the program: the input that it was at is left behind.
-  void keep_for_post_mortem(const std::string& bytes) const {
-    std::ofstream(last_input(), std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  }
+  void keep_for_post_mortem(const std::string& bytes) const { write(last_input(), bytes); }
 
   const Target& target_;
   fs::path scratch_;

@@ -1,6 +1,7 @@
 #include "targets.hpp"
 
 #include <algorithm>
+#include <fstream>
 
 #include "swayaw/core/refusal.hpp"
 
@@ -8,6 +9,11 @@ namespace swayaw::fuzz {
 
 void promise(bool holds, std::string_view what) {
   if (!holds) throw BrokenPromise(std::string(what));
+}
+
+void write(const std::filesystem::path& file, std::string_view bytes) {
+  std::filesystem::remove(file);
+  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
 namespace {

@@ -31,6 +31,10 @@ struct Memory {
   std::size_t most(std::size_t bytes) const { return at_rest + per_byte * bytes; }
 };
 
+/// Writes a file of these bytes in place of any that is there. That one is removed first: a file that is cut to nothing
+/// and written again goes to the disk at once on ext4 (2 ms; 0.06 ms anew), and 10^5 inputs wait for that.
+void write(const std::filesystem::path& file, std::string_view bytes);
+
 /// Reads the bytes, and what was read is used and written as far as that is quick.
 /// @throws FileError      as readers do
 /// @throws BrokenPromise  if what was read is not as they promise
