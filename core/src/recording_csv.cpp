@@ -165,9 +165,20 @@ class RecordingParser {
   // -------------------------------------------------------------- rows
 
   void read_rows() {
+    make_room();
     while (next_line())
       if (!trimmed(line_).empty()) read_row(cells_of(line_));
     if (samples_ == 0) throw FileError({file_, header_line_ + 1, 1}, "no samples below the header row");
+  }
+
+  /// For as many rows as there are lines, a row being a separator or an end of line for each column at least: columns
+  /// that grow as they are read take up to three times the memory.
+  void make_room() {
+    const auto lines = static_cast<std::size_t>(std::ranges::count(rest_, '\n')) + 1;
+    const auto rows = std::min(lines, rest_.size() / columns_.size() + 1);
+    for (auto& column : columns_)
+      if (column.is_understood()) column.values.reserve(rows);
+      else column.cells.reserve(rows);
   }
 
   void read_row(const std::vector<std::string_view>& cells) {
