@@ -838,7 +838,7 @@ Kept put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipIn
                  std::span<const Recording> runs, std::span<const Recording> holdout) {
   auto tried = s.first;
   Kept kept;
-  std::vector<std::pair<double, FoundEffect>> found_effects;  // with what each is worth beside the others
+  std::vector<std::pair<double, FoundEffect>> found_effects;  // on board with what each is worth beside the others
   std::vector<Standing> without(s.accepted.size());
   in_parallel(without.size(), 0, [&](std::size_t i) {
     const bool decides_order = s.on_board && without.size() > 1 && !s.accepted[i].trace;
@@ -881,7 +881,7 @@ Kept put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipIn
     if (stands || (trace && !not_borne_out)) kept.with_traces.push_back(i);
     if (stands) {
       kept.standing.push_back(i);
-      found_effects.emplace_back(worth(s, without[i]), std::move(found));
+      found_effects.emplace_back(s.on_board ? worth(s, without[i]) : 0.0, std::move(found));
     } else {
       if (!not_borne_out) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
       for (auto& t : tried)
@@ -1027,8 +1027,10 @@ Diagnosis diagnose_clean(const Ship& ship, std::span<const Recording> runs, std:
   if (d.discrepancy)
     attempt(d, "the part that moved",
             [&] { d.moved = moved_part(trial, alone.point, *d.discrepancy, ship, d.train, runs); });
-  attempt(d, "the form of the forces",
-          [&] { put_form(d, s, alone, refitted_for(s, kept.standing), options.detection, runs, holdout); });
+  attempt(d, "the form of the forces", [&] {
+    const auto standing = kept.standing == kept.with_traces ? with_traces : refitted_for(s, kept.standing);
+    put_form(d, s, alone, standing, options.detection, runs, holdout);
+  });
   d.verdict = verdict_of(d, s.on_board);
   if (!s.on_board && d.process_noise > ordinary_scale)
     for (auto& e : d.effects) e.probability *= 0.5;
