@@ -13,13 +13,6 @@ struct RunCheck;
 
 namespace swayaw::app {
 
-/// How recordings are read before they are worked with.
-struct Reading {
-  std::string_view rudder_positive;  ///< "port" or "starboard", whatever the files say; empty: as they say
-  bool no_check = false;             ///< instruments are not checked
-  Ignored ignored{};
-};
-
 std::vector<Recording> loaded_runs(const std::vector<std::filesystem::path>& files, std::string_view rudder_positive);
 
 /// What becomes of runs with too few samples for a check.

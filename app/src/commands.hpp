@@ -15,6 +15,13 @@ struct Ignored {
   bool depth = false;
 };
 
+/// How recordings are read before they are worked with.
+struct Reading {
+  std::string rudder_positive;  ///< "port" or "starboard", whatever the files say; empty: as they say
+  bool no_check = false;        ///< instruments are not checked first
+  Ignored ignored{};
+};
+
 /// The page that is written besides the answer.
 struct ReportArguments {
   std::filesystem::path file{};  ///< empty: no page
@@ -79,9 +86,7 @@ struct CompareArguments {
   ReportArguments report{};
   bool json = false;
   bool markdown = false;
-  std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
-  bool no_check = false;        ///< instruments are not checked first
-  Ignored ignored{};
+  Reading reading{};
 };
 void compare(const CompareArguments& arguments);
 
@@ -227,9 +232,7 @@ struct IdentifyArguments {
   std::filesystem::path out;
   ReportArguments report{};
   bool json = false;
-  std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
-  bool no_check = false;        ///< instruments are not checked first
-  Ignored ignored{};
+  Reading reading{};
 };
 void identify(const IdentifyArguments& arguments);
 
@@ -241,9 +244,7 @@ struct DiagnoseArguments {
   std::filesystem::path save_model;              ///< empty: none
   ReportArguments report{};
   bool json = false;
-  std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
-  bool no_check = false;        ///< instruments are not checked first
-  Ignored ignored{};
+  Reading reading{};
 };
 void diagnose(const DiagnoseArguments& arguments);
 
@@ -253,9 +254,7 @@ struct FleetArguments {
   std::filesystem::path save_models;  ///< folder; empty: none
   ReportArguments report{};
   bool json = false;
-  std::string rudder_positive;  ///< of all recordings, whatever they say; empty: as they say
-  bool no_check = false;        ///< instruments are not checked first
-  Ignored ignored{};
+  Reading reading{};
 };
 void fleet(const FleetArguments& arguments);
 

@@ -208,11 +208,11 @@ std::vector<std::string> assumed_of(const CompareArguments& a, const std::vector
   const auto any = [&](Channel channel) {
     return std::ranges::any_of(comparisons, [&](const Comparison& c) { return c.recorded.has(channel); });
   };
-  lines.push_back(a.ignored.wind             ? "The measured wind was left out, as asked."
+  lines.push_back(a.reading.ignored.wind     ? "The measured wind was left out, as asked."
                   : any(Channel::wind_speed) ? "The measured wind acts in the simulation."
                                              : "No wind was measured; none acts but that of the ship file.");
-  lines.push_back(a.no_check ? "Instruments were not checked, as asked."
-                             : "Instruments were checked first (swayaw check).");
+  lines.push_back(a.reading.no_check ? "Instruments were not checked, as asked."
+                                     : "Instruments were checked first (swayaw check).");
   return lines;
 }
 
@@ -377,7 +377,7 @@ void print_text(const Ship& ship, const CompareArguments& a, const std::vector<C
 void compare(const CompareArguments& a) {
   const Ship ship = parse_ship(ship_text(a.ship), a.ship);
   const CompareOptions options{.window_lengths = a.window_lengths, .replay = {.shaft = shaft_named(a.shaft)}};
-  auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check, a.ignored});
+  auto runs = checked_runs(a.runs, a.reading);
   for (auto& run : runs) run = with_way_ahead(ship, std::move(run));
   tell_in_vain(ship, runs);
   std::vector<Comparison> comparisons;

@@ -331,12 +331,11 @@ void diagnose(const DiagnoseArguments& a) {
     progress.tell(what);
     return !interrupt.asked();
   };
-  const Reading reading{a.rudder_positive, a.no_check, a.ignored};
   std::vector<SetAside> aside;
-  const auto runs = sailable(ship, checked_runs(a.runs, reading), aside);
+  const auto runs = sailable(ship, checked_runs(a.runs, a.reading), aside);
   require_some(runs, aside);
-  const auto reference = sailable(ship, checked_runs(a.reference, reading), aside),
-             holdout = sailable(ship, checked_runs(a.holdout, reading), aside);
+  const auto reference = sailable(ship, checked_runs(a.reference, a.reading), aside),
+             holdout = sailable(ship, checked_runs(a.holdout, a.reading), aside);
   for (const auto& some : {runs, reference, holdout}) tell_in_vain(ship, some);
   auto diagnosis = swayaw::diagnose(ship, runs, reference, holdout, options);
   for (const auto& trouble : diagnosis.troubles) say_aside("swayaw: {}\n", trouble);

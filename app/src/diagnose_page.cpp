@@ -325,11 +325,11 @@ std::vector<std::string> assumed_of(const Diagnosis& d, const DiagnoseArguments&
       fmt::format("Ship file {}; her coefficients may be off as its [confidence] says{}.", a.ship.string(),
                   a.reference.empty() ? "" : fmt::format(", as {} reference run(s) leave it", a.reference.size()))};
   const auto measured_wind = [](const RunPicture& p) { return p.recorded.has(Channel::wind_speed); };
-  lines.push_back(a.ignored.wind                                         ? "The measured wind was left out, as asked."
+  lines.push_back(a.reading.ignored.wind                                 ? "The measured wind was left out, as asked."
                   : std::ranges::any_of(d.train_pictures, measured_wind) ? "The measured wind acts on the ship."
                                                                          : "No wind was measured in these runs.");
-  lines.push_back(a.no_check ? "Instruments were not checked, as asked."
-                             : "Instruments were checked first; ordinary errors of them are allowed for.");
+  lines.push_back(a.reading.no_check ? "Instruments were not checked, as asked."
+                                     : "Instruments were checked first; ordinary errors of them are allowed for.");
   for (const auto& i : d.instruments)
     lines.push_back(fmt::format("Allowed for: {} of {}, {}{}{}.", i.error, i.channel,
                                 with_error(i.value, i.standard_error), i.unit.empty() ? "" : " ", i.unit));

@@ -146,7 +146,7 @@ void save_models(const std::filesystem::path& folder, const Ship& ship, const Fl
 void fleet(const FleetArguments& a) {
   require_folder(a.report.file);
   const Ship ship = load_nonlinear_ship(a.ship);
-  auto recordings = checked_runs(a.runs, {a.rudder_positive, a.no_check, a.ignored});
+  auto recordings = checked_runs(a.runs, a.reading);
   std::vector<FleetRun> runs;
   std::vector<SetAside> aside;
   for (std::size_t i = 0; i < recordings.size(); ++i) {

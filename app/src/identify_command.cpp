@@ -62,8 +62,8 @@ Recording with_depth_in_coefficients(const Ship& ship, Recording run) {
 
 Question question_of(const IdentifyArguments& a) {
   Question q{.ship = in_model(load_nonlinear_ship(a.ship), a.model),
-             .runs = checked_runs(a.runs, {a.rudder_positive, a.no_check, a.ignored}),
-             .holdout = checked_runs(a.holdout, {a.rudder_positive, a.no_check, a.ignored}),
+             .runs = checked_runs(a.runs, a.reading),
+             .holdout = checked_runs(a.holdout, a.reading),
              .options = {.parameters = {}}};
   q.options.parameters = parameters_to_find(q.ship, a);
   q.options.priors = a.prior;

@@ -100,7 +100,7 @@ void identify_linear(const IdentifyArguments& a) {
   const auto p = particulars_of(load_ship(a.ship));
   if (!a.holdout.empty())
     say_aside("swayaw: --holdout has no use with --model linear, whose standard errors hold by themselves\n");
-  const auto runs = checked_runs(a.runs, {a.rudder_positive, a.no_check, a.ignored});
+  const auto runs = checked_runs(a.runs, a.reading);
   for (const auto& run : runs)
     if (run.has(Channel::wind_speed))
       say_aside("swayaw: {}: the measured wind is not used: a linear ship has no place for it\n", run.name);

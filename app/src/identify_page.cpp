@@ -232,7 +232,7 @@ std::vector<std::string> assumed_of(const Question& q, const IdentifyArguments& 
                   a.model),
       a.prior ? "The ship's own values, with her confidence, count as measurements."
               : "Nothing is known of the coefficients beforehand.",
-      a.no_check ? "Instruments were not checked, as asked." : "Instruments were checked first (swayaw check).",
+      a.reading.no_check ? "Instruments were not checked, as asked." : "Instruments were checked first (swayaw check).",
       "Standard errors hold if the model is right; what it lacks is not in them."};
   for (const auto& [run, why] : q.aside) lines.push_back(fmt::format("Set aside: {}, {}.", run, why));
   return lines;

@@ -59,11 +59,13 @@ inline std::string ship_text(const std::filesystem::path& file) {
   return std::string(*text);
 }
 
-inline AnyShip load_ship(const std::filesystem::path& file) {
-  const auto text = ship_text(file);
+/// A ship of either kind. @param file  where the text is from, for messages
+inline AnyShip parse_any_ship(const std::string& text, const std::filesystem::path& file) {
   if (model_of(text, file) == "linear") return parse_linear_ship(text, file);
   return parse_ship(text, file);
 }
+
+inline AnyShip load_ship(const std::filesystem::path& file) { return parse_any_ship(ship_text(file), file); }
 
 /// A linear ship, or the small motions of another about the straight course at that speed, the service speed unless
 /// given.

@@ -189,10 +189,11 @@ void add_replay(CLI::App& app, ReplayArguments& a) {
 }
 
 /// Of commands that check the instruments of their recordings before they begin.
-void add_reading(CLI::App& command, std::string& side, bool& no_check, Ignored& ignored) {
-  add_rudder_positive(command, side);
-  add_ignored(command, ignored);
-  command.add_flag("--no-check", no_check, "believe the recordings: signs, units and clocks are not checked first");
+void add_reading(CLI::App& command, Reading& reading) {
+  add_rudder_positive(command, reading.rudder_positive);
+  add_ignored(command, reading.ignored);
+  command.add_flag("--no-check", reading.no_check,
+                   "believe the recordings: signs, units and clocks are not checked first");
 }
 
 void add_check(CLI::App& app, CheckArguments& a) {
@@ -222,7 +223,7 @@ void add_compare(CLI::App& app, CompareArguments& a) {
   add_report(command, a.report);
   auto* json = command.add_flag("--json", a.json, "print one JSON document");
   command.add_flag("--markdown", a.markdown, "print Markdown tables")->excludes(json);
-  add_reading(command, a.rudder_positive, a.no_check, a.ignored);
+  add_reading(command, a.reading);
   command.callback([&a] { compare(a); });
 }
 
@@ -385,7 +386,7 @@ void add_identify(CLI::App& app, IdentifyArguments& a) {
   command.add_flag("--resample", a.resample,
                    "the same from other choices of runs: one left out, one alone, one rudder amplitude alone");
   command.add_option("--out", a.out, "ship file of the identified ship (TOML or .mat)");
-  add_reading(command, a.rudder_positive, a.no_check, a.ignored);
+  add_reading(command, a.reading);
   add_report(command, a.report);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { identify(a); });
@@ -414,7 +415,7 @@ void add_diagnose(CLI::App& app, DiagnoseArguments& a) {
   command.add_option("--holdout", a.holdout, "recordings that are not used but predicted");
   command.add_option("--save-model", a.save_model, "ship file with the effects found (TOML or .mat)");
   add_report(command, a.report);
-  add_reading(command, a.rudder_positive, a.no_check, a.ignored);
+  add_reading(command, a.reading);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { diagnose(a); });
 }
@@ -427,7 +428,7 @@ void add_fleet(CLI::App& app, FleetArguments& a) {
       ->required();
   command.add_option("--save-models", a.save_models, "folder for ship files of the class and of every vessel today");
   add_report(command, a.report);
-  add_reading(command, a.rudder_positive, a.no_check, a.ignored);
+  add_reading(command, a.reading);
   command.add_flag("--json", a.json, "print one JSON document");
   command.callback([&a] { fleet(a); });
 }

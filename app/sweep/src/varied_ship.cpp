@@ -33,11 +33,6 @@ void for_each_linear_number(L& ship, Visit&& visit) {
   visit_part("rudder", ship.steering_gear);
 }
 
-AnyShip parse(const std::string& text, const std::string& file) {
-  if (model_of(text, file) == "linear") return parse_linear_ship(text, file);
-  return parse_ship(text, file);
-}
-
 Range in_units(Range range, double si) {
   range.low /= si, range.high /= si;
   return range;
@@ -46,7 +41,7 @@ Range in_units(Range range, double si) {
 }  // namespace
 
 VariedShip::VariedShip(const SweepPlan& plan, const std::string& file)
-    : text_(ship_text(file)), ship_(parse(text_, file)), speed_(plan.speed) {
+    : text_(ship_text(file)), ship_(parse_any_ship(text_, file)), speed_(plan.speed) {
   name_ = std::visit([](const auto& ship) { return ship.name; }, ship_);
   const auto known = parameters();
   for (const auto& v : plan.variations) {
