@@ -153,6 +153,17 @@ TEST_CASE("thinned runs leave slow recordings as they are, and of fast ones keep
   }
 }
 
+TEST_CASE("a recording of nanoseconds keeps two rows", "[identification][limit]") {
+  const Curve curve;
+  const auto none = [](Channel, double) { return 0.0; };
+  const std::array runs{curve.recorded(1e9, 6e-8, none)};
+  REQUIRE(runs.front().samples() > 10);
+  for (const auto& few : {thinned_runs(curve.ship, runs, seen), lean_runs(curve.ship, runs, seen)}) {
+    REQUIRE(few.size() == 1);
+    CHECK(few.front().run->time == std::vector{runs.front().time.front(), runs.front().time.back()});
+  }
+}
+
 TEST_CASE("waves that move a ship are left out of samples, also where she meets them more and less often",
           "[identification][limit]") {
   const Curve curve;

@@ -52,10 +52,11 @@ void average_wind(const Recording& run, std::size_t every, Recording& fewer) {
   }
 }
 
-/// Every so many rows are kept; controls and wind are means.
+/// Every so many rows are kept, two at least; controls and wind are means.
 Recording with_fewer_rows(const Recording& run, double time_unit, double rows_kept) {
   const double rows = rows_in(run, time_unit);
-  const auto every = static_cast<std::size_t>(std::lround(rows / rows_kept));
+  const auto every =
+      static_cast<std::size_t>(std::min(std::round(rows / rows_kept), static_cast<double>(run.samples()) - 1.0));
   if (every < 2) return run;
   const auto thinned = [&](const std::vector<double>& all) {
     std::vector<double> some;
