@@ -55,9 +55,9 @@ void average_wind(const Recording& run, std::size_t every, Recording& fewer) {
 /// Every so many rows are kept, two at least; controls and wind are means.
 Recording with_fewer_rows(const Recording& run, double time_unit, double rows_kept) {
   const double rows = rows_in(run, time_unit);
-  const auto every =
-      static_cast<std::size_t>(std::min(std::round(rows / rows_kept), static_cast<double>(run.samples()) - 1.0));
-  if (every < 2) return run;
+  const double step = std::min(std::round(rows / rows_kept), static_cast<double>(run.samples()) - 1.0);
+  if (!(step >= 2.0)) return run;
+  const auto every = static_cast<std::size_t>(step);
   const auto thinned = [&](const std::vector<double>& all) {
     std::vector<double> some;
     for (std::size_t k = 0; k < all.size(); k += every) some.push_back(all[k]);
