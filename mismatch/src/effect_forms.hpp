@@ -29,6 +29,9 @@ struct EffectForm {
   bool told_beside_given = false;  ///< that begins from the ship as given alone
   double begin = 0.0;              ///< [s], from which onset and end among the coordinates count
   std::function<EffectForm(std::span<const std::size_t>)> with_terms{};
+  /// Of an ordinary error: how many of its usual sizes count as one where it is decided whether an effect that stands
+  /// in its place is more than ordinary.
+  double decided_in = 1.0;
   Scope scope = Scope::ship;         ///< of the parts: group or run; of the ship where there are none
   std::vector<std::string> parts{};  ///< names of groups or runs
 
@@ -81,6 +84,9 @@ inline constexpr int asymmetric_axis = 3, rudder_sides_axis = 4;  ///< the last:
 
 /// The channel that an effect is of, if it is of one.
 std::optional<Channel> channel_of(const EffectForm& form);
+
+/// Ordinary deviations of an instrument, a rudder or a day from which on an error is no ordinary one.
+inline constexpr double beyond_the_ordinary = 2.5;
 
 /// What every ship, every instrument and every day has a little of: her forces are of another form than the model's,
 /// a smooth function of the motion, alike on both sides and a little not; gyro, log, compass, clocks and the neutral

@@ -314,7 +314,8 @@ namespace {
 /// The number of an ordinary error of usual size that decides, and which of its parameters it is.
 struct UsualNumber {
   std::size_t index;
-  double departure;  ///< from null
+  double departure;   ///< from null
+  double decided_in;  ///< as many count as one
 };
 
 std::optional<UsualNumber> usual_number(const Trial& trial, const EffectForm& form) {
@@ -325,7 +326,7 @@ std::optional<UsualNumber> usual_number(const Trial& trial, const EffectForm& fo
     const auto usual = parameters_of(trial.ship, o.at(c));
     for (std::size_t i = 0; i < usual.size(); ++i)
       if (usual[i].decides && usual[i].value != usual[i].null && std::isfinite(usual[i].value))
-        return UsualNumber{i, usual[i].value - usual[i].null};
+        return UsualNumber{i, usual[i].value - usual[i].null, o.decided_in};
   }
   return std::nullopt;
 }
@@ -343,7 +344,7 @@ double ordinary_deviations(const Trial& trial, const EffectForm& form, const Eff
   const auto usual = usual_number(trial, form);
   if (!usual) return HUGE_VAL;
   const auto is = parameters_of(trial.ship, effect)[usual->index];
-  return std::abs((is.value - is.null) / usual->departure);
+  return std::abs((is.value - is.null) / (usual->decided_in * usual->departure));
 }
 
 /// Everything ordinary that no effect stands for.

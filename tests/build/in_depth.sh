@@ -36,7 +36,7 @@ parts=(
 )
 
 # Beyond 20 s of processor time optimised: three to ten minutes with sanitizers.
-long='identification\.(data_compatibility|trial.*|trajectory_.*|linear_fit.*|identify)|mismatch\.(on_board|invariance|diagnose|recordings_diagnosis)'
+long='identification\.(data_compatibility|trial.*|trajectory_.*|linear_fit.*|identify)|mismatch\.(on_board|invariance|diagnose|recordings_diagnosis)|app\.(demo|documentation|diagnose_report|pages)'
 
 # Of these floors only what works on several threads; of the others everything.
 threaded='(core|linear|mismatch)\..*|nonlinear\.(batch|estimate_spread|index_slopes)|sweep\.(plan|points|reduce|run)'
@@ -47,7 +47,9 @@ floors_tested() {
   shift 2
   floors="^($(IFS='|'; echo "$*"))\."
   cmake --preset "$preset" >/dev/null
-  cmake --build --preset "$preset" --target "${@/#/swayaw_test_}"
+  local targets=("${@/#/swayaw_test_}")
+  [[ " $* " != *" app "* ]] || targets+=(swayaw swayaw_report_test)
+  cmake --build --preset "$preset" --target "${targets[@]}"
   local names
   names=$(ctest --preset "$preset" -N -R "$floors" -E "^($long)$" | sed -nE 's/^ *Test +#[0-9]+: //p' | grep -xE "$tests" | paste -sd '|')
   ctest --preset "$preset" -R "^(${names//./\\.})$" --no-tests=error
@@ -71,7 +73,7 @@ turn() {
 part() {
   local kind=${1:-}
   case $kind in
-    addresses) floors_tested sanitize '(core|linear|nonlinear|identification|mismatch)\..*' "${@:2}" ;;
+    addresses) floors_tested sanitize '(core|linear|nonlinear|identification|mismatch|app|sweep)\..*' "${@:2}" ;;
     threads) floors_tested tsan "$threaded" "${@:2}" ;;
     coverage) tests/build/coverage.sh --check ;;
     compilers) tests/build/compilers.sh ;;

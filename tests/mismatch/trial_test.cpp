@@ -260,6 +260,28 @@ TEST_CASE("a lag as small as an ordinary one is ordinary, unless it does what th
   CHECK(deviations_of(1.5 * ordinary, 2.0) == HUGE_VAL);
 }
 
+TEST_CASE("a yaw rate is as late as a filter makes it before that is a finding, and a heading as late as is usual",
+          "[mismatch][limit]") {
+  const Ship ship = well_known_ship();
+  const double time_unit = length(ship) / service_speed(ship);
+  const auto runs = runs_of(ship, 17);
+  const auto channels = recorded_channels(runs, motion_channels());
+  const auto trial = as_on_board(trial_of(ship, runs, channels), runs, channels);
+  const auto forms = effect_forms(ship, channels, 90.0);
+  const auto is_ordinary = [&](Channel channel, double delay) {
+    const auto form = std::ranges::find_if(forms, [&](const EffectForm& f) { return channel_of(f) == channel; });
+    const auto at = coordinates_of(ship, *form, ChannelDelay<>{channel, delay});
+    return is_as_ordinary(trial, *form, Eigen::Map<const Point>(at->data(), std::ssize(*at)), 0);
+  };
+  const double of_filter = std::min(2.0, 0.125 * time_unit), usual = 0.02 * time_unit;
+  REQUIRE(of_filter > 2.5 * usual);
+  CHECK(is_ordinary(Channel::r, 0.99 * of_filter));
+  CHECK_FALSE(is_ordinary(Channel::r, 1.01 * of_filter));
+  CHECK(is_ordinary(Channel::psi, 2.45 * usual));
+  CHECK_FALSE(is_ordinary(Channel::psi, 2.55 * usual));
+  CHECK(is_ordinary(Channel::psi, -2.95 * usual));  // a search goes no further that way
+}
+
 TEST_CASE("numbers of an effect change with its coordinates as their slopes say", "[mismatch][second-route]") {
   const Ship ship = well_known_ship();
   const std::vector<Channel> channels{Channel::psi};

@@ -91,7 +91,8 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
     descend(
         here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *passes); }, cost);
     const auto [log_likelihood, found] =
-        detail::best_noise(problem, here.point, noise, problem.size() == fixed, of_noise);
+        wanted.noise_stays ? Likelihood{identification::log_likelihood(problem, here.point, noise), noise}
+                           : detail::best_noise(problem, here.point, noise, problem.size() == fixed, of_noise);
     Eigen::MatrixXd information = gram(slopes);
     const Eigen::MatrixXd A = information + problem.precision;
     const double now = log_likelihood - 0.5 * problem.prior(here.point), gain = now - density;

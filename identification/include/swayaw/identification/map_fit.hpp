@@ -127,7 +127,8 @@ struct FitOptions {
   const Eigen::MatrixXd* known = nullptr;  ///< slopes of the residuals by the first unknowns, near the start: good
                                            ///< enough for the first round
   int rounds = 6;
-  bool to_rank = false;  ///< no closer than it takes to tell it from others: within 5 in log evidence
+  bool to_rank = false;      ///< no closer than it takes to tell it from others: within 5 in log evidence
+  bool noise_stays = false;  ///< is not renewed; a round is all then
 };
 
 /// Converged fit, the gains of the filter and the noise renewed as often as they change.
