@@ -3,6 +3,7 @@
 #
 #   gcc FLOOR…        tests of these floors by g++, which users compile with
 #   addresses FLOOR…  tests of these floors under the address and undefined-behaviour sanitizers, by clang++
+#   longest FLOOR…    the same of those tests that take long, which all other parts leave out
 #   threads FLOOR…    tests of what works on several threads, under the thread sanitizer
 #   coverage          lines and branches that the tests of core, linear and nonlinear run, against what is asked of them
 #   compilers         the same numbers from g++ and clang++
@@ -41,17 +42,18 @@ long='identification\.(data_compatibility|trial.*|trajectory_.*|linear_fit.*|ide
 # Of these floors only what works on several threads; of the others everything.
 threaded='(core|linear|mismatch)\..*|nonlinear\.(batch|estimate_spread|index_slopes)|sweep\.(plan|points|reduce|run)'
 
-#   floors_tested PRESET TESTS FLOOR…    but for the longest tests
+#   floors_tested PRESET TESTS but|only FLOOR…    but for the longest tests, or those only
 floors_tested() {
-  local preset=$1 tests=$2 floors
-  shift 2
+  local preset=$1 tests=$2 which=$3 floors
+  shift 3
   floors="^($(IFS='|'; echo "$*"))\."
   cmake --preset "$preset" >/dev/null
   local targets=("${@/#/swayaw_test_}")
   [[ " $* " != *" app "* ]] || targets+=(swayaw swayaw_report_test)
   cmake --build --preset "$preset" --target "${targets[@]}"
   local names
-  names=$(ctest --preset "$preset" -N -R "$floors" -E "^($long)$" | sed -nE 's/^ *Test +#[0-9]+: //p' | grep -xE "$tests" | paste -sd '|')
+  names=$(ctest --preset "$preset" -N -R "$floors" | sed -nE 's/^ *Test +#[0-9]+: //p' | grep -xE "$tests" |
+    if [[ $which == only ]]; then grep -xE "$long"; else grep -vxE "$long"; fi | paste -sd '|')
   ctest --preset "$preset" -R "^(${names//./\\.})$" --no-tests=error
 }
 
@@ -73,15 +75,16 @@ turn() {
 part() {
   local kind=${1:-}
   case $kind in
-    addresses) floors_tested sanitize '(core|linear|nonlinear|identification|mismatch|app|sweep)\..*' "${@:2}" ;;
-    threads) floors_tested tsan "$threaded" "${@:2}" ;;
+    addresses) floors_tested sanitize '.*' but "${@:2}" ;;
+    longest) floors_tested sanitize '.*' only "${@:2}" ;;
+    threads) floors_tested tsan "$threaded" but "${@:2}" ;;
     coverage) tests/build/coverage.sh --check ;;
     compilers) tests/build/compilers.sh ;;
-    gcc) floors_tested dev '.*' "${@:2}" ;;
+    gcc) floors_tested dev '.*' but "${@:2}" ;;
     once) once ;;
     turn) turn "${@:2}" ;;
     parts) printf '%s\n' "${parts[@]}" ;;
-    *) echo "usage: in_depth.sh gcc FLOOR... | addresses FLOOR... | threads FLOOR... | coverage | compilers | once | turn [SECONDS] | parts" >&2; exit 2 ;;
+    *) echo "usage: in_depth.sh gcc FLOOR... | addresses FLOOR... | longest FLOOR... | threads FLOOR... | coverage | compilers | once | turn [SECONDS] | parts" >&2; exit 2 ;;
   esac
 }
 
