@@ -17,7 +17,8 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-# Seconds on two processors that have nothing else to do, from a clean clone, and the part.
+# Seconds on two processors that have nothing else to do, from a clean clone, and the part. The longest tests, an hour and
+# more, are not among them.
 parts=(
   "110 threads core linear"
   "120 addresses core"
@@ -34,6 +35,7 @@ parts=(
   "540 addresses identification"
   "540 addresses mismatch"
   "600 gcc mismatch"
+  "800 addresses app sweep"
 )
 
 # Beyond 20 s of processor time optimised: three to ten minutes with sanitizers.
