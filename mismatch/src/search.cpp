@@ -1403,12 +1403,13 @@ Search with_baseline(const Trial& trial, const Noise& start, const MapFit& begun
   return s;
 }
 
+bool is_never_over(const Search&) { return false; }
+
 /// All effects that have names, or come and go, beside the baseline.
 /// @param is_over  whether no further effect is looked for, asked once some are accepted
-Search named(
-    Search s, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options,
-    const std::function<bool(std::string_view)>& goes_on,
-    const std::function<bool(const Search&)>& is_over = [](const Search&) { return false; }) {
+Search named(Search s, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options,
+             const std::function<bool(std::string_view)>& goes_on,
+             const std::function<bool(const Search&)>& is_over = is_never_over) {
   s.located = located(s.trial, ship_at(s.trial, {}, s.null.point), s.null.noise);
   s.forms.assign(forms.begin(), forms.end());
   if (s.on_board) {

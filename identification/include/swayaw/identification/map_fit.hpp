@@ -128,7 +128,7 @@ struct FitOptions {
                                            ///< enough for the first round
   int rounds = 6;
   bool to_rank = false;      ///< no closer than it takes to tell it from others: within 5 in log evidence
-  bool noise_stays = false;  ///< is not renewed; a round is all then
+  bool noise_stays = false;  ///< as it was at the start
 };
 
 /// Converged fit, the gains of the filter and the noise renewed as often as they change.
