@@ -328,11 +328,11 @@ void add_ordinary_parts(std::vector<EffectForm>& forms, const Ship& ship, std::s
                    .starts = {}});
 }
 
-/// How late a yaw rate may be by the filter of a rate gyro alone: gyros of ships are smoothed over half a second to two
-/// seconds, those of models over as much of their faster motion. A fit takes less for usual, which tells heading, gyro
-/// and rudder apart; where it was also the decision, five of 450 simulated ships on which nothing was hidden were told
-/// a yaw rate late or early by about a second (as on board, seeds 34 to 36). The least late that was hidden and found
-/// was 4.9 s.
+/// How late a velocity or yaw rate may be by the filter of its instrument alone: gyros and logs of ships are smoothed
+/// over half a second to two seconds, those of models over as much of their faster motion. A fit takes less for usual,
+/// which tells heading, gyro and rudder apart; where it was also the decision, five of 450 simulated ships on which
+/// nothing was hidden were told a yaw rate late or early by about a second (as on board, seeds 34 to 36), and one of 77
+/// a log by 1.8 s (seed 37). The least late that was hidden and found was 4.9 s.
 double filter_delay(double time_unit) {
   constexpr double widest = 2.0;             // [s]
   constexpr double share_of_motion = 0.125;  // of L/U
@@ -350,17 +350,18 @@ std::vector<EffectForm> ordinary_forms(const Ship& ship, std::span<const Recordi
   // of a receiver of positions and of what measures velocities, however long the ship
   constexpr double receiver_delay = 0.4;  // [s]
   std::vector<EffectForm> forms{force_form(ship, runs)};
+  const auto add_smoothed = [&](Channel channel, double usual_delay) {
+    add_ordinary(forms, ship, ChannelDelay<>{channel, {}}, "delay_s", usual_delay);
+    forms.back().decided_in = std::max(1.0, filter_delay(L / U) / (beyond_the_ordinary * usual_delay));
+  };
   if (seen({Channel::r})) {
     add_ordinary(forms, ship, GyroBias<>{}, "bias_rad_s", 3e-4);
     add_ordinary(forms, ship, GyroScale<>{}, "scale", 0.01);
-    const double usual_delay = 0.02 * L / U;
-    add_ordinary(forms, ship, ChannelDelay<>{Channel::r, {}}, "delay_s", usual_delay);
-    forms.back().decided_in = std::max(1.0, filter_delay(L / U) / (beyond_the_ordinary * usual_delay));
+    add_smoothed(Channel::r, 0.02 * L / U);
   }
   if (seen({Channel::u, Channel::speed_through_water})) add_ordinary(forms, ship, LogScale<>{}, "scale", 0.01);
   for (const auto velocity : {Channel::u, Channel::v, Channel::speed_through_water})
-    if (seen({velocity}))
-      add_ordinary(forms, ship, ChannelDelay<>{velocity, {}}, "delay_s", std::max(receiver_delay, 0.02 * L / U));
+    if (seen({velocity})) add_smoothed(velocity, std::max(receiver_delay, 0.02 * L / U));
   if (seen({Channel::x})) {
     add_ordinary(forms, ship, HeadingBias<>{}, "bias_rad", radians(0.2));
     add_ordinary(forms, ship, ChannelDelay<>{Channel::x, {}}, "delay_s", std::max(receiver_delay, 0.03 * L / U));
