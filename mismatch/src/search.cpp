@@ -1448,6 +1448,11 @@ std::optional<Search> named_apart(const Trials& trials, std::span<const EffectFo
 /// board that were looked at had 1.6e-3 to 3.8e-3, white noise 4e-5 to 2e-4, and 7e-4 where a strong force had no name.
 constexpr double real_walk = 1e-3;
 
+/// The same of a fit that has only begun, from which on they may be of that kind, and are surely. In nine labelled
+/// cases the walk was within a sixth of what it came to where that is above `real_walk`, and fell further where it is
+/// below; in 29 others, of 1.4e-3 to 14e-3, it was within a fiftieth.
+constexpr double perhaps_real_walk = 0.5 * real_walk, surely_real_walk = 1.5 * real_walk;
+
 /// Of the process noise beside an exact form, from which on nothing but an inexact one is tried: it allows forces as
 /// large as those on the hull.
 constexpr double hopeless_scale = 100.0;
@@ -1470,14 +1475,14 @@ std::optional<MapFit> with_a_stream(const Trial& trial, const MapFit& null, std:
   return std::nullopt;
 }
 
-/// Whether the instruments are of the kind that ships have: the errors of positions have a memory, whatever the water
-/// does.
+/// What errors of positions wander, whatever the water does: beside an ordinary stream, and where that is more than the
+/// least beside one of any size, too.
 /// @param null  fit of the baseline beside an inexact form
-bool has_real_instruments(const Trial& trial, const MapFit& null, std::span<const EffectForm> forms,
-                          double least = real_walk, const FitOptions& options = {}) {
-  if (!(null.noise.walk > least)) return false;
+double walk_of_positions(const Trial& trial, const MapFit& null, std::span<const EffectForm> forms, double least,
+                         const FitOptions& options = {}) {
+  if (!(null.noise.walk > least)) return null.noise.walk;
   const auto free = with_a_stream(trial, null, forms, options);
-  return !free || free->noise.walk > least;
+  return free ? std::min(null.noise.walk, free->noise.walk) : null.noise.walk;
 }
 
 /// The runs beside an inexact form and inexact instruments, the fit of the baseline there as far as it has begun, and
@@ -1488,13 +1493,13 @@ struct Inexact {
   std::optional<Search> baseline{};
 };
 
-/// The same of a fit that has only begun: whether they may be. In nine labelled cases the walk was within a sixth of
-/// what it came to where that is above `real_walk` (four, 1.5e-3 to 21e-3), and fell further where it is below.
-bool may_have_real_instruments(Inexact& inexact, std::span<const EffectForm> forms) {
+/// The same of a fit of two rounds, which has only begun; nothing where there is none.
+std::optional<double> walk_as_begun(Inexact& inexact, std::span<const EffectForm> forms) {
   constexpr FitOptions begun{.rounds = 2};
   const auto& trial = inexact.trials.used;
   inexact.begun = fit(trial, {}, trial.mean, Noise::on_board(), begun);
-  return inexact.begun.point.size() == 0 || has_real_instruments(trial, inexact.begun, forms, 0.5 * real_walk, begun);
+  if (inexact.begun.point.size() == 0) return std::nullopt;
+  return walk_of_positions(trial, inexact.begun, forms, perhaps_real_walk, begun);
 }
 
 void say_left_out(Search& exact, const std::exception& trouble) {
@@ -1521,12 +1526,17 @@ Search* baseline_of(Inexact& inexact, Search& exact) try {
   return nullptr;
 }
 
-/// Whether the search is to go on beside an inexact form at once.
+/// Whether the search is to go on beside an inexact form at once: beside an exact one it is hopeless, or the
+/// instruments are of the kind that ships have.
 bool is_inexact(Inexact& inexact, Search& exact, std::span<const EffectForm> forms) {
-  const bool hopeless = exact.null.noise.largest_scale() > hopeless_scale;
-  if (!hopeless && !may_have_real_instruments(inexact, forms)) return false;
+  bool is = exact.null.noise.largest_scale() > hopeless_scale;
+  if (!is) {
+    const auto walk = walk_as_begun(inexact, forms);
+    if (walk && !(*walk > perhaps_real_walk)) return false;
+    is = walk && *walk > surely_real_walk;
+  }
   const auto* baseline = baseline_of(inexact, exact);
-  return baseline && (hopeless || has_real_instruments(baseline->trial, baseline->null, forms));
+  return baseline && (is || walk_of_positions(baseline->trial, baseline->null, forms, real_walk) > real_walk);
 }
 
 /// Log evidence of what a search found, from the runs of another.

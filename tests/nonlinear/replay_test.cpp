@@ -340,6 +340,31 @@ TEST_CASE("states at several times are those at each", "[nonlinear][second-route
   CHECK(RecordedControls(ship, longer).constant().rev == self_propulsion(ship, U).rev);
 }
 
+TEST_CASE("what carries another ship from the start of a run is what her own controls have",
+          "[nonlinear][second-route]") {
+  const Ship ship = test::kvlcc2_l7();
+  const auto run =
+      without(with_instruments(zigzag_run(ship, 0.1), {}), {Channel::u, Channel::v, Channel::rev, Channel::thrust});
+  const RecordedControls controls(ship, run);
+  const auto with = [&](const Effect& effect) {
+    Ship other = ship;
+    other.effects = {effect};
+    return other;
+  };
+  Ship heavier = ship;
+  std::get<MmgShip<double>>(heavier.model).hull.R_0 *= 1.2;
+  std::vector<double> speeds;
+  for (const Ship& other :
+       {ship, heavier, with(LogScale<>{.scale = 1.03}), with(SteadyCurrent<>{.speed = 0.2, .to = 2.0}),
+        with(ChannelDelay<>{.channel = Channel::x, .delay = 2.0}), with(HeadingBias<>{radians(4)})}) {
+    const double rev = controls.propulsion_of(other, run).rev;
+    CHECK(rev == RecordedControls(other, run).constant().rev);
+    speeds.push_back(rev);
+  }
+  std::ranges::sort(speeds);
+  CHECK(std::unique(speeds.begin(), speeds.end()) - speeds.begin() >= 4);
+}
+
 TEST_CASE("a run that does not tell its speed is refused", "[nonlinear][refusal]") {
   const Ship ship = test::kvlcc2_l7();
   auto run = without(zigzag_run(ship, 0.05), {Channel::u, Channel::v, Channel::x, Channel::y});

@@ -235,15 +235,16 @@ Recording beginning_of(const Recording& run, double time_unit, const Instruments
 }
 
 /// Speed through the water at the start; by all of the run only where its first samples do not tell.
-double starting_speed(const Ship& ship, const Recording& run) {
+double starting_speed(const Ship& ship, const Recording& run, double time_unit, const Instruments<>& instruments) {
   const double begin = run.time.front();
   try {
-    const auto beginning = beginning_of(run, length(ship) / service_speed(ship), instruments_of(ship));
-    return speed(recorded_state(ship, beginning, begin).motion);
+    return speed(recorded_state(ship, beginning_of(run, time_unit, instruments), begin).motion);
   } catch (const Refusal&) {
     return speed(recorded_state(ship, run, begin).motion);
   }
 }
+
+double time_unit_of(const Ship& ship) { return length(ship) / service_speed(ship); }
 
 /// The run itself.
 const Recording& within_reach(const Recording& run, const Ship& ship) {
@@ -259,7 +260,7 @@ RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const
   if (recorded && run.has(Channel::rev) && takes_shaft_speed(ship)) rev_.emplace(run, Channel::rev);
   else if (recorded && run.has(Channel::thrust)) thrust_.emplace(run, Channel::thrust);
   else if (!std::holds_alternative<AbkowitzShip<double>>(ship.model))  // whose polynomial holds her propulsion
-    constant_ = propulsion_of(ship, run);
+    start_.emplace(ship, run), constant_ = propulsion_of(ship, run);
   const auto& propulsion = rev_ ? rev_ : thrust_;
   const auto propulsion_times = propulsion ? propulsion->times() : std::span<const double>{};
   std::ranges::set_union(rudder_.times(), propulsion_times, std::back_inserter(knots_));
@@ -267,8 +268,21 @@ RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const
     track_.emplace(actuator, lines_through(rudder_.times(), rudder_.values()));
 }
 
+RecordedControls::Start::Start(const Ship& ship, const Recording& run)
+    : instruments(instruments_of(ship)),
+      current(surroundings_at(ship, run.time.front()).current),
+      time_unit(time_unit_of(ship)),
+      speed(starting_speed(ship, run, time_unit, instruments)) {}
+
+bool RecordedControls::Start::is_of(const Ship& ship, double begin) const {
+  const auto its = surroundings_at(ship, begin).current;
+  return its.speed == current.speed && its.to == current.to && time_unit_of(ship) == time_unit &&
+         instruments_of(ship) == instruments;
+}
+
 Controls<double> RecordedControls::propulsion_of(const Ship& ship, const Recording& run) const {
-  return self_propulsion(in_depth(ship, depth_).value_or(ship), starting_speed(ship, run));
+  const bool known = start_ && start_->is_of(ship, run.time.front());
+  return self_propulsion(in_depth(ship, depth_).value_or(ship), known ? start_->speed : Start(ship, run).speed);
 }
 
 std::optional<double> RecordedControls::shaft_astern(double from, double to) const {

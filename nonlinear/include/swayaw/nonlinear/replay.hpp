@@ -91,6 +91,17 @@ class RecordedControls {
   const std::optional<double>& depth() const { return depth_; }
 
  private:
+  /// The speed through the water with which the run starts, and all of a ship that it depends on.
+  struct Start {
+    Instruments<> instruments;
+    Current<double> current;
+    double time_unit;  ///< L/U [s]
+    double speed;      ///< [m/s]
+
+    Start(const Ship& ship, const Recording& run);
+    bool is_of(const Ship& ship, double begin) const;
+  };
+
   Controls<double> with_angle(double delta, double time) const;
 
   Interpolant rudder_;
@@ -98,6 +109,7 @@ class RecordedControls {
   std::optional<Interpolant> rev_;
   std::optional<Interpolant> thrust_;
   Controls<double> constant_{};  ///< where nothing is recorded
+  std::optional<Start> start_;   ///< the same
   std::vector<double> knots_;
   std::vector<WindPiece> wind_;
   std::optional<double> depth_;
