@@ -346,7 +346,8 @@ TEST_CASE("rudder starts and heading peaks of the KVLCC2 models are those of the
 
 TEST_CASE("simulated manoeuvres of the KVLCC2 are judged as two independent programs compute them",
           "[identification][published]") {
-  for (const auto& reference : test::json_in(test::golden / "mmg_manoeuvres.json").at("cases")) {
+  const auto golden = test::json_in(test::golden / "mmg_manoeuvres.json");
+  for (const auto& reference : golden.at("cases")) {
     const auto ship = read_ship(test::ships / (reference.at("ship").get<std::string>() + ".toml"));
     const double L = length(ship), U = reference.at("approach_speed_m_s");
     const ManoeuvreOptions options{
