@@ -1529,14 +1529,14 @@ Search* baseline_of(Inexact& inexact, Search& exact) try {
 /// Whether the search is to go on beside an inexact form at once: beside an exact one it is hopeless, or the
 /// instruments are of the kind that ships have.
 bool is_inexact(Inexact& inexact, Search& exact, std::span<const EffectForm> forms) {
-  bool is = exact.null.noise.largest_scale() > hopeless_scale;
-  if (!is) {
+  bool surely = exact.null.noise.largest_scale() > hopeless_scale;
+  if (!surely) {
     const auto walk = walk_as_begun(inexact, forms);
     if (walk && !(*walk > perhaps_real_walk)) return false;
-    is = walk && *walk > surely_real_walk;
+    surely = walk && *walk > surely_real_walk;
   }
   const auto* baseline = baseline_of(inexact, exact);
-  return baseline && (is || walk_of_positions(baseline->trial, baseline->null, forms, real_walk) > real_walk);
+  return baseline && (surely || walk_of_positions(baseline->trial, baseline->null, forms, real_walk) > real_walk);
 }
 
 /// Log evidence of what a search found, from the runs of another.

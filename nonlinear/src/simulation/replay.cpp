@@ -14,6 +14,9 @@ namespace swayaw::inline nonlinear {
 using namespace detail;
 namespace {
 
+/// L/U [s].
+double time_unit_of(const Ship& ship) { return length(ship) / service_speed(ship); }
+
 // ---------------------------------------------------------------- recorded state
 
 /// Samples that tell the state at a time.
@@ -119,7 +122,7 @@ std::optional<SurgeSway> velocity_told(const Recording& run, const Current<doubl
 }
 
 ShipState<double> state_told(const Ship& ship, const Recording& run, double time) {
-  const double time_unit = length(ship) / service_speed(ship);
+  const double time_unit = time_unit_of(ship);
   const auto near = neighbourhood(run, time, time_unit);
   const auto wide = rate_neighbourhood(run, near, time_unit);
   const auto psi = fit(run, Channel::psi, near);
@@ -148,7 +151,7 @@ bool tells_false_drift(const Ship& ship, const Instruments<>& instruments) {
   constexpr double late = 0.05;  // [L/U]
   const double askew = radians(1.0);
   const auto &position = instruments[Channel::x], &heading = instruments[Channel::psi];
-  const double time_unit = length(ship) / service_speed(ship);
+  const double time_unit = time_unit_of(ship);
   return std::max(std::abs(position.delay), std::abs(heading.delay)) > late * time_unit ||
          std::abs(heading.bias) > askew;
 }
@@ -243,8 +246,6 @@ double starting_speed(const Ship& ship, const Recording& run, double time_unit, 
     return speed(recorded_state(ship, run, begin).motion);
   }
 }
-
-double time_unit_of(const Ship& ship) { return length(ship) / service_speed(ship); }
 
 /// The run itself.
 const Recording& within_reach(const Recording& run, const Ship& ship) {
