@@ -8,6 +8,20 @@ namespace swayaw::inline core::detail {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+/// Eigen sums products of large matrices in blocks that suit the caches of the machine, so another machine rounds
+/// otherwise, and a diagnosis between two valleys ended in the one here and in the other there: a compass that was 4.24
+/// deg off came to 3.69 deg beside first caches of 48 KiB and to 4.06 deg beside 32. So the caches are those of one
+/// machine. What they are in truth makes no difference to a diagnosis that is above its scatter.
+[[maybe_unused]] const bool one_order_of_sums = [] {
+  constexpr std::ptrdiff_t KiB = 1024;
+  Eigen::setCpuCacheSizes(32 * KiB, 1024 * KiB, 32 * 1024 * KiB);
+  return true;
+}();
+
+}  // namespace
+
 MatrixXd inverse(const MatrixXd& A) { return A.inverse(); }
 
 VectorXd solve(const MatrixXd& A, const VectorXd& b) { return A.partialPivLu().solve(b); }
