@@ -958,10 +958,11 @@ Accepted accepted_as(const FittedCandidate& best, const Ranking& ranking) {
 /// nothing hidden (`swayaw_concealed`, plan clean, seed 2026) five gained 17 to 34 with held-out runs, 8 to 13 of it by
 /// the runs used; of 64 hidden effects the least gained 49 by the runs used. Of 90 with nothing hidden as on board
 /// (seed 39) four gained 9 to 13 by the runs used, and 4 to 290 by those held out. A further effect beside an inexact
-/// form, which takes the hull up, may reach what is needed with their help: that something is missing is known.
+/// form, which takes the hull up, may reach what is needed with their help, where something is known to be missing:
+/// beside more than a trace or what held-out runs refute.
 double least_gain(const HeldOutRuns& held_out, const Search& s, double needed) {
   constexpr double of_a_further_effect = 0.5;  // of what is needed
-  const bool is_first = std::ranges::all_of(s.accepted, &Accepted::trace);
+  const bool is_first = std::ranges::all_of(s.accepted, [](const Accepted& a) { return a.trace || a.refuted; });
   return held_out.is_empty() || !s.on_board || is_first ? needed : of_a_further_effect * needed;
 }
 
