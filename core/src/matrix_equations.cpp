@@ -12,8 +12,9 @@ namespace {
 
 /// Eigen sums products of large matrices in blocks that suit the caches of the machine, so another machine rounds
 /// otherwise, and a diagnosis between two valleys ended in the one here and in the other there: a compass that was 4.24
-/// deg off came to 3.69 deg beside first caches of 48 KiB and to 4.06 deg beside 32. So the caches are those of one
-/// machine. What they are in truth makes no difference to a diagnosis that is above its scatter.
+/// deg off came to 3.69 deg beside first caches of 48 KiB and to 4.06 deg beside 32. So the blocks are those of one
+/// machine, for all products of the process. AᵀA of 3,259 rows and 88 columns takes 0.97 to 1.1 times as long so beside
+/// 48 KiB.
 [[maybe_unused]] const bool one_order_of_sums = [] {
   constexpr std::ptrdiff_t KiB = 1024;
   Eigen::setCpuCacheSizes(32 * KiB, 1024 * KiB, 32 * 1024 * KiB);
