@@ -620,6 +620,25 @@ TEST_CASE("what the whole would lack most is named first", "[bench][on_board][li
   CHECK(id_of(d.effects.front().effect) == c.labels.front().effect);
 }
 
+// Each is within what instruments and gears are off by from ship to ship, and gained 2 where that was ordinary.
+TEST_CASE("what reference runs tell of instruments and gear makes small errors on other days findings",
+          "[bench][on_board][limit]") {
+  for (const auto& [number, key, near] : {std::tuple{198, "lag_s", 0.5}, std::tuple{153, "scale", 0.005}}) {
+    const auto c = made(plan_named("on_board", 300, 40).at(static_cast<std::size_t>(number)));
+    REQUIRE(c.labels.size() == 1);
+    REQUIRE(!c.reference.empty());
+    INFO(c.labels.front().effect);
+    const auto d = diagnose(c.ship, c.train, c.reference, c.holdout);
+    INFO(d.words);
+    REQUIRE(d.effects.size() == 1);
+    const auto& found = d.effects.front();
+    CHECK(id_of(found.effect) == c.labels.front().effect);
+    const auto value = std::ranges::find(found.parameters, key, &ParameterEstimate::key);
+    REQUIRE(value != found.parameters.end());
+    CHECK(std::abs(value->value - c.labels.front().parameters.front().value) < near);
+  }
+}
+
 TEST_CASE("as many cases of a plan are as many structures, and none is clean where something is hidden",
           "[bench][on_board][limit]") {
   std::set<std::string> ships;

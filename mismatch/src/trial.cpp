@@ -311,10 +311,11 @@ EstimationProblem problem_of(const Trial& trial, const Ship& ship) {
 
 namespace {
 
-/// The number of an ordinary error of usual size that decides, and which of its parameters it is.
+/// The number of an ordinary error that decides, and which of its parameters it is.
 struct UsualNumber {
   std::size_t index;
-  double departure;   ///< from null
+  double centre;      ///< null, or what reference runs told
+  double departure;   ///< from there, of usual size
   double decided_in;  ///< as many count as one
 };
 
@@ -322,11 +323,14 @@ std::optional<UsualNumber> usual_number(const Trial& trial, const EffectForm& fo
   for (const auto& o : trial.ordinary) {
     if (o.id == form_id || !stands_for(form, o) || form.id != o.id) continue;
     std::vector<double> c(o.coordinates.size(), 0.0);
-    c.front() = 1.0;
+    const auto& told = o.coordinates.front();
+    c.front() = told.centre;
+    const auto centre = parameters_of(trial.ship, o.at(c));
+    c.front() = told.centre + told.deviation;
     const auto usual = parameters_of(trial.ship, o.at(c));
     for (std::size_t i = 0; i < usual.size(); ++i)
-      if (usual[i].decides && usual[i].value != usual[i].null && std::isfinite(usual[i].value))
-        return UsualNumber{i, usual[i].value - usual[i].null, o.decided_in};
+      if (usual[i].decides && usual[i].value != centre[i].value && std::isfinite(usual[i].value))
+        return UsualNumber{i, centre[i].value, usual[i].value - centre[i].value, o.decided_in};
   }
   return std::nullopt;
 }
@@ -344,7 +348,7 @@ double ordinary_deviations(const Trial& trial, const EffectForm& form, const Eff
   const auto usual = usual_number(trial, form);
   if (!usual) return HUGE_VAL;
   const auto is = parameters_of(trial.ship, effect)[usual->index];
-  return std::abs((is.value - is.null) / (usual->decided_in * usual->departure));
+  return std::abs((is.value - usual->centre) / (usual->decided_in * usual->departure));
 }
 
 /// Everything ordinary that no effect stands for.
