@@ -474,6 +474,7 @@ std::string words_of(const Diagnosis& d) {
 std::pair<std::string, std::string> error_and_unit(std::string_view key) {
   if (key == "bias_rad_s") return {"zero", "rad/s"};
   if (key == "bias_rad") return {"zero", "rad"};
+  if (key == "angle_rad") return {"axes", "rad"};
   if (key == "delay_s") return {"delay", "s"};
   return {std::string(key), ""};
 }
@@ -483,6 +484,7 @@ std::string_view channel_shown_wrong(const Effect& effect) {
   const auto wrong = shown_wrong(effect);
   return wrong == "yaw_rate"  ? short_name(Channel::r)
          : wrong == "heading" ? short_name(Channel::psi)
+         : wrong == "drift"   ? short_name(Channel::v)
                               : short_name(Channel::speed_through_water);
 }
 

@@ -187,12 +187,13 @@ TEST_CASE("an instrument shows at a time what it records of a run", "[nonlinear]
   const std::vector<Effect> instruments{HeadingBias<>{0.03},
                                         GyroBias<>{0.002},
                                         LogScale<>{1.1},
+                                        VelocityAxes<>{0.04},
                                         AntennaLeverArm<>{2.0, -0.3},
                                         ChannelDelay<>{Channel::r, 0.05},
                                         ChannelDelay<>{Channel::x, -0.02}};
   int kinds = 0;
   for_each_kind([&]<class Kind>() { kinds += IsInstrument<Kind> && find<Kind>(std::span<const Effect>(instruments)); });
-  CHECK(kinds == 5);
+  CHECK(kinds == 6);
   const std::size_t i = truth.samples() / 2;
   const auto value = [&](Channel c) { return truth[c][i]; };
   const ShipState<double> state{value(Channel::x),
@@ -209,7 +210,7 @@ TEST_CASE("an instrument shows at a time what it records of a run", "[nonlinear]
     const auto ago = [&](double delay) {
       return kinematics(moved_back(state, Current<double>{}, acceleration, delay), Current<double>{});
     };
-    for (const auto channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::r}) {
+    for (const auto channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r}) {
       INFO(id_of(instrument) << " " << short_name(channel));
       CHECK_THAT(observe(channel, wrong, ago), WithinAbs(record[channel][i], 2e-5));
     }

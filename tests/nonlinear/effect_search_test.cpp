@@ -146,7 +146,7 @@ TEST_CASE("an effect that begins and ends acts from its onset on until its end",
 }
 
 TEST_CASE("only instruments show something wrong, and a late receiver what its channel is of", "[nonlinear][limit]") {
-  const std::set<std::string_view> quantities{"position", "heading", "yaw_rate", "speed"};
+  const std::set<std::string_view> quantities{"position", "heading", "yaw_rate", "speed", "drift"};
   for (const auto id : effect_ids()) {
     const auto effect = make_effect(id);
     INFO(id);

@@ -607,10 +607,10 @@ TEST_CASE("the parts of a linearized ship with effects add up to differences of 
 TEST_CASE("a run as recorded and put right again is the run", "[nonlinear][round-trip]") {
   const auto truth = zigzag_of(test::with_areas(sailing_ship<MmgShip<double>>()));
   const auto instruments_with = [](const std::vector<Effect>& e) { return instruments_of(std::span<const Effect>(e)); };
-  const auto sensors =
-      instruments_with({HeadingBias<>{0.03}, GyroBias<>{0.002}, LogScale<>{1.1}, AntennaLeverArm<>{2.0, -0.3}});
+  const auto sensors = instruments_with(
+      {HeadingBias<>{0.03}, GyroBias<>{0.002}, LogScale<>{1.1}, AntennaLeverArm<>{2.0, -0.3}, VelocityAxes<>{0.04}});
   const auto back = as_it_was(as_recorded(truth, sensors), sensors);
-  for (const Channel channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::r})
+  for (const Channel channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r})
     CHECK(largest_difference(truth, back, channel) < 1e-12);
   const auto late = instruments_with({ChannelDelay<>{Channel::r, 0.2}, ChannelDelay<>{Channel::x, -0.3}});
   const auto shifted = as_it_was(as_recorded(truth, late), late);
@@ -626,6 +626,9 @@ TEST_CASE("biases, scales and levers have the signs of the documentation", "[non
   CHECK(seen(LogScale<>{1.1})[Channel::u][5] == truth[Channel::u][5] * 1.1);
   CHECK_THAT(seen(AntennaLeverArm<>{2.0, 0.5})[Channel::x][0], WithinAbs(2.0, 1e-12));
   CHECK_THAT(seen(AntennaLeverArm<>{2.0, 0.5})[Channel::y][0], WithinAbs(0.5, 1e-12));
+  // axes turned to starboard: her way ahead seems one to port
+  CHECK_THAT(seen(VelocityAxes<>{0.1})[Channel::v][5],
+             WithinAbs(truth[Channel::v][5] * std::cos(0.1) - truth[Channel::u][5] * std::sin(0.1), 1e-12));
   const double step = truth.time[1] - truth.time[0];
   CHECK_THAT(seen(ChannelDelay<>{Channel::psi, 3.0 * step})[Channel::psi][10],
              WithinAbs(truth[Channel::psi][7], 1e-12));

@@ -29,6 +29,7 @@ class RandomSights {
     for (auto& error : result.channels) error = {uniform(0.9, 1.1), uniform(-0.1, 0.1), uniform(-2, 2)};
     result.antenna_x = uniform(-50, 50);
     result.antenna_y = uniform(-10, 10);
+    result.velocity_axes = uniform(-0.2, 0.2);
     return result;
   }
 
@@ -48,15 +49,16 @@ TEST_CASE("an instrument shows scale times the truth of a while ago plus a bias"
     const double forward = s.motion.u - s.motion.r * y, sideways = s.motion.v + s.motion.r * x;
     const double north = forward * c - sideways * sine + current.speed * std::cos(current.to);
     const double east = forward * sine + sideways * c + current.speed * std::sin(current.to);
+    const double by = instruments.velocity_axes, axes = s.psi + by;
     const std::pair<Channel, double> expected[] = {{Channel::x, s.x + x * c - y * sine},
                                                    {Channel::y, s.y + x * sine + y * c},
                                                    {Channel::psi, s.psi},
-                                                   {Channel::u, s.motion.u},
+                                                   {Channel::u, s.motion.u * std::cos(by) + s.motion.v * std::sin(by)},
                                                    {Channel::speed_through_water, s.motion.u},
-                                                   {Channel::v, s.motion.v},
+                                                   {Channel::v, s.motion.v * std::cos(by) - s.motion.u * std::sin(by)},
                                                    {Channel::r, s.motion.r},
-                                                   {Channel::u_ground, north * c + east * sine},
-                                                   {Channel::v_ground, east * c - north * sine},
+                                                   {Channel::u_ground, north * std::cos(axes) + east * std::sin(axes)},
+                                                   {Channel::v_ground, east * std::cos(axes) - north * std::sin(axes)},
                                                    {Channel::speed_over_ground, std::hypot(north, east)},
                                                    {Channel::course_over_ground, std::atan2(east, north)},
                                                    {Channel::phi, phi}};

@@ -20,7 +20,7 @@ inline Ship with_areas(const ShipModel& model) {
 
 class RandomEffects {
  public:
-  explicit RandomEffects(unsigned seed) : random_(seed), of_rudder_lever_(seed) {}
+  explicit RandomEffects(unsigned seed) : random_(seed), of_others_(seed) {}
 
   double uniform(double low, double high) { return random_.uniform(low, high); }
 
@@ -33,8 +33,10 @@ class RandomEffects {
     if (id == ShallowWater<>::id || id == RudderStall<>::id) return effect;
     const auto numbers = parameters_of(ship, effect);
     if (numbers.empty()) return std::nullopt;
-    for (const auto& n : numbers)  // a number of its own for the lever: the others make ships that are known to sail
-      parameter_value(effect, n.index) = off_null(n, n.key == "rudder_lever_m" ? of_rudder_lever_ : random_);
+    // numbers of their own for the lever and the axes: those of the others make ships that are known to sail
+    const bool by_itself = id == VelocityAxes<>::id;
+    for (const auto& n : numbers)
+      parameter_value(effect, n.index) = off_null(n, by_itself || n.key == "rudder_lever_m" ? of_others_ : random_);
     if (id == HullLinearDerivatives<>::id || id == HullNonlinearDamping<>::id) keep_damped(effect, numbers);
     std::visit([&](auto& e) { set_window(e, ship); }, effect);
     if (auto* gap = std::get_if<RudderGap<>>(&effect)) gap->delta_lim = uniform(0.04, 0.08);  // opens in any zigzag
@@ -68,7 +70,7 @@ class RandomEffects {
     effect.end = effect.onset + uniform(1.0, 4.0) * time_unit;
   }
 
-  RandomModels random_, of_rudder_lever_;
+  RandomModels random_, of_others_;
 };
 
 }  // namespace swayaw::test

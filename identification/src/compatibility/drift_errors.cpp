@@ -41,7 +41,7 @@ std::optional<InstrumentError> drift_on_straight_courses(const Recording& run, C
   for (std::size_t k = 0; k < straight.size(); ++k) {
     const std::size_t i = straight[k];
     s.time[k] = run.time[i];
-    s.Xy.row(static_cast<Eigen::Index>(k)) << u[i], r[i], -std::sin(psi[i]), std::cos(psi[i]), v[i];
+    s.Xy.row(static_cast<Eigen::Index>(k)) << -u[i], r[i], -std::sin(psi[i]), std::cos(psi[i]), v[i];
   }
   const double U = rms(u), radius = U / std::max(rms(r), 1e-4);
   const double noise = std::max(white_noise_of(v), 1e-4 * U), current = ground ? stream * U : 1e-3 * U;

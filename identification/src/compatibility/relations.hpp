@@ -64,7 +64,7 @@ std::vector<Channel> speeds_of(const Recording& run);
 /// Sway on a straight course. A ship without wind does not drift there, so that velocities which do were measured in
 /// axes that are turned, or with a heading that is wrong:
 ///
-///     v = eps u + l r − c_x sin psi + c_y cos psi
+///     v = −eps u + l r − c_x sin psi + c_y cos psi
 ///
 /// with the current only in a velocity over ground.
 ///

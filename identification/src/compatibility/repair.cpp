@@ -94,9 +94,8 @@ void turn_axes(Recording& run, Channel surge, double eps) {
   const auto both = of_the_same_instrument(surge);
   auto &u = run.channels[index_of(both[0])], &v = run.channels[index_of(both[1])];
   for (std::size_t i = 0; i < u.size(); ++i) {
-    const double forward = u[i] * std::cos(eps) - v[i] * std::sin(eps);
-    v[i] = u[i] * std::sin(eps) + v[i] * std::cos(eps);
-    u[i] = forward;
+    const auto in_hull = in_turned_axes(PlanarMotion<double>{u[i], v[i], 0.0}, -eps);
+    u[i] = in_hull.u, v[i] = in_hull.v;
   }
 }
 

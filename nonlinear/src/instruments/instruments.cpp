@@ -46,6 +46,22 @@ void move_place(Recording& run, double x, double y) {
   }
 }
 
+// ---------------------------------------------------------------- axes
+
+/// Velocities in axes turned to starboard; where one of the two is not known the other stays.
+void turn_velocities(Recording& run, double angle) {
+  if (angle == 0.0) return;
+  for (const auto& [forward, sideways] :
+       {std::pair{Channel::u, Channel::v}, std::pair{Channel::u_ground, Channel::v_ground}}) {
+    if (!run.has(forward) || !run.has(sideways)) continue;
+    auto &u = run.channels[index_of(forward)], &v = run.channels[index_of(sideways)];
+    for (std::size_t i = 0; i < run.samples(); ++i) {
+      const auto turned = in_turned_axes(PlanarMotion<double>{u[i], v[i], 0.0}, angle);
+      if (std::isfinite(turned.u + turned.v)) u[i] = turned.u, v[i] = turned.v;
+    }
+  }
+}
+
 // ---------------------------------------------------------------- delay
 
 /// Every sample gets the value of `delay` ago by straight lines, drawn on beyond the ends; samples that are missing
@@ -74,6 +90,7 @@ void for_each_channel(Recording& run, const Instruments<double>& instruments, F&
 
 Recording as_recorded(Recording run, const Instruments<double>& instruments) {
   move_place(run, instruments.antenna_x, instruments.antenna_y);
+  turn_velocities(run, instruments.velocity_axes);
   for_each_channel(run, instruments, [&](Channel channel, const ChannelError<double>& error) {
     for (double& value : run.channels[index_of(channel)]) value = error.reading(value);
     delay_channel(run, channel, error.delay);
@@ -86,6 +103,7 @@ Recording as_it_was(Recording run, const Instruments<double>& instruments) {
     delay_channel(run, channel, -error.delay);
     for (double& value : run.channels[index_of(channel)]) value = error.truth(value);
   });
+  turn_velocities(run, -instruments.velocity_axes);
   move_place(run, -instruments.antenna_x, -instruments.antenna_y);
   return run;
 }

@@ -108,7 +108,7 @@ std::string rudder_force_words(double over_given);
 /// An error of an instrument that was found beside everything else, however small.
 struct InstrumentEstimate {
   std::string channel;  ///< "r", "x" for both coordinates of a position
-  std::string error;    ///< "zero", "scale", "delay"
+  std::string error;    ///< "zero", "scale", "delay", "axes"
   double value, standard_error;
   std::string unit;
 };

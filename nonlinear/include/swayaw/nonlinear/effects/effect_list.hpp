@@ -33,6 +33,7 @@
 #include "swayaw/nonlinear/effects/steering_gear_backlash.hpp"
 #include "swayaw/nonlinear/effects/steering_gear_lag.hpp"
 #include "swayaw/nonlinear/effects/unknown_force.hpp"
+#include "swayaw/nonlinear/effects/velocity_axes.hpp"
 #include "swayaw/nonlinear/effects/wake_change.hpp"
 #include "swayaw/nonlinear/effects/wave_drift.hpp"
 
@@ -47,7 +48,7 @@ using EffectIn =
                  RudderEffectiveness<S>, RudderHullInteraction<S>, RudderStall<S>, RudderGap<S>, FlowStraightening<S>,
                  RaceOnRudder<S>, PropellerSideForce<S>, WakeChange<S>, ShaftSpeedDrop<S>, RudderOffset<S>,
                  SteeringGearLag<S>, SteeringGearBacklash<S>, RollCoupling<S>, FluidMemory<S>, HeadingBias<S>,
-                 GyroBias<S>, GyroScale<S>, LogScale<S>, AntennaLeverArm<S>, ChannelDelay<S>, ModelForm<S>,
-                 UnknownForce<S>>;
+                 GyroBias<S>, GyroScale<S>, LogScale<S>, VelocityAxes<S>, AntennaLeverArm<S>, ChannelDelay<S>,
+                 ModelForm<S>, UnknownForce<S>>;
 
 }  // namespace swayaw::nonlinear

@@ -26,8 +26,9 @@ struct ChannelError {
 template <class S = double>
 struct Instruments {
   std::array<ChannelError<S>, channel_count> channels{};
-  S antenna_x{};  ///< where position and velocity over ground are measured, forward of midship [m]
-  S antenna_y{};  ///< to starboard [m]
+  S antenna_x{};      ///< where position and velocity over ground are measured, forward of midship [m]
+  S antenna_y{};      ///< to starboard [m]
+  S velocity_axes{};  ///< of u and v, through the water and over ground, to starboard of those of the ship [rad]
 
   ChannelError<S>& operator[](Channel channel) { return channels[index_of(channel)]; }
   const ChannelError<S>& operator[](Channel channel) const { return channels[index_of(channel)]; }
@@ -45,6 +46,7 @@ Instruments<To> cast(const Instruments<From>& from) {
   }
   to.antenna_x = To(from.antenna_x);
   to.antenna_y = To(from.antenna_y);
+  to.velocity_axes = To(from.velocity_axes);
   return to;
 }
 

@@ -41,6 +41,18 @@ Kinematics<S> at_point(Kinematics<S> k, const S& x, const S& y) {
   return k;
 }
 
+/// A velocity in axes turned to starboard by an angle.
+template <class S>
+PlanarMotion<S> in_turned_axes(const PlanarMotion<S>& m, const S& angle) {
+  const auto [s, c] = sin_cos(angle);
+  return {m.u * c + m.v * s, m.v * c - m.u * s, m.r};
+}
+
+/// Whether a channel shows a part of a velocity in axes of the ship.
+constexpr bool is_body_velocity(Channel channel) {
+  return channel == Channel::u || channel == Channel::v || channel == Channel::u_ground || channel == Channel::v_ground;
+}
+
 /// The motion some seconds ago, by the midpoint rule and constant accelerations.
 template <class S, class A>
 ShipState<S> moved_back(const ShipState<S>& s, const Current<S>& current, const PlanarAcceleration<A>& a,
@@ -62,7 +74,12 @@ ShipState<S> moved_back(const ShipState<S>& s, const Current<S>& current, const 
 template <class S, class At>
 S observe(Channel channel, const Instruments<S>& instruments, At&& at) {
   const auto& error = instruments[channel];
-  return error.reading(observe(channel, at_point(at(error.delay), instruments.antenna_x, instruments.antenna_y)));
+  auto seen = at_point(at(error.delay), instruments.antenna_x, instruments.antenna_y);
+  if (is_body_velocity(channel)) {
+    seen.state.motion = in_turned_axes(seen.state.motion, instruments.velocity_axes);
+    seen.ground = in_turned_axes(seen.ground, instruments.velocity_axes);
+  }
+  return error.reading(observe(channel, seen));
 }
 
 /// A true run as the instruments record it. A late channel has the value of `delay` ago, by straight lines between the
