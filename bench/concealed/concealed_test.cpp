@@ -496,13 +496,15 @@ TEST_CASE("what is hidden from instruments as on board can be noticed, and the f
   CHECK(c.truth.at("replay_floor").at("heading_rad").get<double>() < radians(8.0));
 }
 
-// Of single runs of 50 clean ships (185) two named these instruments; the file fits each so well that no inexact form
-// was asked for.
+// Of single runs of 50 clean ships (185) two named these instruments, the last two here; the file fits each so well
+// that no inexact form was asked for. Zigzags and a passage tell a log to 0.3 to 0.4 %.
 TEST_CASE("ordinary errors of log and clock in a run that the file fits are no findings", "[bench][on_board][limit]") {
   const auto clean = made(plan_named("on_board_clean", 50, 33).at(13));
   const double log_scale = clean.truth.at("instruments").at("log_scale");
   CHECK(log_scale > 1.01);  // beyond the practical floor, and what logs have
-  for (const auto run : {3, 5}) {
+  double squares = 0.0;
+  constexpr std::array runs{0, 2, 3, 5};
+  for (const auto run : runs) {
     INFO(run);
     const auto d = diagnose(clean.ship, {&clean.train.at(run), 1}, {}, {});
     INFO(d.words);
@@ -511,8 +513,11 @@ TEST_CASE("ordinary errors of log and clock in a run that the file fits are no f
     const auto log = std::ranges::find_if(
         d.instruments, [](const InstrumentEstimate& e) { return e.channel == "stw" && e.error == "scale"; });
     REQUIRE(log != d.instruments.end());
-    CHECK(std::abs(log->value - (log_scale - 1.0)) < 0.005);
+    const double error = log->value - (log_scale - 1.0);
+    CHECK(std::abs(error) < 2.0 * log->standard_error);
+    squares += error * error;
   }
+  CHECK(std::sqrt(squares / runs.size()) < 0.003);
 }
 
 // Strips of a tanker's hull are not the polynomial of her file; exact recordings tell that, as a drag of 0.13 to 0.21.

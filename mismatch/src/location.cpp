@@ -104,10 +104,10 @@ double excess_within(const Traced& t, const std::vector<double>& shares, const s
   return sum;
 }
 
-/// Between what times most force is missing in all runs, one laid upon the other, if it is missing there in each of
-/// them and clearly so in their mean. Of the labelled cases it is so with all forces of a time, clearest 0.75 in the
-/// mean, least 0.29, and 0.20 in the run that shows it least.
-std::optional<std::pair<double, double>> common_interval(std::span<const Traced> runs) {
+/// Between what times most force is missing in all runs, one laid upon the other; and the same if it is missing there
+/// in each of them and clearly so in their mean. Of the labelled cases it is so with all forces of a time, clearest
+/// 0.75 in the mean, least 0.29, and 0.20 in the run that shows it least.
+void put_intervals(Located& located, std::span<const Traced> runs) {
   constexpr double in_the_mean = 0.25, in_each = 0.15;  // of the missing force, beyond the share of the time
   struct Excess {
     double time, share;
@@ -123,15 +123,16 @@ std::optional<std::pair<double, double>> common_interval(std::span<const Traced>
   std::vector<double> values(all.size());
   std::ranges::transform(all, values.begin(), &Excess::share);
   const auto range = largest_sum(values);
-  if (!range) return std::nullopt;
+  if (!range) return;
   const std::pair interval(all[range->first].time, all[range->last].time);
+  located.most = interval;
   double sum = 0.0;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const double excess = excess_within(runs[k], shares[k], interval);
-    if (!(excess > in_each)) return std::nullopt;
+    if (!(excess > in_each)) return;
     sum += excess;
   }
-  return sum > in_the_mean * static_cast<double>(runs.size()) ? std::optional(interval) : std::nullopt;
+  if (sum > in_the_mean * static_cast<double>(runs.size())) located.common = interval;
 }
 
 // ---------------------------------------------------------------- where
@@ -281,7 +282,7 @@ Located located(const Trial& trial, const Ship& ship, const Noise& noise) {
     if (auto t = traced(ship, run, noise); t && !t->time.empty()) all.push_back(std::move(*t));
   Located result;
   for (const auto& t : all) result.places.push_back(place_of(t));
-  result.common = common_interval(all);
+  put_intervals(result, all);
   result.symmetry = symmetry_of(all);
   return result;
 }

@@ -13,7 +13,8 @@ namespace swayaw::inline mismatch::detail {
 /// What the missing force goes with.
 struct Located {
   std::vector<MismatchPlace> places;                  ///< one for each run
-  std::optional<std::pair<double, double>> common{};  ///< between what times force is missing in all runs [s]
+  std::optional<std::pair<double, double>> most{};    ///< between what times most force is missing in all runs [s]
+  std::optional<std::pair<double, double>> common{};  ///< the same where it is missing there in each of them
   std::string symmetry;                               ///< in words; empty if it follows the motion alone
 };
 

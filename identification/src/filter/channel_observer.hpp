@@ -18,11 +18,18 @@ struct ChannelSlope {
   Eigen::Vector3d by_acceleration = Eigen::Vector3d::Zero();                   ///< u, v, r; where the channel is late
 };
 
+/// Of what readings show: what was before the sample they are compared with, and what comes after it.
+enum Side : std::size_t { past, future };
+
+/// @param left  of a delay at the sample [s]
+inline Side side_of(double left) { return left > 0.0 ? past : future; }
+
 /// What there is to look at on a ship at a sample.
 struct Sight {
   ShipState<double> state;
-  PlanarAcceleration<double> acceleration;  ///< needed where a channel is late
-  double phi;                               ///< heel [rad]
+  /// On the way to what is shown on either side, for the rudder moves on both; needed where a channel is late.
+  std::array<PlanarAcceleration<double>, 2> acceleration;
+  double phi;  ///< heel [rad]
 };
 
 /// Error of an expectation; directions less than half a turn apart.
@@ -60,6 +67,9 @@ class ChannelObserver {
 
   /// [s]
   double delay(Channel channel) const { return instruments_[channel].delay; }
+
+  /// Of what a reading shows. @param since  as of `value`
+  Side side(Channel channel, double since) const { return side_of(delay(channel) - since); }
 
   /// The state that the channel shows alone, but for a bias; nothing for the others.
   std::optional<int> state_alone(Channel channel) const {
@@ -101,7 +111,8 @@ class ChannelObserver {
   /// Whether another observer may see something else.
   bool differs(const ChannelObserver& other) const { return !same_place(other) || instruments_ != other.instruments_; }
   bool differs(const ChannelObserver& other, Channel channel) const {
-    return !same_place(other) || instruments_[channel] != other.instruments_[channel];
+    return !same_place(other) || instruments_[channel] != other.instruments_[channel] ||
+           (is_body_velocity(channel) && instruments_.velocity_axes != other.instruments_.velocity_axes);
   }
 
  private:
@@ -140,17 +151,19 @@ class ChannelObserver {
   }
 
   static double at(const Sum& sum, const Sight& sight, double left) {
-    const auto& [s, a, phi] = sight;
+    const auto& s = sight.state;
+    const auto& a = sight.acceleration[side_of(left)];
     const auto& by = sum.by_state;
     const double now = sum.constant + by[0] * s.x + by[1] * s.y + by[2] * s.psi + by[3] * s.motion.u +
-                       by[4] * s.motion.v + by[5] * s.motion.r + sum.by_phi * phi;
+                       by[4] * s.motion.v + by[5] * s.motion.r + sum.by_phi * sight.phi;
     return now - left * (by[2] * (s.motion.r - 0.5 * left * a.r) + by[3] * a.u + by[4] * a.v + by[5] * a.r);
   }
 
   double computed(Channel channel, const Sight& sight, double left) const {
     return observe(channel, instruments_, [&](double) {
-      return kinematics(left == 0.0 ? sight.state : moved_back(sight.state, current_, sight.acceleration, left),
-                        current_, sight.phi);
+      return kinematics(
+          left == 0.0 ? sight.state : moved_back(sight.state, current_, sight.acceleration[side_of(left)], left),
+          current_, sight.phi);
     });
   }
 
@@ -169,7 +182,7 @@ class ChannelObserver {
     const Current<D> current{D(current_.speed), D(current_.to)};
     const D shown = observe(channel, instruments, [&](const D&) {
       if constexpr (Size == 9) {
-        const auto& a = sight.acceleration;
+        const auto& a = sight.acceleration[side_of(left)];
         const PlanarAcceleration<D> acceleration{D(a.u, 6), D(a.v, 7), D(a.r, 8)};
         return kinematics(moved_back(state, current, acceleration, D(left)), current, D(sight.phi));
       } else {
@@ -184,8 +197,8 @@ class ChannelObserver {
   /// By what it shows at places where no state is 0, and elsewhere; nothing where that is no such sum.
   std::optional<Sum> sum_shown(Channel channel) const {
     constexpr double rounding = 1e-12;
-    const Sight here{{1.1, 1.2, 0.3, {1.4, 0.5, 0.6}}, {0.0, 0.0, 0.0}, 0.1};
-    const Sight there{{-2.0, 0.7, -1.9, {2.3, -0.6, -1.2}}, {0.0, 0.0, 0.0}, -0.2};
+    const Sight here{{1.1, 1.2, 0.3, {1.4, 0.5, 0.6}}, {}, 0.1};
+    const Sight there{{-2.0, 0.7, -1.9, {2.3, -0.6, -1.2}}, {}, -0.2};
     ChannelSlope slope, elsewhere;
     const double shown = computed(channel, here, 0.0, slope), expected = computed(channel, there, 0.0, elsewhere);
     if (slope.by_state != elsewhere.by_state) return std::nullopt;

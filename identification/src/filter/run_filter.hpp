@@ -52,7 +52,9 @@ struct Passed {
 enum class SampleTimes { recorded, shown };
 
 /// By how much the samples are later than what they show [s], negative where earlier: the median of the delays of
-/// channels, of two the smaller, or 0 where they are those of the recorded times.
+/// channels, of two the earlier, for more channels are late than early; or 0 where they are those of the recorded
+/// times. The smaller of two instead changes at once where they are equal and opposite, and with it the sum of squares
+/// of a run, by a third.
 double lateness_of(const Ship& ship, std::span<const Channel> channels, SampleTimes times);
 
 /// Rudder and propulsion of a run, worked out once for all ships whose rudder and propulsion do alike.

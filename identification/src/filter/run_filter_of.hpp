@@ -114,12 +114,20 @@ class RunFilterOf final : public RunFilter<N> {
         },
         [&](const FilterVector<N>& x, std::size_t k, std::span<const Innovation<N>> readings) {
           if (!late) return;
-          const double shown = furthest_shown(observer_, readings);
-          const auto controls = controls_towards(*controls_, k, shown);
-          predictor_.slopes(x, controls, at_sample);
-          X.accelerate(
-              at_sample, controls, [&](const RunControls& c) { return controls_towards(c, k, shown); },
-              [&](const ChannelObserver& o) { return controls_towards(*controls_, k, furthest_shown(o, readings)); });
+          const auto shown = furthest_shown(observer_, readings);
+          for (const auto side : {past, future}) {
+            if (side == future && shown[future] == shown[past]) {
+              X.accelerate_alike(future, past);
+              break;
+            }
+            const auto controls = controls_towards(*controls_, k, shown[side]);
+            predictor_.slopes(x, controls, at_sample);
+            X.accelerate(
+                side, at_sample, controls, [&](const RunControls& c) { return controls_towards(c, k, shown[side]); },
+                [&](const ChannelObserver& o) {
+                  return controls_towards(*controls_, k, furthest_shown(o, readings)[side]);
+                });
+          }
         },
         [&](const FilterVector<N>& x, const Sight& sight, std::size_t row, double) {
           X.observe(seen_from(x, sight), pass.innovations[row], out.row(static_cast<Eigen::Index>(row)));
@@ -221,14 +229,19 @@ class RunFilterOf final : public RunFilter<N> {
   static const Reading& reading_of(const Reading& reading) { return reading; }
   static const Reading& reading_of(const Innovation<N>& innovation) { return innovation.reading; }
 
-  /// The time furthest from their sample that readings show, after it [s].
+  /// The times furthest from their sample that readings show on either side, after it [s]; where they show nothing on
+  /// one, the other's.
   template <class One>
-  static double furthest_shown(const ChannelObserver& observer, std::span<const One> readings) {
-    double furthest = 0.0;
+  static std::array<double, 2> furthest_shown(const ChannelObserver& observer, std::span<const One> readings) {
+    std::array furthest{0.0, 0.0};
     for (const auto& one : readings) {
       const auto& [channel, sample, since] = reading_of(one);
-      if (const double shown = since - observer.delay(channel); std::abs(shown) > std::abs(furthest)) furthest = shown;
+      const double shown = since - observer.delay(channel);
+      auto& time = furthest[side_of(-shown)];
+      if (std::abs(shown) > std::abs(time)) time = shown;
     }
+    for (const auto side : {past, future})
+      if (furthest[side] == 0.0) furthest[side] = furthest[1 - side];
     return furthest;
   }
 
@@ -253,7 +266,7 @@ class RunFilterOf final : public RunFilter<N> {
     double product = 1.0, squares = 0.0;  // of variances, whose logarithm is slow
     const auto readings =
         std::span<const Reading>(readings_).subspan(first_reading_[k], first_reading_[k + 1] - first_reading_[k]);
-    const double shown = furthest_shown(observer_, readings);
+    const auto shown = furthest_shown(observer_, readings);
     const auto before = sight_at(estimate.mean, k, shown, observer_.late());
     for (const auto& reading : readings) {
       const Channel channel = reading.channel;
@@ -291,13 +304,21 @@ class RunFilterOf final : public RunFilter<N> {
     return observer_.value(channel, seen_from(x, sight), since);
   }
 
-  /// With the accelerations of the model where a late channel needs them: those on the way to the time that its
-  /// readings show, as the rudder moves on it.
-  Sight sight_at(const FilterVector<N>& x, std::size_t k, double shown, bool late) const {
-    const double phi = shown_by(predictor_.hidden(), Channel::phi);
-    if (!late) return {ship_state<N>(x), {0.0, 0.0, 0.0}, phi};
-    const auto rate = predictor_.rates(x, controls_towards(*controls_, k, shown));
-    return {ship_state<N>(x), {rate[3], rate[4], rate[5]}, phi};
+  /// With the accelerations of the model where a late channel needs them: those on the way to the times that readings
+  /// show, as the rudder moves on it. One way for all, to the furthest of them, had them jump where another reading, on
+  /// the other side, became the furthest: in a run with a moving rudder, sums of squares by a third.
+  Sight sight_at(const FilterVector<N>& x, std::size_t k, const std::array<double, 2>& shown, bool late) const {
+    Sight sight{ship_state<N>(x), {}, shown_by(predictor_.hidden(), Channel::phi)};
+    if (!late) return sight;
+    for (const auto side : {past, future}) {
+      if (side == future && shown[future] == shown[past]) {
+        sight.acceleration[future] = sight.acceleration[past];
+        break;
+      }
+      const auto rate = predictor_.rates(x, controls_towards(*controls_, k, shown[side]));
+      sight.acceleration[side] = {rate[3], rate[4], rate[5]};
+    }
+    return sight;
   }
 
   /// What there is to look at when the state of a sample is known better, by measurements before: the accelerations of
@@ -305,9 +326,8 @@ class RunFilterOf final : public RunFilter<N> {
   /// kept these until the next sample would swing itself up.
   static Sight seen_from(const FilterVector<N>& x, const Sight& before) {
     Sight sight{ship_state<N>(x), before.acceleration, before.phi};
-    if constexpr (N == 9) {
-      sight.acceleration.u += x[6], sight.acceleration.v += x[7], sight.acceleration.r += x[8];
-    }
+    if constexpr (N == 9)
+      for (auto& a : sight.acceleration) a.u += x[6], a.v += x[7], a.r += x[8];
     return sight;
   }
 

@@ -66,9 +66,9 @@ double lateness_of(const Ship& ship, std::span<const Channel> channels, SampleTi
   const auto instruments = instruments_of(ship);
   std::vector<double> delays;
   for (const Channel channel : channels) delays.push_back(instruments[channel].delay);
-  std::ranges::sort(delays);
-  const double low = delays[(delays.size() - 1) / 2], high = delays[delays.size() / 2];
-  return std::abs(low) < std::abs(high) ? low : high;
+  const auto middle = delays.begin() + (std::ssize(delays) - 1) / 2;
+  std::ranges::nth_element(delays, middle);
+  return *middle;
 }
 
 RunControls::RunControls(const Ship& ship, const Recording& run, const Recording* finer, double how_late)

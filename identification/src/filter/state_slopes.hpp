@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -102,17 +103,22 @@ class StateSlopes {
     if (hides_) follow(of_step, rate, t.h);
   }
 
-  /// Derivatives of the accelerations of the model, for channels that are late.
+  /// Derivatives of the accelerations of the model on the way to what is shown on a side, for channels that are late.
   /// @param in_step(c)  the controls c of a neighbour then
   /// @param towards(o)  the controls where an observer o sees the ship at other times
   template <class InStep, class Towards>
-  void accelerate(const TapedShip::Slopes& by, const Controls<double>& controls, InStep&& in_step, Towards&& towards) {
-    acceleration_.noalias() = X_.template middleCols<4>(2).lazyProduct(by.block<3, 4>(3, 0).transpose());
-    if (hides_) acceleration_ += H_ * by.block<3, hidden>(3, TapedVariables::hidden).transpose();
-    add_direct(acceleration_, by.bottomRows<3>(), controls, in_step);
+  void accelerate(Side side, const TapedShip::Slopes& by, const Controls<double>& controls, InStep&& in_step,
+                  Towards&& towards) {
+    auto& acceleration = acceleration_[side];
+    acceleration.noalias() = X_.template middleCols<4>(2).lazyProduct(by.block<3, 4>(3, 0).transpose());
+    if (hides_) acceleration += H_ * by.block<3, hidden>(3, TapedVariables::hidden).transpose();
+    add_direct(acceleration, by.bottomRows<3>(), controls, in_step);
     for (const auto& d : differences_.observers)
-      add_controls(acceleration_, d.unknown, d.step, by.bottomRows<3>(), controls, towards(d.observer));
+      add_controls(acceleration, d.unknown, d.step, by.bottomRows<3>(), controls, towards(d.observer));
   }
+
+  /// The same where what is shown lies on one side alone: the other's are the same.
+  void accelerate_alike(Side side, Side other) { acceleration_[side] = acceleration_[other]; }
 
   /// Takes a residual. @param out  its derivatives over its standard deviation
   template <class Row>
@@ -125,7 +131,7 @@ class StateSlopes {
       observer_.value(channel, sight, since, slope);
       seen_ = X_.template leftCols<6>() * slope.by_state;
       if (observer_.late(channel)) {
-        seen_ += acceleration_ * slope.by_acceleration;
+        seen_ += acceleration_[observer_.side(channel, since)] * slope.by_acceleration;
         if constexpr (N == 9) seen_ += X_.template rightCols<3>() * slope.by_acceleration;
       }
     }
@@ -216,7 +222,7 @@ class StateSlopes {
   bool hides_ = false, follows_rudder_ = false;
   Unknowns<6> moved_;
   Unknowns<3> before_;
-  Unknowns<3> acceleration_;
+  std::array<Unknowns<3>, 2> acceleration_;
   Eigen::VectorXd seen_;
   TapedShip::Slopes forced_;
 };
