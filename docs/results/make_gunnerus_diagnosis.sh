@@ -19,6 +19,10 @@ for run in "$recordings"/*.csv; do helper prepare "$run" "$(basename "$run")" --
 for run in [0-9]*.csv; do helper prepare "$run" "trackless_$run" --drop x_m,y_m; done
 
 "$program" diagnose gunnerus.toml trackless_{1550,1850,3250}_*.csv --holdout trackless_3700_*.csv trackless_4150_*.csv --report order.html --json > order.json
+"$program" diagnose gunnerus.toml trackless_{1550,1850,3700}_*.csv --holdout trackless_3250_*.csv trackless_4150_*.csv --json > second.json
+"$program" diagnose gunnerus.toml trackless_{1850,2550,4150}_*.csv --holdout trackless_1550_*.csv trackless_3250_*.csv --json > third.json
+helper found "1550, 1850, 3250=order.json" "1550, 1850, 3700=second.json" "1850, 2550, 4150=third.json" > tables/choices.md
+helper instruments "1550, 1850, 3250=order.json" "1550, 1850, 3700=second.json" "1850, 2550, 4150=third.json" > tables/instruments.md
 "$program" diagnose gunnerus.toml 0350_*.csv 0800_*.csv 1100_*.csv --json > speed.json
 helper found "zigzags, without positions=order.json" "two circles and a straight leg, with positions=speed.json" > tables/found.md
 helper candidates order.json 8 > tables/order.md
