@@ -82,6 +82,11 @@ TEST_CASE("an effect that is hidden is named, with its size", "[mismatch][round-
     CHECK(std::abs(error_of(d, "current_speed_m_s", 0.1)) < 3.5);
     CHECK(std::abs(error_of(d, "current_to_rad", 1.0)) < 3.5);
   }
+  SECTION("a log mounted askew") {
+    const auto d = of(ship, VelocityAxes<double>{radians(-2.0)});
+    finds(d, VelocityAxes<double>{});
+    CHECK(std::abs(error_of(d, "angle_rad", radians(-2.0))) < 3.5);
+  }
   SECTION("a zero error of the gyro") {
     const double bias = 0.05 * service_speed(ship) / length(ship);
     const auto d = of(ship, GyroBias<double>{bias});
