@@ -362,9 +362,10 @@ std::vector<EffectForm> ordinary_forms(const Ship& ship, std::span<const Recordi
   if (seen({Channel::u, Channel::speed_through_water})) add_ordinary(forms, ship, LogScale<>{}, "scale", 0.01);
   for (const auto velocity : {Channel::u, Channel::v, Channel::speed_through_water})
     if (seen({velocity})) add_smoothed(velocity, std::max(receiver_delay, 0.02 * L / U));
-  // Those of R/V Gunnerus are turned by 2 deg. Beside none, or half a degree, a force of waves stood for them in two of
-  // six fits to three of her zigzags each; beside one degree they are found, −2.4 to −2.8 deg, in three of three, and
-  // no waves. Beside a track the ordinary error of the compass stands for both: it turns the way by velocity alike.
+  // Those of R/V Gunnerus are turned by 2 deg. Beside none that is ordinary a force of waves stood for them in two of
+  // three choices of three of her zigzags, beside a third of a degree in one of one; beside one degree they are found,
+  // −2.4 to −2.8 deg, in three of three, and no waves. Beside a track the ordinary error of the compass stands for
+  // both: it turns the way by velocity alike.
   constexpr double askew = radians(1.0);
   if (seen({Channel::v}) && !seen({Channel::x})) add_ordinary(forms, ship, VelocityAxes<>{}, "angle_rad", askew);
   if (seen({Channel::x})) {
