@@ -958,11 +958,6 @@ void attempt(Diagnosis& d, std::string_view what, const Step& step) try {
   d.troubles.push_back(fmt::format("{} could not be told: {}", what, trouble.what()));
 }
 
-/// Of the process noise beside an inexact form, from which on something is missing, named or not, if replays show it.
-/// Of simulated ships of another structure with nothing hidden it was 0.3 to 2.8; where a tug, a bank, a wind or a weak
-/// rudder found no name, 6.9 to 17.
-constexpr double unexplained_scale = 5.0;
-
 /// Of what it is judged by in replays, over its variation: those four 0.16 to 0.47; the KVLCC2 in a tank, whose process
 /// noise is 15 times the ordinary, 0.04; of the heading, two clean ships in waves of 0.7 L/U 0.03, a tug in waves 0.15.
 constexpr double unexplained_discrepancy = 0.1;

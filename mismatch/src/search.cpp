@@ -1408,11 +1408,6 @@ Search with_baseline(const Trial& trial, const Noise& start, const MapFit& begun
 
 bool is_never_over(const Search&) { return false; }
 
-/// Process noise over the ordinary from which on, where nothing was found, what comes and goes is looked for wherever
-/// most force is missing. A tug in a labelled case as on board made 12 and was not clear in one of its runs: fits that
-/// began elsewhere stopped 130 in log evidence short. With nothing hidden it was 0.3 to 2.8.
-constexpr double much_noise = 5.0;
-
 /// All effects that have names, or come and go, beside the baseline.
 /// @param is_over  whether no further effect is looked for, asked once some are accepted
 Search named(Search s, const Trial& unused, std::span<const EffectForm> forms, const DiagnosisOptions& options,
@@ -1438,7 +1433,8 @@ Search named(Search s, const Trial& unused, std::span<const EffectForm> forms, c
   };
   try {
     find_all();
-    if (progress.findings == 0 && !s.located.common && s.now.noise.largest_scale() > much_noise) {
+    // a tug that was not clear in one of its runs: fits that began elsewhere stopped 130 in log evidence short
+    if (progress.findings == 0 && !s.located.common && s.now.noise.largest_scale() > unexplained_scale) {
       begin_where_force_is_missing(s.forms, s.located.most, time_unit);
       find_all();
     }

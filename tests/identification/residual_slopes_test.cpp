@@ -176,7 +176,7 @@ TEST_CASE("channels that are all as late as the rudder are as likely as channels
   }
 }
 
-// The sum of squares of 36 simulated runs jumped by a third where one channel was as late as another was early: their
+// The sum of squares of a simulated case jumped by a third where one channel was as late as another was early: their
 // accelerations, and the samples they were seen from, went by whichever was further.
 TEST_CASE("residuals do not jump where a channel becomes as late as another is early", "[identification][limit]") {
   test::RandomModels models(37);

@@ -115,11 +115,7 @@ class RunFilterOf final : public RunFilter<N> {
         [&](const FilterVector<N>& x, std::size_t k, std::span<const Innovation<N>> readings) {
           if (!late) return;
           const auto shown = furthest_shown(observer_, readings);
-          for (const auto side : {past, future}) {
-            if (side == future && shown[future] == shown[past]) {
-              X.accelerate_alike(future, past);
-              break;
-            }
+          const auto accelerate = [&](Side side) {
             const auto controls = controls_towards(*controls_, k, shown[side]);
             predictor_.slopes(x, controls, at_sample);
             X.accelerate(
@@ -127,7 +123,10 @@ class RunFilterOf final : public RunFilter<N> {
                 [&](const ChannelObserver& o) {
                   return controls_towards(*controls_, k, furthest_shown(o, readings)[side]);
                 });
-          }
+          };
+          accelerate(past);
+          if (shown[future] == shown[past]) X.accelerate_alike(future, past);
+          else accelerate(future);
         },
         [&](const FilterVector<N>& x, const Sight& sight, std::size_t row, double) {
           X.observe(seen_from(x, sight), pass.innovations[row], out.row(static_cast<Eigen::Index>(row)));
@@ -310,14 +309,12 @@ class RunFilterOf final : public RunFilter<N> {
   Sight sight_at(const FilterVector<N>& x, std::size_t k, const std::array<double, 2>& shown, bool late) const {
     Sight sight{ship_state<N>(x), {}, shown_by(predictor_.hidden(), Channel::phi)};
     if (!late) return sight;
-    for (const auto side : {past, future}) {
-      if (side == future && shown[future] == shown[past]) {
-        sight.acceleration[future] = sight.acceleration[past];
-        break;
-      }
-      const auto rate = predictor_.rates(x, controls_towards(*controls_, k, shown[side]));
-      sight.acceleration[side] = {rate[3], rate[4], rate[5]};
-    }
+    const auto towards = [&](double time) {
+      const auto rate = predictor_.rates(x, controls_towards(*controls_, k, time));
+      return PlanarAcceleration<double>{rate[3], rate[4], rate[5]};
+    };
+    sight.acceleration[past] = towards(shown[past]);
+    sight.acceleration[future] = shown[future] == shown[past] ? sight.acceleration[past] : towards(shown[future]);
     return sight;
   }
 
