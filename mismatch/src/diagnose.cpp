@@ -881,7 +881,18 @@ void put_form(Diagnosis& d, const Search& s, const MapFit& alone, const Standing
 /// Which of the effects that were accepted are kept, by their places.
 struct Kept {
   std::vector<std::size_t> standing, with_traces;
+  Standing fitted;  ///< with traces
 };
+
+/// Where the coordinates of an effect begin in the point of a fit; nothing where it is not among those fitted.
+std::optional<Eigen::Index> place_in(const Trial& trial, const Standing& fitted, const EffectForm* form) {
+  auto from = trial.baseline_size();
+  for (const auto* other : fitted.effects) {
+    if (other == form) return from;
+    from += std::ssize(other->coordinates);
+  }
+  return std::nullopt;
+}
 
 /// Effects, those first without which the whole would lack most; the words of those too small to matter; all
 /// candidates.
@@ -889,7 +900,12 @@ Kept put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipIn
                  std::span<const Recording> runs, std::span<const Recording> holdout) {
   auto tried = s.first;
   Kept kept;
-  std::vector<std::pair<double, FoundEffect>> found_effects;  // on board with what each is worth beside the others
+  struct Found {
+    double worth;  // on board, beside the others
+    const Accepted* accepted;
+    FoundEffect effect;
+  };
+  std::vector<Found> found_effects;
   std::vector<Standing> without(s.accepted.size());
   in_parallel(without.size(), 0, [&](std::size_t i) {
     const bool decides_order = s.on_board && without.size() > 1 && !s.accepted[i].trace;
@@ -903,8 +919,6 @@ Kept put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipIn
       const auto time_active = active_time(trial, s, i, needed);
       found.onset = time_active.onset, found.end = time_active.end;
     }
-    if (const auto place = place_of(found.effect); place == EffectPlace::air || place == EffectPlace::water)
-      std::ranges::move(surroundings_of(trial, accepted, s.now, from, runs), std::back_inserter(d.surroundings));
     const auto size = std::ssize(accepted.form->coordinates);
     const bool too_large =
         is_at_its_end(*accepted.form, {s.now.point.data() + from, accepted.form->coordinates.size()});
@@ -933,7 +947,7 @@ Kept put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipIn
     if (stands || (trace && !not_borne_out)) kept.with_traces.push_back(i);
     if (stands) {
       kept.standing.push_back(i);
-      found_effects.emplace_back(s.on_board ? worth(s, without[i]) : 0.0, std::move(found));
+      found_effects.push_back({s.on_board ? worth(s, without[i]) : 0.0, &accepted, std::move(found)});
     } else {
       if (!not_borne_out) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
       for (auto& t : tried)
@@ -944,8 +958,22 @@ Kept put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipIn
     }
     from += size;
   }
-  std::ranges::stable_sort(found_effects, std::greater{}, [](const auto& f) { return f.first; });
-  for (auto& [_, found] : found_effects) d.effects.push_back(std::move(found));
+  // what is told of each is that of the fit that stands, without what was dropped, as the saved ship has it
+  kept.fitted = refitted_for(s, kept.with_traces);
+  const auto& fit = kept.fitted.fit;
+  std::ranges::stable_sort(found_effects, std::greater{}, &Found::worth);
+  for (auto& [_, accepted, found] : found_effects) {
+    if (const auto place = place_in(trial, kept.fitted, accepted->form)) {
+      auto standing = found_effect(trial, *accepted, fit, *place);
+      found.effect = standing.effect, found.parameters = std::move(standing.parameters);
+      if (standing.onset) found.onset = standing.onset, found.end = standing.end;
+    }
+    d.effects.push_back(std::move(found));
+  }
+  for (const auto& accepted : s.accepted)
+    if (const auto place = place_of(accepted.effect); place == EffectPlace::air || place == EffectPlace::water)
+      if (const auto begin = place_in(trial, kept.fitted, accepted.form))
+        std::ranges::move(surroundings_of(trial, accepted, fit, *begin, runs), std::back_inserter(d.surroundings));
   d.candidates = ranked(tried, s.first_unfitted, needed);
   return kept;
 }
@@ -1058,7 +1086,7 @@ Diagnosis diagnose_clean(const Ship& ship, std::span<const Recording> runs, std:
   attempt(d, "what the missing force follows", [&] { d.budget = budget_of(trial, s.hypothesis(), s.now); });
   const auto refitted = ships_at(trial, {}, alone.point);
   const auto kept = put_effects(d, trial, s, refitted, options.detection, runs, holdout);
-  const auto with_traces = refitted_for(s, kept.with_traces);
+  const auto& with_traces = kept.fitted;
   d.shifts = shifts_of(trial, with_traces.fit.point);
   if (std::ranges::count(d.shifts, "rudder", &BaselineShift::part) > 0)
     d.rudder_force = rudder_left(ship, model_at(trial, {}, with_traces.fit.point));

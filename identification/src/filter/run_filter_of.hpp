@@ -115,9 +115,11 @@ class RunFilterOf final : public RunFilter<N> {
         [&](const FilterVector<N>& x, std::size_t k, std::span<const Innovation<N>> readings) {
           if (!late) return;
           const auto shown = furthest_shown(observer_, readings);
+          std::optional<Controls<double>> taped;
           const auto accelerate = [&](Side side) {
             const auto controls = controls_towards(*controls_, k, shown[side]);
-            predictor_.slopes(x, controls, at_sample);
+            if (taped != controls) predictor_.slopes(x, controls, at_sample);
+            taped = controls;
             X.accelerate(
                 side, at_sample, controls, [&](const RunControls& c) { return controls_towards(c, k, shown[side]); },
                 [&](const ChannelObserver& o) {
@@ -309,12 +311,14 @@ class RunFilterOf final : public RunFilter<N> {
   Sight sight_at(const FilterVector<N>& x, std::size_t k, const std::array<double, 2>& shown, bool late) const {
     Sight sight{ship_state<N>(x), {}, shown_by(predictor_.hidden(), Channel::phi)};
     if (!late) return sight;
-    const auto towards = [&](double time) {
-      const auto rate = predictor_.rates(x, controls_towards(*controls_, k, time));
+    const auto controls = [&](Side side) { return controls_towards(*controls_, k, shown[side]); };
+    const auto acceleration = [&](const Controls<double>& c) {
+      const auto rate = predictor_.rates(x, c);
       return PlanarAcceleration<double>{rate[3], rate[4], rate[5]};
     };
-    sight.acceleration[past] = towards(shown[past]);
-    sight.acceleration[future] = shown[future] == shown[past] ? sight.acceleration[past] : towards(shown[future]);
+    const auto before = controls(past), after = controls(future);
+    sight.acceleration[past] = acceleration(before);
+    sight.acceleration[future] = after == before ? sight.acceleration[past] : acceleration(after);
     return sight;
   }
 

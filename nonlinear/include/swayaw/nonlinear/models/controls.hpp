@@ -7,6 +7,8 @@ template <class S = double>
 struct Sides {
   S port;
   S starboard;
+
+  bool operator==(const Sides&) const = default;
 };
 
 /// What the bridge and the engine room do to the ship.
@@ -19,6 +21,8 @@ struct Controls {
   Sides<S>
       thrust{};  ///< thrust of the propellers, in place of the shaft speed [N]; of a single propeller the sum counts
   bool by_thrust = false;
+
+  bool operator==(const Controls&) const = default;
 };
 
 /// Controls that change with the rudder only.
