@@ -623,6 +623,17 @@ TEST_CASE("what the whole would lack most is named first", "[bench][on_board][li
   INFO(d.words);
   REQUIRE(!d.effects.empty());
   CHECK(id_of(d.effects.front().effect) == c.labels.front().effect);
+  // what is told of it is that of the saved ship, though what might be form was dropped beside it
+  CHECK(!d.as_form.empty());
+  for (const auto& found : d.effects) {
+    const auto saved =
+        std::ranges::find(d.improved.effects, id_of(found.effect), [](const Effect& e) { return id_of(e); });
+    REQUIRE(saved != d.improved.effects.end());
+    for (const auto& p : parameters_of(d.improved, *saved)) {
+      const auto told = std::ranges::find(found.parameters, p.key, &ParameterEstimate::key);
+      if (told != found.parameters.end()) CHECK(told->value == p.value);
+    }
+  }
 }
 
 // Each is within what instruments and gears are off by from ship to ship, and gained 2 where that was ordinary.
