@@ -681,7 +681,9 @@ struct Standing {
   MapFit fit;  ///< empty where she cannot sail like that
 };
 
-/// All fitted once more from where it is, with these of the effects that were accepted.
+/// All fitted once more from where it is, with these of the effects that were accepted. Where she cannot sail so with
+/// the coefficients that she has beside the others, from those of the baseline: a cross-flow drag that was none was the
+/// first of three effects, since coefficients fitted beside it made a ship in shallow water run away without it.
 /// @param which  in their order
 Standing refitted_with(const Search& s, std::span<const std::size_t> which) {
   Standing standing;
@@ -697,18 +699,22 @@ Standing refitted_with(const Search& s, std::span<const std::size_t> which) {
     }
     from += size;
   }
-  standing.fit = fit(s.trial, standing.effects, s.now.point(places), s.now.noise, {.rounds = 3});
+  for (const auto* baseline : {&s.now.point, &s.null.point}) try {
+      Point start = s.now.point(places);
+      start.head(base) = baseline->head(base);
+      standing.fit = fit(s.trial, standing.effects, start, s.now.noise, {.rounds = 3});
+      if (standing.fit.point.size() > 0) break;
+    } catch (const std::exception&) {  // she runs away
+    }
   return standing;
 }
 
 /// The same with all but one.
-Standing refitted_without(const Search& s, std::size_t accepted) try {
+Standing refitted_without(const Search& s, std::size_t accepted) {
   std::vector<std::size_t> others;
   for (std::size_t i = 0; i < s.accepted.size(); ++i)
     if (i != accepted) others.push_back(i);
   return refitted_with(s, others);
-} catch (const std::exception&) {
-  return {};
 }
 
 /// What the log evidence of the whole lacks without one of the effects that were accepted; infinite where she cannot
