@@ -105,7 +105,8 @@ Curve wind_arrow(const std::vector<Curve>& tracks, double from) {
   return arrow;
 }
 
-/// Distance of marks, 1, 2 or 5 of a power of ten, of which some three fit on the longer side of all tracks.
+/// Distance of marks, 1, 2 or 5 of a power of ten, of which no more than four stand on the longer side of all
+/// tracks: the labels of more run into each other on a phone.
 double mark_distance(const std::vector<Curve>& tracks) {
   double span = 0.0;
   for (const auto values : {&Curve::x, &Curve::y}) {
@@ -117,7 +118,7 @@ double mark_distance(const std::vector<Curve>& tracks) {
   }
   if (!(span > 0.0)) return 0.0;
   const double ten = std::pow(10.0, std::floor(std::log10(span / 3.0))), ratio = span / 3.0 / ten;
-  return ten * (ratio < 1.5 ? 1.0 : ratio < 3.5 ? 2.0 : ratio < 7.5 ? 5.0 : 10.0);
+  return ten * (ratio < 1.2 ? 1.0 : ratio < 2.4 ? 2.0 : ratio < 6.0 ? 5.0 : 10.0);
 }
 
 /// An axis in degrees, and what is drawn over it, in radians.

@@ -80,8 +80,13 @@ void put_panel(Script to, std::size_t index, const Panel& panel) {
   for (std::size_t k = 0; k < panel.curves.size(); ++k) put_points(to, block_name(index, k), panel.curves[k]);
   put_axis(to, 'x', panel.x);
   put_axis(to, 'y', panel.y);
-  fmt::format_to(to, "set autoscale {}\nset size {}\n", panel.x.logarithmic ? "xfix" : "x",
-                 panel.same_scale ? "ratio -1" : "noratio");
+  // a track fills its frame, whatever the distance of the marks
+  if (panel.same_scale)
+    fmt::format_to(to, "set autoscale fix\nset offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05\n");
+  else
+    fmt::format_to(to, "set autoscale x\nset autoscale y\nunset offsets\n{}",
+                   panel.x.logarithmic ? "set autoscale xfix\n" : "");
+  fmt::format_to(to, "set size {}\n", panel.same_scale ? "ratio -1" : "noratio");
   put_frame(to, panel);
   fmt::format_to(to, "plot ");
   for (std::size_t k = 0; k < panel.curves.size(); ++k)

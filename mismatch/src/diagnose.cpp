@@ -624,7 +624,7 @@ bool could_be_form(const Trial& trial, const EffectForm& form, const Effect& eff
   const auto kind = follows(effect);
   if (place_of(effect) != EffectPlace::force || !(kind == Follows::form || kind == Follows::past)) return false;
   if (trial.calibrated && kind == Follows::form && !is_told_little(effect)) return false;
-  return std::ranges::none_of(form.coordinates, &Coordinate::acts) || !(heel_of(trial.runs) > 0.0);
+  return !explains_heel(trial, form);
 }
 
 /// Drag of the hull, for which most models have a polynomial of their own.

@@ -32,6 +32,9 @@ struct FittedCandidate {
       widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
 };
 
+/// Whether an effect explains a heel that was recorded.
+bool explains_heel(const Trial& trial, const EffectForm& form);
+
 /// A candidate that promised too little to be fitted.
 struct UnfittedCandidate {
   const EffectForm* form;

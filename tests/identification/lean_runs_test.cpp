@@ -108,6 +108,21 @@ TEST_CASE("few samples have the noise that is said, and their number does not ha
   CHECK(static_cast<double>(std::ranges::max(numbers)) < 1.15 * static_cast<double>(std::ranges::min(numbers)));
 }
 
+TEST_CASE("values near the ends of a run are as sure as those in its middle", "[identification][limit]") {
+  const Curve curve;
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal(0.0, 1e-4);
+  double squares = 0.0, count = 0.0;
+  for (int k = 0; k < 40; ++k) {
+    const std::vector runs{curve.recorded(2.0, 300.0, [&](Channel, double) { return normal(engine); })};
+    const auto lean = lean_runs(curve.ship, runs, seen).front();
+    const auto errors = there(lean, Channel::r, Curve::yaw_rate);
+    const double said = lean.deviation[index_of(Channel::r)];
+    for (const double e : {errors.front(), errors.back()}) squares += std::pow(e / said, 2), ++count;
+  }
+  CHECK(std::sqrt(squares / count) < 1.25);
+}
+
 TEST_CASE("a channel with values in every other row keeps as many as one with values in all, and none in a gap",
           "[identification][limit]") {
   const Curve curve;
@@ -241,6 +256,55 @@ TEST_CASE("between the few samples of a run the rudder is that of all", "[identi
     return log_likelihood(problem, {}, Noise{});
   };
   CHECK(log_likelihood_of(runs) > log_likelihood_of(straight) + 10.0);
+}
+
+namespace {
+
+EstimationProblem as_she_is(const Ship& ship, std::span<const PreparedRun> runs) {
+  return {.unknowns = {},
+          .precision = {},
+          .runs = runs,
+          .ship_in = [&ship](const Point&, std::size_t) { return ship; },
+          .scale = ship};
+}
+
+void shake(Recording& run, Channel channel, double size, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal(0.0, size);
+  for (double& x : run.fill(channel)) x += normal(engine);
+}
+
+}  // namespace
+
+// Samples are counted by the heading, or where it is not compared by the first channel. The likelihood went by up to 20
+// with it where accelerations towards readings did not go with the state, and by 8 where the rudder stood at its mean
+// all the time from one sample to the next.
+TEST_CASE("the likelihood of few samples does not go by the channel by which they are counted",
+          "[identification][symmetry]") {
+  test::RandomModels models(47);
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    auto [ship, runs] = test::steerable<MmgShip<double>>(models, {20.0, -10.0}, 15.0, 0.02, 1e-8);
+    const double unit = length(ship) / service_speed(ship), interval = runs.front().time[1] - runs.front().time[0];
+    for (const int late : {-2, -1, 1, 2}) {  // samples, of six from one of the few to the next
+      auto recorded = runs;
+      for (auto& run : recorded) {
+        auto& r = run.channels[index_of(Channel::r)];
+        const auto was = r;
+        for (int i = 0, last = static_cast<int>(r.size()) - 1; i <= last; ++i)
+          r[static_cast<std::size_t>(i)] = was[static_cast<std::size_t>(std::clamp(i - late, 0, last))];
+        shake(run, Channel::r, 0.001 / unit, seed);
+      }
+      ship.effects = {ChannelDelay<>{Channel::r, late * interval}};
+      const auto counted_by = [&, &ship = ship](Channel first) {
+        std::vector channels{Channel::x, Channel::y, Channel::r, Channel::u};
+        std::stable_partition(channels.begin(), channels.end(), [&](Channel c) { return c == first; });
+        const auto prepared = lean_runs(ship, recorded, channels);
+        return log_likelihood(as_she_is(ship, prepared), Point(), Noise{});
+      };
+      CAPTURE(seed, late);
+      CHECK_THAT(counted_by(Channel::r), WithinAbs(counted_by(Channel::x), 5.0));
+    }
+  }
 }
 
 TEST_CASE("a value that is rounded, and repeated on a straight course, counts once", "[identification][limit]") {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <catch.hpp>
 #include <cmath>
+#include <optional>
 
 #include "../nonlinear/random_effects.hpp"
 #include "swayaw/identification/map_fit.hpp"
@@ -117,13 +118,20 @@ void check_slopes(std::span<const std::string_view> wanted, std::span<const Chan
     const auto problem = neighbourhood.problem(prepared);
     const auto fit = linearized(problem, {.point = Point::Zero(problem.size()), .noise = Noise{}, .covariance = {}});
     const auto expected = central_differences(problem, fit, 1e-4);
+    std::optional<Eigen::MatrixXd> nearer;
     CHECK(4 * (expected.colwise().norm().array() > 0.0).count() > 3 * problem.size());
     for (Eigen::Index i = 0; i < problem.size(); ++i) {
       INFO(neighbourhood.name(i) << ", seed " << seed);
       // 0 for what she has not, as the torque of an engine that is not limited; differences are rounded at 1e-7, and
       // those of a shaft speed that a coefficient tells are to one side
       const double relative = shaft == ShaftSpeed::recorded ? 1e-5 : 5e-4;
-      CHECK((fit.slopes.col(i) - expected.col(i)).norm() <= relative * expected.col(i).norm() + 1e-6);
+      const auto agree = [&](const Eigen::MatrixXd& by, double rounding) {
+        return (fit.slopes.col(i) - by.col(i)).norm() <= relative * by.col(i).norm() + rounding;
+      };
+      // differences that reach over where a load has an edge, as of wind from abeam, are no slopes
+      const bool agrees = agree(expected, 1e-6);
+      if (!agrees && !nearer) nearer = central_differences(problem, fit, 1e-5);
+      CHECK((agrees || agree(*nearer, 1e-5)));
     }
   }
 }
@@ -178,7 +186,8 @@ TEST_CASE("channels that are all as late as the rudder are as likely as channels
 
 // The sum of squares of a simulated case jumped by a third where one channel was as late as another was early: their
 // accelerations, and the samples they were seen from, went by whichever was further.
-TEST_CASE("residuals do not jump where a channel becomes as late as another is early", "[identification][limit]") {
+TEST_CASE("residuals have no jump and no edge where a channel becomes as late as another is early",
+          "[identification][limit]") {
   test::RandomModels models(37);
   const auto [ship, runs] = test::steerable<MmgShip<double>>(models, {20.0, -10.0}, 15.0, 0.1, 1e-8);
   const double apart = 0.3 * (runs.front().time[1] - runs.front().time[0]);
@@ -213,6 +222,12 @@ TEST_CASE("residuals do not jump where a channel becomes as late as another is e
       CAPTURE(channels.size(), place / apart);
       CHECK(moved.norm() < 1e-3);
       CHECK(moved.norm() > 0.0);
+      // nor have they an edge there, at which a descent would stop: samples, and the times towards which the ship
+      // accelerates, stay those of the pass
+      const double wide = 1e-3 * apart;
+      const Eigen::VectorXd after = further_slopes(problem, none, std::vector{place}, wide),
+                            ahead = further_slopes(problem, none, std::vector{place - wide}, wide);
+      CHECK((after - ahead).norm() < 0.01 * after.norm());
     }
 }
 

@@ -365,6 +365,40 @@ TEST_CASE("what carries another ship from the start of a run is what her own con
   CHECK(std::unique(speeds.begin(), speeds.end()) - speeds.begin() >= 4);
 }
 
+TEST_CASE("a rudder record that is late is shifted, its corners as they were", "[nonlinear][second-route]") {
+  const auto run = zigzag_run(test::kvlcc2_l7(), 1.0);
+  const Interpolant recorded(run, Channel::delta);
+  for (const double delay : {-1.7, -0.3, 0.4, 2.0}) {
+    Ship ship = test::kvlcc2_l7();
+    ship.effects = {ChannelDelay<>{.channel = Channel::delta, .delay = delay}};
+    const RecordedControls controls(ship, run);
+    CAPTURE(delay);
+    for (double time = 0.05; time < 60.0; time += 0.37)
+      if (const double shown = time + delay; shown >= run.time.front() && shown <= run.time.back())
+        CHECK_THAT(controls.rudder(time), WithinAbs(recorded(shown), 1e-12));
+    // where the record shows no time of the run it goes on as it begins or ends
+    const double end = delay < 0.0 ? run.time.front() : run.time.back(), within = end + (delay < 0.0 ? 0.5 : -0.5),
+                 slope = (recorded(within) - recorded(end)) / (within - end);
+    CHECK_THAT(controls.rudder(end), WithinAbs(recorded(end) + slope * delay, 1e-12));
+  }
+}
+
+// at 0.05 L/U a late heading begins to make velocities over ground a false drift, which a start is not told by
+TEST_CASE("what carries a ship from the start does not leap with the delay of a channel", "[nonlinear][limit]") {
+  const Ship ship = test::kvlcc2_l7();
+  auto run = without(with_instruments(zigzag_run(ship, 0.1), {}),
+                     {Channel::u, Channel::v, Channel::rev, Channel::thrust, Channel::speed_through_water});
+  for (double& x : run.channels[index_of(Channel::x)]) x += 0.01 * std::sin(40.0 * x);  // positions tell another speed
+  const auto rev = [&](Channel channel, double delay) {
+    Ship late = ship;
+    late.effects = {ChannelDelay<>{.channel = channel, .delay = delay * length(ship) / service_speed(ship)}};
+    return RecordedControls(late, run).constant().rev;
+  };
+  for (const auto channel : {Channel::x, Channel::psi})
+    for (const double delay : {-0.05, 0.05})
+      CHECK_THAT(rev(channel, 1.0001 * delay), WithinRel(rev(channel, 0.9999 * delay), 1e-4));
+}
+
 TEST_CASE("a run that does not tell its speed is refused", "[nonlinear][refusal]") {
   const Ship ship = test::kvlcc2_l7();
   auto run = without(zigzag_run(ship, 0.05), {Channel::u, Channel::v, Channel::x, Channel::y});

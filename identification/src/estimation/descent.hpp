@@ -11,6 +11,7 @@ namespace swayaw::inline identification::detail {
 struct NormalEquations {
   Eigen::MatrixXd A;
   Eigen::VectorXd b;
+  bool from_here = true;  ///< of slopes worked out here, none kept from an earlier point
 };
 
 struct DescentOptions {
@@ -30,9 +31,12 @@ struct Descent {
 };
 
 /// Descends from a point. The region shrinks after a step that gained less than a quarter of what was predicted, and
-/// doubles after one that gained three quarters and ended at its edge. Source: [More1983]
+/// doubles after one that gained three quarters and ended at its edge. Source: [More1983] Where slopes were kept from
+/// an earlier point it is they that were wrong: the region stays, and the step is sought once more with slopes from
+/// here.
 ///
-/// @param renew(descent, iteration)  works out slopes there and gives the normal equations; empty ones end the descent
+/// @param renew(descent, iteration)  works out slopes there and gives the normal equations; empty ones end the descent.
+///                                   Where the last step kept less than a quarter, from there
 /// @param at(point)                  residuals, huge where there are none
 /// @param cost(point, residuals)     what is to be least
 template <class Renew, class At, class Cost>
@@ -42,8 +46,8 @@ void descend(Descent& here, const DescentOptions& options, Renew&& renew, At&& a
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     const NormalEquations normal = renew(here, iteration);
     if (normal.b.size() == 0) return;
-    bool moved = false;
-    for (int attempt = 0; attempt < options.attempts && !moved; ++attempt) {
+    bool goes_on = false;
+    for (int attempt = 0; attempt < options.attempts && !goes_on; ++attempt) {
       const Eigen::VectorXd step =
           bounded_step(normal.A, -normal.b, here.low - here.point, here.high - here.point, radius);
       const double predicted = step.dot(2.0 * normal.b - normal.A * step);
@@ -51,13 +55,14 @@ void descend(Descent& here, const DescentOptions& options, Renew&& renew, At&& a
       const Eigen::VectorXd there = here.point + step;
       Eigen::VectorXd residuals = at(there);
       const double cost_there = cost(there, residuals), share = (here.cost - cost_there) / predicted;
-      if (!(share > poor)) radius = 0.25 * step.norm();
+      here.kept = share;
+      const bool is_poor = !(share > poor);
+      if (is_poor && normal.from_here) radius = 0.25 * step.norm();
       else if (share > good && step.norm() > 0.9 * radius) radius *= 2.0;
-      if (!(share > enough)) continue;
-      moved = true;
-      here.point = there, here.residuals = std::move(residuals), here.cost = cost_there, here.kept = share;
+      if (share > enough) here.point = there, here.residuals = std::move(residuals), here.cost = cost_there;
+      goes_on = share > enough || !normal.from_here;
     }
-    if (!moved) return;
+    if (!goes_on) return;
   }
 }
 

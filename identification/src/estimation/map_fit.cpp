@@ -102,7 +102,9 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
       const Eigen::Index first = iteration > 0 ? (straight ? fixed : 0) : first_known ? known->cols() : 0;
       renew_slopes(problem, at.point, *passes, at.residuals, first, slopes);
       renew_gram(slopes, iteration > 0 ? first : 0, information);
-      return normal_equations(problem, slopes, information, at);
+      auto normal = normal_equations(problem, slopes, information, at);
+      normal.from_here = first == 0;
+      return normal;
     };
     descend(
         here, options, renew, [&](const Point& p) { return residuals_if_any(problem, p, *passes); }, cost);

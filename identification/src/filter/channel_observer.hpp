@@ -27,9 +27,39 @@ inline Side side_of(double left) { return left > 0.0 ? past : future; }
 /// What there is to look at on a ship at a sample.
 struct Sight {
   ShipState<double> state;
-  /// On the way to what is shown on either side, for the rudder moves on both; needed where a channel is late.
-  std::array<PlanarAcceleration<double>, 2> acceleration;
   double phi;  ///< heel [rad]
+  /// Times after the sample, the furthest that is shown on either side [s], and the accelerations on the way there, for
+  /// the rudder moves on it; needed where a channel is late.
+  std::array<double, 2> shown{};
+  std::array<PlanarAcceleration<double>, 2> acceleration{};
+
+  /// Derivatives of the accelerations by psi, u, v, r: they change on the way.
+  Eigen::Matrix<double, 3, 4> A = Eigen::Matrix<double, 3, 4>::Zero();
+
+  /// Shares of the two on the way to another time, by the straight line through both: a delay that passes 0 finds no
+  /// edge between the sides.
+  std::array<double, 2> shares(double time) const {
+    if (shown[past] == shown[future]) return {1.0, 0.0};
+    const double share = (time - shown[past]) / (shown[future] - shown[past]);
+    return {1.0 - share, share};
+  }
+
+  /// Mean on the way to another time, a + time/2 A (r, a).
+  PlanarAcceleration<double> towards(double time) const {
+    const auto [p, f] = shares(time);
+    const auto &before = acceleration[past], &after = acceleration[future];
+    const Eigen::Vector3d a{p * before.u + f * after.u, p * before.v + f * after.v, p * before.r + f * after.r};
+    const Eigen::Vector3d mean = a + 0.5 * time * (A.col(0) * state.motion.r + A.rightCols<3>() * a);
+    return {mean[0], mean[1], mean[2]};
+  }
+
+  /// Of a slope by that mean one by the accelerations at the sample, which go with the state.
+  void follow(double time, ChannelSlope& slope) const {
+    const Eigen::Vector3d by_mean = slope.by_acceleration;
+    slope.by_acceleration += 0.5 * time * A.rightCols<3>().transpose() * by_mean;
+    slope.by_state[5] += 0.5 * time * A.col(0).dot(by_mean);
+    slope.by_state.tail<4>() += A.transpose() * slope.by_acceleration;
+  }
 };
 
 /// Error of an expectation; directions less than half a turn apart.
@@ -68,9 +98,6 @@ class ChannelObserver {
   /// [s]
   double delay(Channel channel) const { return instruments_[channel].delay; }
 
-  /// Of what a reading shows. @param since  as of `value`
-  Side side(Channel channel, double since) const { return side_of(delay(channel) - since); }
-
   /// The state that the channel shows alone, but for a bias; nothing for the others.
   std::optional<int> state_alone(Channel channel) const {
     const int state = alone_[index_of(channel)];
@@ -94,9 +121,10 @@ class ChannelObserver {
   double value(Channel channel, const Sight& sight, double since, ChannelSlope& slope) const {
     const double left = delay(channel) - since;
     const auto* sum = sum_of(channel);
-    if (!sum) return computed(channel, sight, left, slope);
-    slope = slope_of(*sum, left);
-    return at(*sum, sight, left);
+    if (sum) slope = slope_of(*sum, left);
+    const double shown = sum ? at(*sum, sight, left) : computed(channel, sight, left, slope);
+    if (left != 0.0) sight.follow(-left, slope);
+    return shown;
   }
 
   /// Derivative of the channel by the heel, along which it is about straight.
@@ -152,7 +180,7 @@ class ChannelObserver {
 
   static double at(const Sum& sum, const Sight& sight, double left) {
     const auto& s = sight.state;
-    const auto& a = sight.acceleration[side_of(left)];
+    const auto a = sight.towards(-left);
     const auto& by = sum.by_state;
     const double now = sum.constant + by[0] * s.x + by[1] * s.y + by[2] * s.psi + by[3] * s.motion.u +
                        by[4] * s.motion.v + by[5] * s.motion.r + sum.by_phi * sight.phi;
@@ -161,9 +189,8 @@ class ChannelObserver {
 
   double computed(Channel channel, const Sight& sight, double left) const {
     return observe(channel, instruments_, [&](double) {
-      return kinematics(
-          left == 0.0 ? sight.state : moved_back(sight.state, current_, sight.acceleration[side_of(left)], left),
-          current_, sight.phi);
+      return kinematics(left == 0.0 ? sight.state : moved_back(sight.state, current_, sight.towards(-left), left),
+                        current_, sight.phi);
     });
   }
 
@@ -182,7 +209,7 @@ class ChannelObserver {
     const Current<D> current{D(current_.speed), D(current_.to)};
     const D shown = observe(channel, instruments, [&](const D&) {
       if constexpr (Size == 9) {
-        const auto& a = sight.acceleration[side_of(left)];
+        const auto a = sight.towards(-left);
         const PlanarAcceleration<D> acceleration{D(a.u, 6), D(a.v, 7), D(a.r, 8)};
         return kinematics(moved_back(state, current, acceleration, D(left)), current, D(sight.phi));
       } else {
@@ -197,8 +224,8 @@ class ChannelObserver {
   /// By what it shows at places where no state is 0, and elsewhere; nothing where that is no such sum.
   std::optional<Sum> sum_shown(Channel channel) const {
     constexpr double rounding = 1e-12;
-    const Sight here{{1.1, 1.2, 0.3, {1.4, 0.5, 0.6}}, {}, 0.1};
-    const Sight there{{-2.0, 0.7, -1.9, {2.3, -0.6, -1.2}}, {}, -0.2};
+    const Sight here{{1.1, 1.2, 0.3, {1.4, 0.5, 0.6}}, 0.1};
+    const Sight there{{-2.0, 0.7, -1.9, {2.3, -0.6, -1.2}}, -0.2};
     ChannelSlope slope, elsewhere;
     const double shown = computed(channel, here, 0.0, slope), expected = computed(channel, there, 0.0, elsewhere);
     if (slope.by_state != elsewhere.by_state) return std::nullopt;

@@ -102,6 +102,9 @@ struct Smoother {
   /// ∂(log likelihood)/∂q of a variance q that state i gains here.
   double slope(int i) const { return 0.5 * (r[i] * r[i] - M(i, i)); }
 
+  /// The same of what moves all states by g.
+  double slope(const FilterVector<N>& g) const { return 0.5 * (std::pow(r.dot(g), 2) - g.dot(M * g)); }
+
   /// Before a step.
   void step_back(const Transition<N>& t) { carry_back<N>(M, r, t); }
 

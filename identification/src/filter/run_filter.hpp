@@ -45,16 +45,16 @@ struct Passed {
   double log_likelihood = 0.0;
 };
 
-/// The states of the ship that a filter has at its samples: those of the recorded times, or those that most channels
-/// show then, which is for fits. There no reading of such a channel is seen from a sample before or after it, by which
-/// the variances would change with the delay: a fit, which goes by residuals, put −0.3 s on five channels of the KVLCC2
-/// models where 0.3 s on the rudder is 200 in log evidence likelier.
+/// The states of the ship that a filter has at its samples: those of the recorded times, or those that the heading
+/// shows then, which is for fits; without a heading, the first channel. So a delay that channels share moves the
+/// samples, and no reading against them: where samples stood at the recorded times a fit, which goes by residuals, put
+/// −0.3 s on five channels of the KVLCC2 models where 0.3 s on the rudder is 200 in log evidence likelier. It is the
+/// same channel always: where delays pass each other, the one in the middle becomes another, and sums of squares have
+/// an edge there, at which fits stop.
 enum class SampleTimes { recorded, shown };
 
-/// By how much the samples are later than what they show [s], negative where earlier: the median of the delays of
-/// channels, of two the earlier, for more channels are late than early; or 0 where they are those of the recorded
-/// times. The smaller of two instead changes at once where they are equal and opposite, and with it the sum of squares
-/// of a run, by a third.
+/// By how much the samples are later than what they show [s], negative where earlier.
+/// @param channels  that are compared
 double lateness_of(const Ship& ship, std::span<const Channel> channels, SampleTimes times);
 
 /// Rudder and propulsion of a run, worked out once for all ships whose rudder and propulsion do alike.
@@ -76,6 +76,9 @@ struct RunControls {
   /// Over a step of the filter on the way to sample k.
   Controls<double> in_step(const Recording& run, std::size_t k, double from, double to) const;
 
+  /// By how much the rudder moves in it, as if evenly [rad]; 0 where it moves little from sample to sample.
+  double rudder_moves(const Recording& run, std::size_t k, double from, double to) const;
+
   /// Those of another ship; nothing where they are the same.
   /// @param run, finer  that these were made of
   std::optional<RunControls> differing(const Ship& ship, const Recording& run, const Recording* finer,
@@ -91,6 +94,9 @@ struct FilteredRun {
   std::vector<Transition<N>> steps;
   std::vector<Innovation<N>> innovations;
   std::vector<FilterVector<N>> slopes;  ///< of channels that show no state alone
+  /// Of each of `passed`, the times furthest from it that readings show before and after it, after it [s]; residuals
+  /// keep them, for where another reading becomes the furthest their sum of squares has an edge.
+  std::vector<std::array<double, 2>> shown;
   std::array<ChannelSums, channel_count> sums{};
   double tau = 0.0;  ///< memory of the unmodelled accelerations [s]
   std::shared_ptr<const RunControls> controls;
@@ -111,7 +117,7 @@ struct FilteredRun {
 
   /// Empty, with room for a run of so many samples; a step may be cut in several.
   void restart(std::size_t samples, std::size_t channels) {
-    passed.clear(), forget_steps();
+    passed.clear(), shown.clear(), forget_steps();
     passed.reserve(samples);
     if (kept) steps.reserve(samples), innovations.reserve(samples * channels);
     sums = {};

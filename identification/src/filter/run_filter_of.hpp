@@ -24,7 +24,8 @@ class RunFilterOf final : public RunFilter<N> {
         channels_(channels),
         times_(times),
         controls_(controls_of(ship, run, finer, std::move(known), lateness_of(ship, channels, times))),
-        predictor_(ship, controls_->recorded.wind(), tau, longest_step),
+        predictor_(ship, controls_->recorded.wind(), tau, longest_step,
+                   N == 9 && finer ? Changes::half_way : Changes::at_ends),
         observer_(instruments_of(ship), predictor_.current(), controls_->lateness),
         start_(start),
         L_(length(ship)),
@@ -68,12 +69,21 @@ class RunFilterOf final : public RunFilter<N> {
       }
       for (std::size_t i = pass.passed[k].steps; i-- > before.steps;) {
         slope[place_of_walk] += noise[place_of_walk] * pass.steps[i].h * (smoother.slope(0) + smoother.slope(1));
-        add_slope(slope, noise, pass.steps[i].share, smoother);
-        smoother.step_back(pass.steps[i]);
-        add_slope(slope, noise, pass.steps[i].share, smoother);
+        const auto& t = pass.steps[i];
+        const auto change = [&] {
+          for (int axis = 0; axis < 3; ++axis) add_slope(slope, noise, axis, t.share * smoother.slope(random + axis));
+        };
+        if (t.changes == Changes::at_ends) change();
+        else if constexpr (N == 9) {
+          const auto G = t.by_change();
+          for (int axis = 0; axis < 3; ++axis)
+            add_slope(slope, noise, axis, t.share * smoother.slope(FilterVector<N>(G.col(axis))));
+        }
+        smoother.step_back(t);
+        if (t.changes == Changes::at_ends) change();
       }
     }
-    if (has_memory()) add_slope(slope, noise, 1.0, smoother);
+    for (int axis = 0; has_memory() && axis < 3; ++axis) add_slope(slope, noise, axis, smoother.slope(random + axis));
     return slope;
   }
 
@@ -83,7 +93,7 @@ class RunFilterOf final : public RunFilter<N> {
         [&](FilterVector<N>& x, const Interval& step, const Controls<double>& controls, const Transition<N>& t) {
           predictor_.repeat(x, controls, step.from, step.to, t);
         },
-        [](const FilterVector<N>&, std::size_t, std::span<const Innovation<N>>) {},
+        [](const FilterVector<N>&, std::size_t, const Sight&) {},
         [&](const FilterVector<N>&, const Sight&, std::size_t row, double e) {
           out[static_cast<Eigen::Index>(row)] = e / std::sqrt(pass.innovations[row].variance);
         });
@@ -112,23 +122,19 @@ class RunFilterOf final : public RunFilter<N> {
           predictor_.repeat(x, controls, step.from, step.to, t, by);
           X.step(t, by, controls, [&](const RunControls& c) { return controls_in(c, step); });
         },
-        [&](const FilterVector<N>& x, std::size_t k, std::span<const Innovation<N>> readings) {
+        [&](const FilterVector<N>& x, std::size_t k, const Sight& sight) {
           if (!late) return;
-          const auto shown = furthest_shown(observer_, readings);
+          const auto& shown = pass.shown[k];
           std::optional<Controls<double>> taped;
           const auto accelerate = [&](Side side) {
             const auto controls = controls_towards(*controls_, k, shown[side]);
             if (taped != controls) predictor_.slopes(x, controls, at_sample);
             taped = controls;
-            X.accelerate(
-                side, at_sample, controls, [&](const RunControls& c) { return controls_towards(c, k, shown[side]); },
-                [&](const ChannelObserver& o) {
-                  return controls_towards(*controls_, k, furthest_shown(o, readings)[side]);
-                });
+            X.accelerate(side, at_sample, sight.A, controls,
+                         [&](const RunControls& c) { return controls_towards(c, k, shown[side]); });
           };
           accelerate(past);
-          if (shown[future] == shown[past]) X.accelerate_alike(future, past);
-          else accelerate(future);
+          accelerate(future);
         },
         [&](const FilterVector<N>& x, const Sight& sight, std::size_t row, double) {
           X.observe(seen_from(x, sight), pass.innovations[row], out.row(static_cast<Eigen::Index>(row)));
@@ -173,7 +179,7 @@ class RunFilterOf final : public RunFilter<N> {
   /// The way through a run with the gains and the steps of a pass.
   /// @param late                                whether accelerations are needed
   /// @param move(x, step, controls, transition)  moves a state over a step
-  /// @param arrived(x, k, readings)              before the measurements of a sample
+  /// @param arrived(x, k, sight)                 before the measurements of a sample
   /// @param told(x, sight, row, e)            a residual, before the state takes it
   template <class Move, class Arrived, class Told>
   void walk(const FilteredRun<N>& pass, bool late, Move&& move, Arrived&& arrived, Told&& told) {
@@ -189,10 +195,8 @@ class RunFilterOf final : public RunFilter<N> {
         const auto interval = step_in(k, i, count);
         move(x, interval, controls_in(*controls_, interval), pass.steps[step]);
       }
-      const auto readings =
-          std::span<const Innovation<N>>(pass.innovations).subspan(row, pass.passed[k].innovations - row);
-      const auto sight = sight_at(x, k, furthest_shown(observer_, readings), late);
-      arrived(x, k, readings);
+      const auto sight = sight_at(x, k, pass.shown[k], step == 0 ? nullptr : &pass.steps[step - 1], late);
+      arrived(x, k, sight);
       for (; row < pass.passed[k].innovations; ++row) {
         const auto& now = pass.innovations[row];
         const auto& [channel, sample, since] = now.reading;
@@ -218,6 +222,12 @@ class RunFilterOf final : public RunFilter<N> {
     return within ? controls.in_step(run_, k, step.from, step.to) : controls.at_samples[k];
   }
 
+  /// By how much the rudder moves in a step [rad].
+  double rudder_moves(const Interval& step) const {
+    const bool within = timeline_.recorded(step.sample - 1) && timeline_.recorded(step.sample);
+    return within ? controls_->rudder_moves(run_, timeline_.sample(step.sample), step.from, step.to) : 0.0;
+  }
+
   /// From a sample to a time this long after it [s], within the step there.
   Controls<double> controls_towards(const RunControls& controls, std::size_t k, double after) const {
     const double at = timeline_[k];
@@ -227,22 +237,14 @@ class RunFilterOf final : public RunFilter<N> {
     return controls.at_samples[timeline_.sample(k)];
   }
 
-  static const Reading& reading_of(const Reading& reading) { return reading; }
-  static const Reading& reading_of(const Innovation<N>& innovation) { return innovation.reading; }
-
-  /// The times furthest from their sample that readings show on either side, after it [s]; where they show nothing on
-  /// one, the other's.
-  template <class One>
-  static std::array<double, 2> furthest_shown(const ChannelObserver& observer, std::span<const One> readings) {
+  /// The times furthest from their sample that readings show on either side, after it [s].
+  std::array<double, 2> furthest_shown(std::span<const Reading> readings) const {
     std::array furthest{0.0, 0.0};
-    for (const auto& one : readings) {
-      const auto& [channel, sample, since] = reading_of(one);
-      const double shown = since - observer.delay(channel);
+    for (const auto& [channel, sample, since] : readings) {
+      const double shown = since - observer_.delay(channel);
       auto& time = furthest[side_of(-shown)];
       if (std::abs(shown) > std::abs(time)) time = shown;
     }
-    for (const auto side : {past, future})
-      if (furthest[side] == 0.0) furthest[side] = furthest[1 - side];
     return furthest;
   }
 
@@ -252,12 +254,18 @@ class RunFilterOf final : public RunFilter<N> {
     const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), timeline_[k] - timeline_[k - 1]);
     for (int i = 0; i < count; ++i) {
       const auto step = step_in(k, i, count);
-      const auto& t =
-          pass.steps.emplace_back(predictor_.step(estimate.mean, controls_in(*controls_, step), step.from, step.to));
-      estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
+      const auto& t = pass.steps.emplace_back(
+          predictor_.step(estimate.mean, controls_in(*controls_, step), rudder_moves(step), step.from, step.to));
+      const FilterVector<3> variance = t.share * noise.template tail<3>();
+      const auto change = [&] { estimate.P.diagonal().template segment<3>(random) += variance; };
+      if (t.changes == Changes::at_ends) change();
       estimate.P = carried<N>(estimate.P, t);
+      if (t.changes == Changes::at_ends) change();
+      else if constexpr (N == 9) {
+        const auto G = t.by_change();
+        estimate.P.noalias() += (G * variance.asDiagonal()).lazyProduct(G.transpose());
+      }
       estimate.P.diagonal().template head<2>().array() += noise[place_of_walk] * t.h;
-      estimate.P.diagonal().template segment<3>(random) += t.share * noise.tail<3>();
     }
     require_motion(estimate.mean, k);
   }
@@ -267,8 +275,8 @@ class RunFilterOf final : public RunFilter<N> {
     double product = 1.0, squares = 0.0;  // of variances, whose logarithm is slow
     const auto readings =
         std::span<const Reading>(readings_).subspan(first_reading_[k], first_reading_[k + 1] - first_reading_[k]);
-    const auto shown = furthest_shown(observer_, readings);
-    const auto before = sight_at(estimate.mean, k, shown, observer_.late());
+    const auto& shown = pass.shown.emplace_back(furthest_shown(readings));
+    const auto before = sight_at(estimate.mean, k, shown, k == 0 ? nullptr : &pass.steps.back(), observer_.late());
     for (const auto& reading : readings) {
       const Channel channel = reading.channel;
       const auto& now =
@@ -308,9 +316,12 @@ class RunFilterOf final : public RunFilter<N> {
   /// With the accelerations of the model where a late channel needs them: those on the way to the times that readings
   /// show, as the rudder moves on it. One way for all, to the furthest of them, had them jump where another reading, on
   /// the other side, became the furthest: in a run with a moving rudder, sums of squares by a third.
-  Sight sight_at(const FilterVector<N>& x, std::size_t k, const std::array<double, 2>& shown, bool late) const {
-    Sight sight{ship_state<N>(x), {}, shown_by(predictor_.hidden(), Channel::phi)};
+  /// @param way  the step that led to the sample, whose derivatives are those at it
+  Sight sight_at(const FilterVector<N>& x, std::size_t k, const std::array<double, 2>& shown, const Transition<N>* way,
+                 bool late) const {
+    Sight sight{.state = ship_state<N>(x), .phi = shown_by(predictor_.hidden(), Channel::phi), .shown = shown};
     if (!late) return sight;
+    if (way) sight.A = way->hA.template bottomRows<3>() / way->h;
     const auto controls = [&](Side side) { return controls_towards(*controls_, k, shown[side]); };
     const auto acceleration = [&](const Controls<double>& c) {
       const auto rate = predictor_.rates(x, c);
@@ -322,22 +333,27 @@ class RunFilterOf final : public RunFilter<N> {
     return sight;
   }
 
-  /// What there is to look at when the state of a sample is known better, by measurements before: the accelerations of
-  /// the model stay, the unmodelled ones are part of the state. A delay multiplies what they move by, so a filter that
-  /// kept these until the next sample would swing itself up.
+  /// What there is to look at when the state of a sample is known better, by measurements before: the accelerations go
+  /// with it, the unmodelled ones are part of it. A delay multiplies what they move by, so a filter that kept these
+  /// until the next sample would swing itself up.
   static Sight seen_from(const FilterVector<N>& x, const Sight& before) {
-    Sight sight{ship_state<N>(x), before.acceleration, before.phi};
-    if constexpr (N == 9)
-      for (auto& a : sight.acceleration) a.u += x[6], a.v += x[7], a.r += x[8];
+    Sight sight = before;
+    sight.state = ship_state<N>(x);
+    const auto &now = sight.state, &then = before.state;
+    const Eigen::Vector4d d{now.psi - then.psi, now.motion.u - then.motion.u, now.motion.v - then.motion.v,
+                            now.motion.r - then.motion.r};
+    Eigen::Vector3d more = before.A * d;
+    if constexpr (N == 9) more += x.template tail<3>();
+    for (auto& a : sight.acceleration) a.u += more[0], a.v += more[1], a.r += more[2];
     return sight;
   }
 
-  static void add_slope(FilterNoise& slope, const FilterNoise& noise, double share, const Smoother<N>& smoother) {
-    for (int i = 0; i < 3; ++i)
-      slope[place_of_process_noise(i)] += share * noise[place_of_process_noise(i)] * smoother.slope(random + i);
+  /// By the logarithm of a variance, of a slope by it.
+  static void add_slope(FilterNoise& slope, const FilterNoise& noise, int axis, double by_variance) {
+    slope[place_of_process_noise(axis)] += noise[place_of_process_noise(axis)] * by_variance;
   }
 
-  static constexpr int random = N == 9 ? 6 : 3;  ///< first of the states that random accelerations drive
+  static constexpr int random = N == 9 ? 6 : 3;  ///< first of the states that change at random
 
   bool has_memory() const { return N == 9 && std::isfinite(predictor_.tau()); }
 

@@ -22,16 +22,28 @@ ShipState<double> ship_state(const FilterVector<N>& s) {
   return {s[0], s[1], s[2], {s[3], s[4], s[5]}};
 }
 
+/// When in a step the random accelerations change. At its ends, half before it and half after, where steps are so short
+/// that no reading shows a time within one; white ones always, which are told as their means from one sample to the
+/// next. Else half way, so that a sample has the accelerations of all times that are nearer to it than to others, and
+/// readings of these times see them: a likelihood does not go by the sample that they are seen from. (With changes at
+/// the ends the likelihood of six runs of a simulated ship with three seconds between samples went by 80 a second with
+/// the times of the samples, and with it what delays of channels gained. With two changes, at the points of Gauss, it
+/// goes by less than half as much where the process noise is twenty times the ordinary, and alike where it is ordinary;
+/// but headings and yaw rates may disagree then, and in a case as on board such noise took the place of a tug.)
+enum class Changes { at_ends, half_way };
+
 /// A step of h seconds between samples, kept for the way back and for other states.
 ///
-/// Random accelerations of size σ add σ² share before the step and as much after it.
+/// Random accelerations of size σ change by a variance of σ² share before it and after it, or half way.
 template <int N>
 struct Transition {
   Eigen::Matrix<double, 6, 4> hA;  ///< h times the derivatives of the rates of x … r by psi, u, v, r
   double h;                        ///< [s]
   double fading;                   ///< h/τ of the unmodelled accelerations a
   double keep;                     ///< what is left of a: the rows of a in Φ
+  Changes changes;
   double share;
+  Eigen::Matrix<double, 6, 1> turned;  ///< what the rudder, moving on in the step, adds to x … r
 
   /// What is left over a step of a that fades, exp(−h/τ) to third order.
   double faded() const { return 1.0 - fading * (1.0 - fading * (0.5 - fading / 6.0)); }
@@ -46,6 +58,15 @@ struct Transition {
       B.template bottomRightCorner<3, 3>().diagonal().array() += h * (1.0 - 0.5 * fading);
     }
     return B;
+  }
+
+  /// What a change of the random accelerations half way makes of all states at the end of the step.
+  Eigen::Matrix<double, 9, 3> by_change() const requires(N == 9) {
+    Eigen::Matrix<double, 9, 3> G;
+    G.template topRows<6>() = (h / 8.0) * hA.template rightCols<3>();
+    G.template middleRows<3>(3).diagonal().array() += 0.5 * h * (1.0 - 0.25 * fading);
+    G.template bottomRows<3>() = std::sqrt(keep) * Eigen::Matrix3d::Identity();
+    return G;
   }
 
   /// (h²A/2! + h³A²/3!) f of x … r, from h f of all states.
@@ -107,10 +128,12 @@ class ShipPredictor {
   /// @param wind  recorded
   /// @param tau  memory of the unmodelled accelerations [s], or infinity
   /// @param longest_step  in ship lengths of way
-  ShipPredictor(const Ship& ship, std::span<const WindPiece> wind, double tau, double longest_step)
+  /// @param changes       of accelerations with a memory
+  ShipPredictor(const Ship& ship, std::span<const WindPiece> wind, double tau, double longest_step, Changes changes)
       : ship_(linearized_ship(ship, wind)),
         tau_(tau),
-        longest_((ship_->hides_states() ? std::min(longest_step, beside_hidden) : longest_step) * length(ship)) {}
+        longest_((ship_->hides_states() ? std::min(longest_step, beside_hidden) : longest_step) * length(ship)),
+        changes_(changes) {}
 
   /// Back to the state and the controls at the beginning of a run.
   void restart(const FilterVector<N>& x, const Controls<double>& controls) {
@@ -157,8 +180,15 @@ class ShipPredictor {
   ///
   ///     x⁺ = x + (h + h²A/2! + h³A²/3!) f,   Φ = 1 + h A + h²A²/2!
   ///
-  /// the exponential method of Rosenbrock and Euler, of second order; exact to third where f is linear.
-  Transition<N> step(FilterVector<N>& x, const Controls<double>& controls, double from, double to) {
+  /// the exponential method of Rosenbrock and Euler, of second order; exact to third where f is linear. A rudder that
+  /// moves by Δδ in the step, evenly, adds
+  ///
+  ///     −h²/12 A f_δ Δδ
+  ///
+  /// for what it does late has less time to turn her. A rudder at its mean all the time makes headings and yaw rates
+  /// disagree: by 100 in log likelihood of six runs of a simulated ship, in steps of an eighth of L/U.
+  /// @param moves  Δδ [rad]
+  Transition<N> step(FilterVector<N>& x, const Controls<double>& controls, double moves, double from, double to) {
     const double h = to - from, fading = h / tau_;
     const auto state = ship_state<N>(x);
     const double by_rudder = sway_by_rudder(state.motion, controls);
@@ -169,12 +199,20 @@ class ShipPredictor {
       if (weight == 1.0) there = part;
       else there.rate += weight * part.rate, there.A += weight * part.A;
     });
-    // tanh keeps the variance of a at σ²
-    const Transition<N> t{.hA = h * there.A,
-                          .h = h,
-                          .fading = fading,
-                          .keep = N == 9 ? std::exp(-fading) : 1.0,
-                          .share = N == 9 && std::isfinite(tau_) ? std::tanh(fading) : 0.5 * h};
+    Transition<N> t{.hA = h * there.A,
+                    .h = h,
+                    .fading = fading,
+                    .keep = N == 9 ? std::exp(-fading) : 1.0,
+                    .changes = changes_,
+                    .share = share_of(fading, h),
+                    .turned = Eigen::Matrix<double, 6, 1>::Zero()};
+    if (moves != 0.0) {
+      auto further = controls;
+      further.delta += moves;
+      const auto then = ship_->rates(state, middle, further);
+      const Eigen::Vector3d more{then[3] - there.rate[3], then[4] - there.rate[4], then[5] - there.rate[5]};
+      t.turned = (-h / 12.0) * t.hA.template rightCols<3>() * more;
+    }
     move(x, by_rudder, t, there.rate);
     return t;
   }
@@ -218,6 +256,13 @@ class ShipPredictor {
   }
 
  private:
+  /// That keeps the variance of accelerations that fade at σ².
+  double share_of(double fading, double h) const {
+    const bool fades = N == 9 && std::isfinite(tau_);
+    if (changes_ == Changes::half_way) return fades ? 2.0 * std::sinh(fading) : h;
+    return fades ? std::tanh(fading) : 0.5 * h;
+  }
+
   /// x⁺ = x + h f + what curves it, f with the unmodelled accelerations; these fade. Hidden states follow.
   void move(FilterVector<N>& x, double by_rudder, const Transition<N>& t, const Eigen::Matrix<double, 6, 1>& rate) {
     const double h = t.h, fading = t.fading;
@@ -229,7 +274,7 @@ class ShipPredictor {
       hf.template tail<3>() = -fading * x.template tail<3>();
       x.template tail<3>() *= t.faded();
     }
-    x.template head<6>() += hf.template head<6>() + t.curved(hf);
+    x.template head<6>() += hf.template head<6>() + t.curved(hf) + t.turned;
     if (ship_->hides_states()) hidden_ = followed(before, ship_state<N>(x).motion, by_rudder, h);
   }
 
@@ -305,6 +350,7 @@ class ShipPredictor {
   std::size_t next_change_ = 0;
   double tau_;
   double longest_;  ///< way made in one step [m]
+  Changes changes_;
 };
 
 }  // namespace swayaw::identification::detail

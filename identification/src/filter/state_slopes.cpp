@@ -63,12 +63,8 @@ Controls<double> mean_over(std::span<const Controls<double>> all, std::size_t k,
 
 double lateness_of(const Ship& ship, std::span<const Channel> channels, SampleTimes times) {
   if (times == SampleTimes::recorded || channels.empty()) return 0.0;
-  const auto instruments = instruments_of(ship);
-  std::vector<double> delays;
-  for (const Channel channel : channels) delays.push_back(instruments[channel].delay);
-  const auto middle = delays.begin() + (std::ssize(delays) - 1) / 2;
-  std::ranges::nth_element(delays, middle);
-  return *middle;
+  const auto heading = std::ranges::find(channels, Channel::psi);
+  return instruments_of(ship)[heading == channels.end() ? channels.front() : *heading].delay;
 }
 
 RunControls::RunControls(const Ship& ship, const Recording& run, const Recording* finer, double how_late)
@@ -97,6 +93,14 @@ Controls<double> RunControls::in_step(const Recording& run, std::size_t k, doubl
   if (!thirds.empty()) return mean_over(thirds, k, (from - begin) / (end - begin), (to - begin) / (end - begin));
   if (recorded.track()) return recorded.at(middle - lateness);
   return between(at_samples[k - 1], at_samples[k], (middle - begin) / (end - begin));
+}
+
+double RunControls::rudder_moves(const Recording& run, std::size_t k, double from, double to) const {
+  if (thirds.empty()) return 0.0;
+  const auto parts = std::span(thirds).subspan((k - 1) * parts_of_step, parts_of_step);
+  constexpr double whole =
+      parts_of_step / (parts_of_step - 1.0);  // over from the middle of the first to that of the last
+  return whole * (parts.back().delta - parts.front().delta) * (to - from) / (run.time[k] - run.time[k - 1]);
 }
 
 std::optional<RunControls> RunControls::differing(const Ship& ship, const Recording& run, const Recording* finer,

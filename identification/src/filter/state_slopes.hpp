@@ -103,22 +103,18 @@ class StateSlopes {
     if (hides_) follow(of_step, rate, t.h);
   }
 
-  /// Derivatives of the accelerations of the model on the way to what is shown on a side, for channels that are late.
+  /// Derivatives of the accelerations of the model on the way to what is shown on a side, for channels that are late,
+  /// less those by which they go with the state of the sample.
+  /// @param A  of the accelerations by psi, u, v, r, kept from the pass
   /// @param in_step(c)  the controls c of a neighbour then
-  /// @param towards(o)  the controls where an observer o sees the ship at other times
-  template <class InStep, class Towards>
-  void accelerate(Side side, const TapedShip::Slopes& by, const Controls<double>& controls, InStep&& in_step,
-                  Towards&& towards) {
+  template <class InStep>
+  void accelerate(Side side, const TapedShip::Slopes& by, const Eigen::Matrix<double, 3, 4>& A,
+                  const Controls<double>& controls, InStep&& in_step) {
     auto& acceleration = acceleration_[side];
-    acceleration.noalias() = X_.template middleCols<4>(2).lazyProduct(by.block<3, 4>(3, 0).transpose());
+    acceleration.noalias() = X_.template middleCols<4>(2) * (by.block<3, 4>(3, 0) - A).transpose();
     if (hides_) acceleration += H_ * by.block<3, hidden>(3, TapedVariables::hidden).transpose();
     add_direct(acceleration, by.bottomRows<3>(), controls, in_step);
-    for (const auto& d : differences_.observers)
-      add_controls(acceleration, d.unknown, d.step, by.bottomRows<3>(), controls, towards(d.observer));
   }
-
-  /// The same where what is shown lies on one side alone: the other's are the same.
-  void accelerate_alike(Side side, Side other) { acceleration_[side] = acceleration_[other]; }
 
   /// Takes a residual. @param out  its derivatives over its standard deviation
   template <class Row>
@@ -131,7 +127,9 @@ class StateSlopes {
       observer_.value(channel, sight, since, slope);
       seen_ = X_.template leftCols<6>() * slope.by_state;
       if (observer_.late(channel)) {
-        seen_ += acceleration_[observer_.side(channel, since)] * slope.by_acceleration;
+        const auto shares = sight.shares(since - observer_.delay(channel));
+        for (const auto side : {past, future})
+          if (shares[side] != 0.0) seen_ += acceleration_[side] * (shares[side] * slope.by_acceleration);
         if constexpr (N == 9) seen_ += X_.template rightCols<3>() * slope.by_acceleration;
       }
     }

@@ -156,20 +156,21 @@ bool tells_false_drift(const Ship& ship, const Instruments<>& instruments) {
          std::abs(heading.bias) > askew;
 }
 
+std::vector<ShipState<double>> states_told(const Ship& ship, const Recording& run, std::span<const double> times) {
+  std::vector<ShipState<double>> states;
+  for (const double time : times) states.push_back(state_told(ship, run, time));
+  return states;
+}
+
 }  // namespace
 
 std::vector<ShipState<double>> recorded_states(const Ship& ship, const Recording& run, std::span<const double> times) {
   const auto instruments = instruments_of(ship);
-  const auto told_by = [&](const Recording& by) {
-    std::vector<ShipState<double>> states;
-    for (const double time : times) states.push_back(state_told(ship, by, time));
-    return states;
-  };
-  if (instruments == Instruments<>{}) return told_by(run);
+  if (instruments == Instruments<>{}) return states_told(ship, run, times);
   auto was = as_it_was(run, instruments);
   if (tells_false_drift(ship, instruments) && was.has(Channel::x) && was.has(Channel::y))
     for (const Channel channel : core::detail::velocities_over_ground) was.channels[index_of(channel)].clear();
-  return told_by(was);
+  return states_told(ship, was, times);
 }
 
 ShipState<double> recorded_state(const Ship& ship, const Recording& run, double time) {
@@ -180,14 +181,27 @@ ShipState<double> recorded_state(const Ship& ship, const Recording& run, double 
 
 namespace {
 
-/// Recorded rudder angle without the delay of its record.
+/// Recorded rudder angle at the times that its record shows, between its own samples: angles at those of the run,
+/// joined by straight lines, cut the corners of an order, and more or less so as the delay changes. Where the record
+/// shows no time of the run its first or last line is drawn on.
 Interpolant in_time(const Ship& ship, const Recording& run) {
-  Instruments<> late;
-  late[Channel::delta].delay = instruments_of(ship)[Channel::delta].delay;
-  if (late == Instruments<>{}) return Interpolant(run, Channel::delta);
-  Recording rudder{.name = run.name, .facts = {}, .time = run.time, .channels = {}, .extra = {}};
-  std::ranges::copy(run[Channel::delta], rudder.fill(Channel::delta).begin());
-  return Interpolant(as_it_was(std::move(rudder), late), Channel::delta);
+  const Interpolant recorded(run, Channel::delta);
+  const double delay = instruments_of(ship)[Channel::delta].delay;
+  if (delay == 0.0) return recorded;
+  std::vector time(recorded.times().begin(), recorded.times().end());
+  std::vector angle(recorded.values().begin(), recorded.values().end());
+  for (double& t : time) t -= delay;
+  const auto drawn_on = [&](double to, std::size_t end, std::size_t next) {
+    return angle[end] + (to - time[end]) / (time[next] - time[end]) * (angle[next] - angle[end]);
+  };
+  if (const auto last = time.size() - 1; last > 0 && time[0] > recorded.times().front())
+    angle.insert(angle.begin(), drawn_on(recorded.times().front(), 0, 1)),
+        time.insert(time.begin(), recorded.times().front());
+  else if (last > 0 && time[last] < recorded.times().back())
+    angle.push_back(drawn_on(recorded.times().back(), last, last - 1)), time.push_back(recorded.times().back());
+  Recording rudder{.name = run.name, .facts = {}, .time = std::move(time), .channels = {}, .extra = {}};
+  rudder.channels[index_of(Channel::delta)] = std::move(angle);
+  return Interpolant(rudder, Channel::delta);
 }
 
 /// Rudder angle as the indicator shows it; an order is followed at the rate of the steering gear.
@@ -237,13 +251,18 @@ Recording beginning_of(const Recording& run, double time_unit, const Instruments
   return beginning;
 }
 
-/// Speed through the water at the start; by all of the run only where its first samples do not tell.
+/// Speed through the water at the start; by all of the run only where its first samples do not tell. A drift that is
+/// false, of a course that is late, is nothing to her speed; without it the speed would leap, and her propulsion with
+/// it, where a delay passes that of `tells_false_drift` (a sum of squares by 200, in a fit as on board).
 double starting_speed(const Ship& ship, const Recording& run, double time_unit, const Instruments<>& instruments) {
-  const double begin = run.time.front();
+  const auto by = [&](const Recording& samples) {
+    const bool exact = instruments == Instruments<>{};
+    return speed(state_told(ship, exact ? samples : as_it_was(samples, instruments), run.time.front()).motion);
+  };
   try {
-    return speed(recorded_state(ship, beginning_of(run, time_unit, instruments), begin).motion);
+    return by(beginning_of(run, time_unit, instruments));
   } catch (const Refusal&) {
-    return speed(recorded_state(ship, run, begin).motion);
+    return by(run);
   }
 }
 
