@@ -126,15 +126,13 @@ class RunFilterOf final : public RunFilter<N> {
           if (!late) return;
           const auto& shown = pass.shown[k];
           std::optional<Controls<double>> taped;
-          const auto accelerate = [&](Side side) {
+          for (const auto side : {past, future}) {
             const auto controls = controls_towards(*controls_, k, shown[side]);
             if (taped != controls) predictor_.slopes(x, controls, at_sample);
             taped = controls;
             X.accelerate(side, at_sample, sight.A, controls,
                          [&](const RunControls& c) { return controls_towards(c, k, shown[side]); });
-          };
-          accelerate(past);
-          accelerate(future);
+          }
         },
         [&](const FilterVector<N>& x, const Sight& sight, std::size_t row, double) {
           X.observe(seen_from(x, sight), pass.innovations[row], out.row(static_cast<Eigen::Index>(row)));
