@@ -592,9 +592,11 @@ constexpr double ordinary_form = 0.2;
 /// nothing: 0.27 for the KVLCC2 in her published form, 0.55 and 0.66 where a state that nobody knows was hidden.
 constexpr double largest_form = 0.4;
 
-/// Force that follows one thing over the force on the hull, root mean square.
-double off_by(const ForceBudget& b, Follows follows) {
-  return std::sqrt(std::max(0.0, b.share[static_cast<std::size_t>(follows)] * b.size));
+/// Force that follows one thing over the force on the hull, root mean square: what it is at least, a standard error of
+/// its share below the estimate, since a share that may as well be ordinary is no finding.
+double surely_off_by(const ForceBudget& b, Follows follows) {
+  const auto i = static_cast<std::size_t>(follows);
+  return std::sqrt(std::max(0.0, (b.share[i] - b.standard_error[i]) * b.size));
 }
 
 /// Across or about the vertical; along, a log that is read in coarse steps and a propulsion that is not recorded do as
@@ -604,7 +606,7 @@ bool is_across(const ForceBudget& b) { return b.quantity != "surge_force"; }
 /// Whether the form is larger than any.
 bool has_large_form(std::span<const ForceBudget> budget) {
   return std::ranges::any_of(
-      budget, [](const ForceBudget& b) { return is_across(b) && off_by(b, Follows::form) > largest_form; });
+      budget, [](const ForceBudget& b) { return is_across(b) && surely_off_by(b, Follows::form) > largest_form; });
 }
 
 /// Whether a force grows faster than the motion, of which reference runs, gentler than the hardest of the others, tell
@@ -1010,7 +1012,7 @@ bool is_unexplained(const Diagnosis& d) {
   if (is_much_left(d)) return true;
   const auto is_form = [](const FoundEffect& e) { return id_of(e.effect) == form_id; };
   const auto is_large = [](const ForceBudget& b) {
-    return is_across(b) && off_by(b, Follows::nothing) > ordinary_form;
+    return is_across(b) && surely_off_by(b, Follows::nothing) > ordinary_form;
   };
   return std::ranges::all_of(d.effects, is_form) && ((!is_in_waves(d) && std::ranges::any_of(d.budget, is_large)) ||
                                                      (!d.effects.empty() && has_large_form(d.budget)));

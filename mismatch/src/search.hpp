@@ -32,9 +32,6 @@ struct FittedCandidate {
       widening{};  ///< of the deviation of each coordinate, for terms that were tried with it and dropped
 };
 
-/// Whether an effect explains a heel that was recorded.
-bool explains_heel(const Trial& trial, const EffectForm& form);
-
 /// A candidate that promised too little to be fitted.
 struct UnfittedCandidate {
   const EffectForm* form;
@@ -42,6 +39,9 @@ struct UnfittedCandidate {
   bool may_matter;        ///< within two deviations of what was predicted it is larger than its practical floor
   double least_odds = 0;  ///< to nothing, whatever was predicted
 };
+
+/// Whether an effect explains a heel that was recorded.
+bool explains_heel(const Trial& trial, const EffectForm& form);
 
 /// Factor on the prior deviations of the baseline's coefficients where the runs speak against them.
 inline constexpr double inflation_step = 3.0;
