@@ -3,7 +3,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
+#include <span>
 
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/mismatch/run_picture.hpp"
@@ -58,11 +60,17 @@ Point with_stages(const Trial& trial, Point point, std::size_t stages) {
   return point;
 }
 
-Ship ship_of_stages(const Trial& trial, const Hypothesis& hypothesis, const Point& point, std::size_t stages,
-                    const Recording& run) {
-  return ship_with(trial, hypothesis, with_stages(trial, point, stages), &run, [&](const Effect& effect, bool) {
-    return std::holds_alternative<ModelForm<>>(effect) || is_among(follows(effect), stages);
+/// The ship after so many stages; nothing where she is that of the stage before.
+std::optional<Ship> ship_of_stage(const Trial& trial, const Hypothesis& hypothesis, const Point& point,
+                                  std::size_t stages, const Recording& run) {
+  const Point now = with_stages(trial, point, stages);
+  bool differs = stages == 0 || now != with_stages(trial, point, stages - 1);
+  auto ship = ship_with(trial, hypothesis, now, &run, [&](const Effect& effect, bool) {
+    if (std::holds_alternative<ModelForm<>>(effect)) return true;
+    differs = differs || follows(effect) == order[stages - 1];
+    return is_among(follows(effect), stages);
   });
+  return differs ? std::optional(std::move(ship)) : std::nullopt;
 }
 
 // ---------------------------------------------------------------- shares
@@ -95,37 +103,60 @@ std::array<double, axes> own_force(const Ship& ship, const PlanarMotion<double>&
   return {};
 }
 
-Sums sums_of(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const PreparedRun& run,
-             const Noise& noise) {
-  Sums sums;
-  std::vector<MissingForce> given;
+/// What the given ship lacks in a run, and the squares of her own force there; nothing where she cannot sail it.
+struct OfGivenShip {
+  std::vector<MissingForce> missing;
+  std::array<double, axes> own{};
+};
+
+OfGivenShip of_given_ship(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const PreparedRun& run,
+                          const Noise& noise) try {
+  OfGivenShip given{.missing = missing_force(*ship_of_stage(trial, hypothesis, point, 0, *run.run), run, noise)};
   const RecordedControls controls(trial.ship, *run.run);
+  for (std::size_t i = 0; i < given.missing.size(); ++i) {
+    const auto own = own_force(trial.ship, given.missing[i].motion, controls.at(run.run->time[i]));
+    for (std::size_t axis = 0; axis < axes; ++axis) given.own[axis] += own[axis] * own[axis];
+  }
+  return given;
+} catch (const std::exception&) {
+  return {};
+}
+
+Sums sums_of(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const PreparedRun& run,
+             const Noise& noise, const OfGivenShip& given) try {
+  Sums sums{.own = given.own};
+  auto missing = given.missing;
   for (std::size_t k = 0; k < stage_count; ++k) {
-    const auto missing = missing_force(ship_of_stages(trial, hypothesis, point, k, *run.run), run, noise);
-    if (k == 0) given = missing;
+    if (k > 0)
+      if (const auto ship = ship_of_stage(trial, hypothesis, point, k, *run.run))
+        missing = missing_force(*ship, run, noise);
     for (std::size_t i = 0; i < missing.size(); ++i) {
-      const auto now = components(missing[i].force), before = components(given[i].force);
+      const auto now = components(missing[i].force), before = components(given.missing[i].force);
       for (std::size_t axis = 0; axis < axes; ++axis)
         if (std::isfinite(now[axis] * before[axis])) sums.products[axis][k] += now[axis] * before[axis];
     }
   }
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    const auto own = own_force(trial.ship, given[i].motion, controls.at(run.run->time[i]));
-    for (std::size_t axis = 0; axis < axes; ++axis) sums.own[axis] += own[axis] * own[axis];
-  }
   return sums;
+} catch (const std::exception&) {
+  return {};
 }
 
-/// Of all runs that the ships can sail.
-Sums sums_of(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const Noise& noise) {
-  std::vector<Sums> of_run(trial.runs.size());
-  in_parallel(trial.runs.size(), 0, [&](std::size_t i) {
-    try {
-      of_run[i] = sums_of(trial, hypothesis, point, trial.runs[i], noise);
-    } catch (const std::exception&) {}
+/// At each point, of all runs that the ships can sail.
+std::vector<Sums> sums_of(const Trial& trial, const Hypothesis& hypothesis, std::span<const Point> points,
+                          const Noise& noise) {
+  const auto runs = trial.runs.size();
+  std::vector<OfGivenShip> given(runs);
+  in_parallel(runs, 0, [&](std::size_t i) {
+    given[i] = of_given_ship(trial, hypothesis, points.front(), trial.runs[i], noise);
   });
-  Sums all;
-  for (const auto& sums : of_run) all.add(sums);
+  std::vector<Sums> of_each(points.size() * runs);
+  in_parallel(of_each.size(), 0, [&](std::size_t i) {
+    const auto run = i % runs;
+    if (!given[run].missing.empty())
+      of_each[i] = sums_of(trial, hypothesis, points[i / runs], trial.runs[run], noise, given[run]);
+  });
+  std::vector<Sums> all(points.size());
+  for (std::size_t i = 0; i < of_each.size(); ++i) all[i / runs].add(of_each[i]);
   return all;
 }
 
@@ -163,9 +194,11 @@ Follows follows(const Effect& effect) {
 std::vector<ForceBudget> budget_of(const Trial& trial, const Hypothesis& hypothesis, const MapFit& fit) {
   const auto problem = problem_of(trial, hypothesis);
   const auto noise = best_noise(problem_of(trial, trial.ship), {}, fit.noise, false).noise;
-  const auto sums = sums_of(trial, hypothesis, fit.point, noise);
-  std::vector<Sums> others;
-  for (const auto& point : drawn(problem, fit)) others.push_back(sums_of(trial, hypothesis, point, noise));
+  auto points = drawn(problem, fit);
+  points.insert(points.begin(), fit.point);
+  const auto all = sums_of(trial, hypothesis, points, noise);
+  const auto& sums = all.front();
+  const std::span others(all.begin() + 1, all.end());
   constexpr std::array names{"surge_force", "sway_force", "yaw_moment"};
   std::vector<ForceBudget> budget;
   for (std::size_t axis = 0; axis < axes; ++axis) {

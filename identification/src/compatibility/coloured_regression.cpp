@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "swayaw/core/detail/matrices.hpp"
+#include "swayaw/core/parallel.hpp"
 
 namespace swayaw::inline identification::detail {
 namespace {
@@ -168,8 +169,8 @@ Likeliest likeliest_errors(const TimeSeries& few, const Eigen::VectorXd& prior, 
 
 Likeliest likeliest_of(const TimeSeries& series, const Eigen::VectorXd& prior, std::span<const ErrorModel> starts) {
   const auto few = thinned(series);
-  std::vector<Likeliest> ends;
-  for (const auto& start : starts) ends.push_back(likeliest_errors(few, prior, start));
+  std::vector<Likeliest> ends(starts.size());
+  in_parallel(starts.size(), 0, [&](std::size_t i) { ends[i] = likeliest_errors(few, prior, starts[i]); });
   return *std::ranges::min_element(ends, {}, &Likeliest::deviance);
 }
 
