@@ -19,7 +19,6 @@ struct DescentOptions {
   int attempts;              ///< in a shrinking region, until a step descends
   double worth;              ///< least gain in the cost that a step must predict
   double worth_share = 0.0;  ///< the same as a share of the cost, which comes to it
-  double gain_share = 0.0;   ///< the same as a share of what was gained so far, which comes to it
   double radius;             ///< of the first region
 };
 
@@ -44,7 +43,6 @@ template <class Renew, class At, class Cost>
 void descend(Descent& here, const DescentOptions& options, Renew&& renew, At&& at, Cost&& cost) {
   constexpr double poor = 0.25, good = 0.75, enough = 1e-3;  // of the gain that was predicted
   double radius = options.radius;
-  const double at_first = here.cost;
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     const NormalEquations normal = renew(here, iteration);
     if (normal.b.size() == 0) return;
@@ -53,9 +51,7 @@ void descend(Descent& here, const DescentOptions& options, Renew&& renew, At&& a
       const Eigen::VectorXd step =
           bounded_step(normal.A, -normal.b, here.low - here.point, here.high - here.point, radius);
       const double predicted = step.dot(2.0 * normal.b - normal.A * step);
-      const double worth =
-          options.worth + options.worth_share * here.cost + options.gain_share * (at_first - here.cost);
-      if (!(predicted > worth)) return;
+      if (!(predicted > options.worth + options.worth_share * here.cost)) return;
       const Eigen::VectorXd there = here.point + step;
       Eigen::VectorXd residuals = at(there);
       const double cost_there = cost(there, residuals), share = (here.cost - cost_there) / predicted;

@@ -81,11 +81,7 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
   // a round ends where a step promises to gain less than half of this in log posterior density. With 0.2 to 0.4 fits
   // to be ranked take a fifth less time, but they decide what is found, too: a wind that gains 15.4 came to 14.4 and
   // 14.9 where 15 are needed (seven zigzags of the 3 m Esso Osaka)
-  DescentOptions options{.iterations = 10, .attempts = 6, .worth = 0.05, .radius = wide};
-  // what the first round, whose noise is a guess, gains less than this share of its gain is left to the next. Fits on
-  // board take 5 to 10 % less time, and end no lower; with it in all rounds a seventh less, but process noise ended 1 %
-  // higher (KVLCC2), and of what a fit predicts from a start far off it left too much: a rudder that stalls, worth 146
-  constexpr double left_to_next = 0.02;
+  constexpr DescentOptions options{.iterations = 10, .attempts = 6, .worth = 0.05, .radius = wide};
   constexpr double worth_a_round = 0.5;    // of log posterior density
   constexpr double rough = 15.0;           // of the same: what follows gains less than a third of it
   constexpr double about_straight = 0.25;  // of what a step predicts: all slopes are worked out anew after less
@@ -95,7 +91,6 @@ MapFit fit(const EstimationProblem& problem, const Point& start, Noise noise, Ei
   double density = -HUGE_VAL;  // of the posterior, logarithm
   Eigen::MatrixXd of_noise;    // covariance
   for (int round = 0; round < wanted.rounds; ++round) {
-    options.gain_share = round == 0 && wanted.rounds > 1 ? left_to_next : 0.0;
     const auto passes = filtered(problem, here.point, noise);
     const auto cost = [&](const Point& p, const Eigen::VectorXd& e) { return e.squaredNorm() + problem.prior(p); };
     here.residuals = residuals(problem, here.point, *passes);
