@@ -469,6 +469,14 @@ TEST_CASE("a case as on board is made again by its seed, and another by another"
   CHECK(runs <= 8);
 }
 
+TEST_CASE("where nothing hidden can be noticed in a ship another takes her place", "[bench][on_board][limit]") {
+  const auto plan = plan_named("on_board", 300, 41).at(199);
+  const auto c = made(plan);
+  CHECK(c.truth.at("seed").get<std::uint64_t>() != plan.seed);
+  REQUIRE(c.labels.size() == 1);
+  CHECK(c.labels.front().effect.starts_with("unknown"));
+}
+
 TEST_CASE("a file replays a clean ship, and one with a hidden effect once it has that effect",
           "[bench][on_board][second-route]") {
   const auto truth = true_ship("twin_screw", 1);

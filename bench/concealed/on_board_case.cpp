@@ -361,15 +361,13 @@ ConcealedCase made_by(const CasePlan& plan, std::uint64_t seed) {
 
 }  // namespace
 
-/// Another ship, on another day, where the first can be given no such case: a twin screw on whom no force without a
-/// name was large enough to be noticed (case 200 of seed 41), for one.
 ConcealedCase made_on_board(const CasePlan& plan) {
   constexpr std::uint64_t ships = 5;
-  for (std::uint64_t ship = 0; ship + 1 < ships; ++ship) try {
+  for (std::uint64_t ship = 0;; ++ship) try {
       return made_by(plan, ship == 0 ? plan.seed : seed_of(plan.seed, ship));
-    } catch (const std::domain_error&) {  // the next one
+    } catch (const std::domain_error&) {
+      if (ship + 1 == ships) throw;
     }
-  return made_by(plan, seed_of(plan.seed, ships - 1));
 }
 
 }  // namespace swayaw::concealed

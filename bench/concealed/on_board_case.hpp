@@ -10,6 +10,9 @@ namespace swayaw::concealed {
 /// Cases of all structures and forms of files, with nothing hidden or with something.
 std::vector<CasePlan> on_board_plans(bool something_hidden, std::size_t count, std::uint64_t seed);
 
+/// Of another ship, on another day, where the first can be given no such case: a twin screw on whom no force without a
+/// name was large enough to be noticed (case 200 of seed 41), for one.
+/// @throws std::domain_error  where none of five ships can
 ConcealedCase made_on_board(const CasePlan& plan);
 
 /// Errors of replays by a ship, restarted every two lengths, over those of the same runs with nothing hidden: mean over
