@@ -109,6 +109,8 @@ class RunFilterOf final : public RunFilter<N> {
     StateSlopes<N> X(differences, observer_);
     StepSlopes by;
     TapedShip::Slopes at_sample;
+    Interval last{};
+    const Transition<N>* way = nullptr;  // the last step
     if (predictor_.hides_states()) {
       TapedShip::HiddenSlopes at_first;
       predictor_.slopes_of_hidden(first_state(), first_controls(), at_first);
@@ -120,19 +122,21 @@ class RunFilterOf final : public RunFilter<N> {
         pass, late,
         [&](FilterVector<N>& x, const Interval& step, const Controls<double>& controls, const Transition<N>& t) {
           predictor_.repeat(x, controls, step.from, step.to, t, by);
-          X.step(t, by, controls, [&](const RunControls& c) { return controls_in(c, step); });
+          last = step, way = &t;
+          X.step(t, by, late, controls, [&](const RunControls& c) { return controls_in(c, step); });
         },
-        [&](const FilterVector<N>& x, std::size_t k, const Sight& sight) {
+        [&](const FilterVector<N>& x, std::size_t k, const Sight&) {
           if (!late) return;
-          const auto& shown = pass.shown[k];
-          std::optional<Controls<double>> taped;
-          for (const auto side : {past, future}) {
-            const auto controls = controls_towards(*controls_, k, shown[side]);
-            if (taped != controls) predictor_.slopes(x, controls, at_sample);
-            taped = controls;
-            X.accelerate(side, at_sample, sight.A, controls,
-                         [&](const RunControls& c) { return controls_towards(c, k, shown[side]); });
+          if (!way) {
+            predictor_.slopes(x, first_controls(), at_sample);
+            X.accelerate_at_first(at_sample, first_controls(),
+                                  [](const RunControls& c) { return c.at_samples.front(); });
+            return;
           }
+          for (const auto side : {past, future})
+            X.steer(side, way->by_rudder, *controls_, [&](const RunControls& c) {
+              return controls_towards(c, k, pass.shown[k][side]).delta - controls_in(c, last).delta;
+            });
         },
         [&](const FilterVector<N>& x, const Sight& sight, std::size_t row, double) {
           X.observe(seen_from(x, sight), pass.innovations[row], out.row(static_cast<Eigen::Index>(row)));
@@ -252,8 +256,9 @@ class RunFilterOf final : public RunFilter<N> {
     const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), timeline_[k] - timeline_[k - 1]);
     for (int i = 0; i < count; ++i) {
       const auto step = step_in(k, i, count);
-      const auto& t = pass.steps.emplace_back(
-          predictor_.step(estimate.mean, controls_in(*controls_, step), rudder_moves(step), step.from, step.to));
+      const auto& t =
+          pass.steps.emplace_back(predictor_.step(estimate.mean, controls_in(*controls_, step), rudder_moves(step),
+                                                  observer_.late() && i + 1 == count, step.from, step.to));
       const FilterVector<3> variance = t.share * noise.template tail<3>();
       const auto change = [&] { estimate.P.diagonal().template segment<3>(random) += variance; };
       if (t.changes == Changes::at_ends) change();
@@ -311,23 +316,28 @@ class RunFilterOf final : public RunFilter<N> {
     return observer_.value(channel, seen_from(x, sight), since);
   }
 
-  /// With the accelerations of the model where a late channel needs them: those on the way to the times that readings
-  /// show, as the rudder moves on it. One way for all, to the furthest of them, had them jump where another reading, on
-  /// the other side, became the furthest: in a run with a moving rudder, sums of squares by a third.
-  /// @param way  the step that led to the sample, whose derivatives are those at it
+  /// With the accelerations of the model where a late channel needs them: those at the end of the step that led to the
+  /// sample, by the curve of the step, with the rudder as it stands on the way to the times that readings show. One way
+  /// for all, to the furthest of them, had them jump where another reading, on the other side, became the furthest: in
+  /// a run with a moving rudder, sums of squares by a third. (Worked out by the model at the sample, on either side,
+  /// they took two thirds of its evaluations.)
+  /// @param way  the step that led to the sample, whose derivatives are those at it; nothing at the first
   Sight sight_at(const FilterVector<N>& x, std::size_t k, const std::array<double, 2>& shown, const Transition<N>* way,
                  bool late) const {
     Sight sight{.state = ship_state<N>(x), .phi = shown_by(predictor_.hidden(), Channel::phi), .shown = shown};
     if (!late) return sight;
-    if (way) sight.A = way->hA.template bottomRows<3>() / way->h;
-    const auto controls = [&](Side side) { return controls_towards(*controls_, k, shown[side]); };
-    const auto acceleration = [&](const Controls<double>& c) {
-      const auto rate = predictor_.rates(x, c);
-      return PlanarAcceleration<double>{rate[3], rate[4], rate[5]};
-    };
-    const auto before = controls(past), after = controls(future);
-    sight.acceleration[past] = acceleration(before);
-    sight.acceleration[future] = after == before ? sight.acceleration[past] : acceleration(after);
+    if (!way) {
+      const auto rate = predictor_.rates(x, first_controls());
+      sight.acceleration.fill({rate[3], rate[4], rate[5]});
+      return sight;
+    }
+    sight.A = way->hA.template bottomRows<3>() / way->h;
+    const auto& arrival = predictor_.arrival();
+    for (const auto side : {past, future}) {
+      const double moved = controls_towards(*controls_, k, shown[side]).delta - arrival.rudder;
+      const Eigen::Vector3d a = arrival.acceleration + moved * way->by_rudder;
+      sight.acceleration[side] = {a[0], a[1], a[2]};
+    }
     return sight;
   }
 

@@ -44,6 +44,7 @@ struct Transition {
   Changes changes;
   double share;
   Eigen::Matrix<double, 6, 1> turned;  ///< what the rudder, moving on in the step, adds to x … r
+  Eigen::Vector3d by_rudder;           ///< derivatives of the accelerations by its angle, or 0 where nobody asked
 
   /// What is left over a step of a that fades, exp(−h/τ) to third order.
   double faded() const { return 1.0 - fading * (1.0 - fading * (0.5 - fading / 6.0)); }
@@ -160,6 +161,13 @@ class ShipPredictor {
 
   bool hides_states() const { return ship_->hides_states(); }
 
+  /// How a step ended: accelerations of the model by the curve of the step, with the rudder at its mean angle in it.
+  struct Arrival {
+    Eigen::Vector3d acceleration;
+    double rudder;  ///< [rad]
+  };
+  const Arrival& arrival() const { return arrival_; }
+
   /// Derivatives of rates().
   void slopes(const FilterVector<N>& x, const Controls<double>& controls, TapedShip::Slopes& slopes) const {
     taped_->at(ship_state<N>(x), hidden_, controls, slopes);
@@ -187,12 +195,14 @@ class ShipPredictor {
   ///
   /// for what it does late has less time to turn her. A rudder at its mean all the time makes headings and yaw rates
   /// disagree: by 100 in log likelihood of six runs of a simulated ship, in steps of an eighth of L/U.
-  /// @param moves  Δδ [rad]
-  Transition<N> step(FilterVector<N>& x, const Controls<double>& controls, double moves, double from, double to) {
+  /// @param moves      Δδ [rad]
+  /// @param by_rudder  whether the derivatives by the rudder angle are needed, however little it moves
+  Transition<N> step(FilterVector<N>& x, const Controls<double>& controls, double moves, bool by_rudder, double from,
+                     double to) {
     const double h = to - from, fading = h / tau_;
     const auto state = ship_state<N>(x);
-    const double by_rudder = sway_by_rudder(state.motion, controls);
-    const auto middle = half_way(state.motion, by_rudder, h);
+    const double by_lift = sway_by_rudder(state.motion, controls);
+    const auto middle = half_way(state.motion, by_lift, h);
     LinearizedShip::At there{Eigen::Matrix<double, 6, 1>::Zero(), Eigen::Matrix<double, 6, 4>::Zero()};
     with_changes(from, to, [&](double weight) {
       const auto part = ship_->at(state, middle, controls);
@@ -205,15 +215,19 @@ class ShipPredictor {
                     .keep = N == 9 ? std::exp(-fading) : 1.0,
                     .changes = changes_,
                     .share = share_of(fading, h),
-                    .turned = Eigen::Matrix<double, 6, 1>::Zero()};
-    if (moves != 0.0) {
+                    .turned = Eigen::Matrix<double, 6, 1>::Zero(),
+                    .by_rudder = Eigen::Vector3d::Zero()};
+    if (moves != 0.0 || by_rudder) {
+      constexpr double least = 1e-4;  // rad
+      const double reach = std::abs(moves) > least ? moves : least;
       auto further = controls;
-      further.delta += moves;
+      further.delta += reach;
       const auto then = ship_->rates(state, middle, further);
-      const Eigen::Vector3d more{then[3] - there.rate[3], then[4] - there.rate[4], then[5] - there.rate[5]};
-      t.turned = (-h / 12.0) * t.hA.template rightCols<3>() * more;
+      t.by_rudder << then[3] - there.rate[3], then[4] - there.rate[4], then[5] - there.rate[5];
+      t.by_rudder /= reach;
+      t.turned = (-h / 12.0 * moves) * t.hA.template rightCols<3>() * t.by_rudder;
     }
-    move(x, by_rudder, t, there.rate);
+    move(x, controls, by_lift, t, there.rate);
     return t;
   }
 
@@ -227,7 +241,7 @@ class ShipPredictor {
       const auto part = ship_->rates(state, middle, controls);
       rate += weight * Eigen::Map<const Eigen::Matrix<double, 6, 1>>(part.data());
     });
-    move(x, by_rudder, t, rate);
+    move(x, controls, by_rudder, t, rate);
   }
 
   /// The same with the derivatives of the rates by the variables of the taped ship.
@@ -247,7 +261,7 @@ class ShipPredictor {
       if (std::exchange(first, false)) slopes.rates = weight * of_part;
       else slopes.rates += weight * of_part;
     });
-    move(x, by_rudder, t, rate);
+    move(x, controls, by_rudder, t, rate);
     if (!ship_->hides_states()) return;
     const auto stages = stages_of(hidden, state.motion, ship_state<N>(x).motion, by_rudder, t.h);
     for (std::size_t i = 0; i < stages.size(); ++i)
@@ -264,9 +278,11 @@ class ShipPredictor {
   }
 
   /// x⁺ = x + h f + what curves it, f with the unmodelled accelerations; these fade. Hidden states follow.
-  void move(FilterVector<N>& x, double by_rudder, const Transition<N>& t, const Eigen::Matrix<double, 6, 1>& rate) {
+  void move(FilterVector<N>& x, const Controls<double>& controls, double by_rudder, const Transition<N>& t,
+            const Eigen::Matrix<double, 6, 1>& rate) {
     const double h = t.h, fading = t.fading;
     const auto before = ship_state<N>(x).motion;
+    const Eigen::Vector4d start = x.template segment<4>(2);
     FilterVector<N> hf;
     hf.template head<6>() = h * rate;
     if constexpr (N == 9) {
@@ -275,6 +291,8 @@ class ShipPredictor {
       x.template tail<3>() *= t.faded();
     }
     x.template head<6>() += hf.template head<6>() + t.curved(hf) + t.turned;
+    arrival_ = {rate.template tail<3>() + t.hA.template bottomRows<3>() * (x.template segment<4>(2) - start) / h,
+                controls.delta};
     if (ship_->hides_states()) hidden_ = followed(before, ship_state<N>(x).motion, by_rudder, h);
   }
 
@@ -347,6 +365,7 @@ class ShipPredictor {
   std::unique_ptr<LinearizedShip> ship_;
   std::unique_ptr<TapedShip> taped_{};
   Hidden<double> hidden_;
+  Arrival arrival_{};
   std::size_t next_change_ = 0;
   double tau_;
   double longest_;  ///< way made in one step [m]

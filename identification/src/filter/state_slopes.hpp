@@ -74,10 +74,12 @@ class StateSlopes {
   }
 
   /// Over a step.
-  /// @param by         derivatives of the rates by the variables of the taped ship
+  /// @param of_step    derivatives of the rates by the variables of the taped ship
+  /// @param late       whether accelerations are needed at its end
   /// @param in_step(c)  the controls c of a neighbour in it
   template <class InStep>
-  void step(const Transition<N>& t, const StepSlopes& of_step, const Controls<double>& controls, InStep&& in_step) {
+  void step(const Transition<N>& t, const StepSlopes& of_step, bool late, const Controls<double>& controls,
+            InStep&& in_step) {
     const auto& by = of_step.rates;
     const Eigen::Matrix<double, 6, N> C = with_curve(t);
     const Eigen::Matrix<double, 6, 6> Ch = t.h * C.template leftCols<6>();
@@ -97,23 +99,40 @@ class StateSlopes {
       rate = of_hidden(of_step.hidden[0], before_, H_);
       moved_ += (H_ + 0.5 * t.h * rate) * forced_.template middleCols<hidden>(TapedVariables::hidden).transpose();
     }
+    if (late) {
+      const Eigen::Matrix<double, 3, 4> A = t.hA.template bottomRows<3>() / t.h;
+      acceleration_.noalias() = X_.template middleCols<4>(2) * (by.template block<3, 4>(3, 0) - A).transpose();
+      if (hides_)
+        acceleration_ += (H_ + 0.5 * t.h * rate) * by.template block<3, hidden>(3, TapedVariables::hidden).transpose();
+      add_direct(acceleration_, by.template bottomRows<3>(), controls, in_step);
+    }
     X_.template leftCols<6>() += moved_;
     if constexpr (N == 9) X_.template rightCols<3>() *= t.faded();
     add_direct(X_.template leftCols<6>(), forced_, controls, in_step);
     if (hides_) follow(of_step, rate, t.h);
   }
 
-  /// Derivatives of the accelerations of the model on the way to what is shown on a side, for channels that are late,
-  /// less those by which they go with the state of the sample.
-  /// @param A  of the accelerations by psi, u, v, r, kept from the pass
-  /// @param in_step(c)  the controls c of a neighbour then
-  template <class InStep>
-  void accelerate(Side side, const TapedShip::Slopes& by, const Eigen::Matrix<double, 3, 4>& A,
-                  const Controls<double>& controls, InStep&& in_step) {
-    auto& acceleration = acceleration_[side];
-    acceleration.noalias() = X_.template middleCols<4>(2) * (by.block<3, 4>(3, 0) - A).transpose();
-    if (hides_) acceleration += H_ * by.block<3, hidden>(3, TapedVariables::hidden).transpose();
-    add_direct(acceleration, by.bottomRows<3>(), controls, in_step);
+  /// The accelerations of the model with which the run begins.
+  /// @param by        their derivatives by the variables of the taped ship, in the last rows
+  /// @param first(c)  the controls c of a neighbour then
+  template <class First>
+  void accelerate_at_first(const TapedShip::Slopes& by, const Controls<double>& controls, First&& first) {
+    acceleration_ = X_.template middleCols<4>(2) * by.template block<3, 4>(3, 0).transpose();
+    if (hides_) acceleration_ += H_ * by.template block<3, hidden>(3, TapedVariables::hidden).transpose();
+    add_direct(acceleration_, by.template bottomRows<3>(), controls, first);
+  }
+
+  /// The rudder on the way to what is shown on a side.
+  /// @param by_rudder  derivatives of the accelerations by its angle, kept from the pass
+  /// @param moved(c)   from its mean angle in the step before, by the controls c [rad]
+  template <class Moved>
+  void steer(Side side, const Eigen::Vector3d& by_rudder, const RunControls& controls, Moved&& moved) {
+    auto& steered = steered_[side];
+    steered.clear();
+    if (differences_.controls.empty()) return;
+    const double here = moved(controls);
+    for (const auto& d : differences_.controls)
+      steered.push_back({d.unknown, (moved(d.controls) - here) / d.step * by_rudder});
   }
 
   /// Takes a residual. @param out  its derivatives over its standard deviation
@@ -128,8 +147,10 @@ class StateSlopes {
       seen_ = X_.template leftCols<6>() * slope.by_state;
       if (observer_.late(channel)) {
         const auto shares = sight.shares(since - observer_.delay(channel));
+        seen_ += acceleration_ * slope.by_acceleration;
         for (const auto side : {past, future})
-          if (shares[side] != 0.0) seen_ += acceleration_[side] * (shares[side] * slope.by_acceleration);
+          for (const auto& s : steered_[side])
+            seen_[s.unknown] += shares[side] * s.acceleration.dot(slope.by_acceleration);
         if constexpr (N == 9) seen_ += X_.template rightCols<3>() * slope.by_acceleration;
       }
     }
@@ -157,6 +178,12 @@ class StateSlopes {
     C.template leftCols<6>().diagonal().array() += 1.0;
     return C;
   }
+
+  /// What an unknown changes of the accelerations by the rudder.
+  struct Steered {
+    Eigen::Index unknown;
+    Eigen::Vector3d acceleration;
+  };
 
   static constexpr int hidden = static_cast<int>(hidden_count);
   using OfHidden = Unknowns<hidden>;
@@ -220,7 +247,10 @@ class StateSlopes {
   bool hides_ = false, follows_rudder_ = false;
   Unknowns<6> moved_;
   Unknowns<3> before_;
-  std::array<Unknowns<3>, 2> acceleration_;
+  /// Of the accelerations of the model at the end of a step, the rudder at its mean, for channels that are late; less
+  /// those by which they go with the state of the sample.
+  Unknowns<3> acceleration_;
+  std::array<std::vector<Steered>, 2> steered_;
   Eigen::VectorXd seen_;
   TapedShip::Slopes forced_;
 };
