@@ -1,4 +1,4 @@
-#include "effect_forms.hpp"
+#include "trial/effect_forms.hpp"
 
 #include <algorithm>
 #include <catch.hpp>
@@ -8,7 +8,7 @@
 #include "files.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 #include "swayaw/nonlinear/surroundings/windage_sources.hpp"
-#include "trial.hpp"
+#include "trial/trial.hpp"
 
 /// Laws of the coordinates of every effect.
 namespace swayaw {

@@ -1,4 +1,4 @@
-#include "linear_gaussian.hpp"
+#include "fleet/linear_gaussian.hpp"
 
 #include <Eigen/Cholesky>
 #include <catch.hpp>

@@ -3,14 +3,14 @@
 #include <cmath>
 #include <random>
 
-#include "budget.hpp"
 #include "found_effects.hpp"
+#include "missing_force/budget.hpp"
 #include "random_ships.hpp"
-#include "search.hpp"
+#include "search/search.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "tank_instruments.hpp"
-#include "trial.hpp"
+#include "trial/trial.hpp"
 
 /// Surroundings that differ from run to run, and what the missing force follows.
 namespace swayaw {

@@ -1,4 +1,4 @@
-#include "track_course.hpp"
+#include "trial/track_course.hpp"
 
 #include <catch.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "trial.hpp"
+#include "trial/trial.hpp"
 
 #include <algorithm>
 #include <catch.hpp>
@@ -8,9 +8,9 @@
 
 #include "files.hpp"
 #include "found_effects.hpp"
-#include "location.hpp"
+#include "missing_force/location.hpp"
 #include "random_ships.hpp"
-#include "search.hpp"
+#include "search/significance.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <optional>
 
-#include "statistics.hpp"
+#include "../compare/statistics.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/refusal.hpp"

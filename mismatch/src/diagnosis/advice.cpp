@@ -7,6 +7,7 @@
 #include <functional>
 #include <numbers>
 
+#include "../search/significance.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/parallel.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "search.hpp"
+#include "../search/search.hpp"
 #include "swayaw/mismatch/diagnose.hpp"
 
 /// What to sail next, and what these runs would have shown. Not installed.

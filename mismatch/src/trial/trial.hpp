@@ -44,6 +44,9 @@ void put_prior(Trial& trial);
 /// Effects that act together.
 using Hypothesis = std::vector<const EffectForm*>;
 
+/// One more effect.
+Hypothesis with(Hypothesis hypothesis, const EffectForm& form);
+
 /// The trial with parameters of the baseline that are known so many times less well, but no worse than theory tells.
 Trial with_inflated_prior(Trial trial, double factor);
 
@@ -56,6 +59,9 @@ double gain_by_prior(const EstimationProblem& problem, const MapFit& fit, const 
 
 /// Root mean square of the heel that runs record [rad], 0 where they record none.
 double heel_of(std::span<const PreparedRun> runs);
+
+/// Whether an effect explains a heel that was recorded.
+bool explains_heel(const Trial& trial, const EffectForm& form);
 
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels);
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "../trial/trial.hpp"
 #include "swayaw/mismatch/diagnose.hpp"
-#include "trial.hpp"
 
 /// Where in the runs, and where in the motion, force is missing. Not installed.
 namespace swayaw::inline mismatch::detail {

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "../trial/trial.hpp"
 #include "swayaw/mismatch/diagnose.hpp"
-#include "trial.hpp"
 
 /// What the force that the given model lacks follows, and how much of it. Not installed.
 namespace swayaw::inline mismatch::detail {

@@ -11,10 +11,12 @@
 #include <numeric>
 #include <utility>
 
+#include "../missing_force/budget.hpp"
+#include "../missing_force/location.hpp"
+#include "../search/ranking.hpp"
+#include "../search/significance.hpp"
+#include "../trial/trial.hpp"
 #include "advice.hpp"
-#include "budget.hpp"
-#include "location.hpp"
-#include "search.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/parallel.hpp"
@@ -22,7 +24,6 @@
 #include "swayaw/identification/data_compatibility.hpp"
 #include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
-#include "trial.hpp"
 #include "words.hpp"
 
 namespace swayaw::inline mismatch {

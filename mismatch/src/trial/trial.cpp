@@ -33,6 +33,15 @@ double heel_of(std::span<const PreparedRun> runs) {
   return time > 0.0 ? std::sqrt(squares / time) : 0.0;
 }
 
+bool explains_heel(const Trial& trial, const EffectForm& form) {
+  return heel_of(trial.runs) > 0.0 && std::ranges::any_of(form.coordinates, &Coordinate::acts);
+}
+
+Hypothesis with(Hypothesis hypothesis, const EffectForm& form) {
+  hypothesis.push_back(&form);
+  return hypothesis;
+}
+
 Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<const Channel> channels) {
   Trial trial{.ship = ship, .parameters = {}, .ordinary = {}, .mean = {}, .precision = {}, .runs = {}};
   for (const auto& n : parameters_of(ship))

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "effect_forms.hpp"
+#include "../trial/effect_forms.hpp"
+#include "../trial/trial.hpp"
 #include "linear_gaussian.hpp"
-#include "trial.hpp"
 
 /// Sister ships as one trial, and what the runs of a day tell of it. Not installed.
 namespace swayaw::inline mismatch::detail {
