@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <vector>
+
 #include "screening.hpp"
 #include "search.hpp"
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <span>
 #include <vector>
+
 #include "../missing_force/budget.hpp"
 #include "search.hpp"
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <vector>
+
 #include "held_out.hpp"
 #include "search.hpp"
 

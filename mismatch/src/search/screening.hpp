@@ -4,6 +4,7 @@
 #include <span>
 #include <utility>
 #include <vector>
+
 #include "search.hpp"
 
 /// Which effects are worth a fit: what each promises beside what is accepted, by a linear prediction. Not installed.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+
 #include "search.hpp"
 
 /// How well the runs tell an effect that was fitted. Not installed.

@@ -1,0 +1,201 @@
+#include "estimates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "../search/significance.hpp"
+#include "advice.hpp"
+#include "swayaw/core/angle.hpp"
+#include "words.hpp"
+
+namespace swayaw::inline mismatch::detail {
+namespace {
+
+/// Standard error of a direction from which on it is not told: ± 45 deg hold it in 95 of 100 cases.
+constexpr double no_direction = radians(22.5);
+
+/// Between the courses furthest to either side in a run [rad], the largest of some runs.
+double course_range(std::span<const Recording> runs, const std::vector<std::string>& names) {
+  double widest = 0.0;
+  for (const auto& run : runs) {
+    if (std::ranges::count(names, run.name) == 0 || !run.has(Channel::psi)) continue;
+    double now = 0.0, low = 0.0, high = 0.0, last = missing;
+    for (const double psi : run[Channel::psi]) {
+      if (std::isnan(psi)) continue;
+      if (!std::isnan(last)) now += wrapped(psi - last);
+      last = psi, low = std::min(low, now), high = std::max(high, now);
+    }
+    widest = std::max(widest, high - low);
+  }
+  return widest;
+}
+
+/// "the courses of these runs lie within 78 deg; a turn through 360 deg, or …"
+std::string what_would_tell(std::span<const Recording> runs, const std::vector<std::string>& names) {
+  const double range = course_range(runs, names);
+  if (range >= 2.0 * pi) return "these runs go all round: more turns on the same day, to either side, tell it";
+  return fmt::format(
+      "the courses of these runs lie within {:.0f} deg; a turn through 360 deg, or the same manoeuvre on the opposite "
+      "course, tells it",
+      degrees(range));
+}
+
+/// Takes a direction out that the runs do not tell, and says why.
+void take_out_untold(SurroundingsEstimate& there, std::span<const Parameter> all, std::span<const Recording> runs) {
+  const auto untold = std::ranges::find_if(there.parameters, [&](const ParameterEstimate& p) {
+    return p.standard_error > no_direction && std::ranges::find(all, p.key, &Parameter::key)->direction;
+  });
+  if (untold == there.parameters.end()) return;
+  untold->value = missing;
+  there.cannot_tell = "the direction cannot be told: " + what_would_tell(runs, there.runs);
+}
+
+/// Why something that was tried is not among what was found.
+std::string why_not(const FittedCandidate& tried, const Search& s, double needed) {
+  if (tried.refuted)
+    return s.trial.runs.size() > 1 ? "a part of the runs speaks against what the others tell"
+                                   : "one half of the run speaks against what the other tells";
+  if (tried.trace) return "what it would be is too small to matter, or not told from nothing";
+  if (tried.gain > needed && !s.accepted.empty())
+    return fmt::format("{} explains the runs as well", text_of(s.accepted.front().effect).phrase);
+  if (tried.gain > needed) return "held-out runs lose what the others gain by it";
+  return fmt::format("it explains the runs better by {:.1f} in log evidence, {:g} are needed", tried.gain, needed);
+}
+
+/// A wind or stream that was tried, would explain the runs better and was not taken, in words: what, and why not.
+std::optional<std::string> untold_of_tried(const Search& s, double needed) {
+  for (const auto& tried : s.first) {
+    const auto place = place_of(tried.effect);
+    if ((place != EffectPlace::air && place != EffectPlace::water) || acting_time(tried.effect) || !(tried.gain > 0.0))
+      continue;
+    return fmt::format("{} cannot be told: {}", text_of(tried.effect).phrase, why_not(tried, s, needed));
+  }
+  return std::nullopt;
+}
+
+/// How much wind these runs would not have shown, in words; nothing where the windage of the ship is not known.
+std::optional<std::string> untold_wind(const Trial& trial, const Search& s, std::span<const EffectForm> forms,
+                                       double needed) {
+  const auto wind = std::ranges::find(forms, SteadyWind<>::id, &EffectForm::id);
+  if (wind == forms.end()) return std::nullopt;
+  const auto phrase = text_of(make_effect(wind->id)).phrase;
+  const auto sizes = detectable_sizes(trial, s, {&*wind, 1}, needed);
+  if (sizes.empty()) return fmt::format("{} cannot be told: none that is likely would have shown", phrase);
+  return fmt::format("{} of less than {} m/s would not have shown", phrase, in_two_digits(sizes.front().value));
+}
+
+/// "zero" of "bias_rad_s", and its unit.
+std::pair<std::string, std::string> error_and_unit(std::string_view key) {
+  if (key == "bias_rad_s") return {"zero", "rad/s"};
+  if (key == "bias_rad") return {"zero", "rad"};
+  if (key == "angle_rad") return {"axes", "rad"};
+  if (key == "delay_s") return {"delay", "s"};
+  return {std::string(key), ""};
+}
+
+std::string_view channel_shown_wrong(const Effect& effect) {
+  if (const auto* channel = channel_of(effect)) return short_name(*channel);
+  const auto wrong = shown_wrong(effect);
+  return wrong == "yaw_rate"  ? short_name(Channel::r)
+         : wrong == "heading" ? short_name(Channel::psi)
+         : wrong == "drift"   ? short_name(Channel::v)
+                              : short_name(Channel::speed_through_water);
+}
+
+}  // namespace
+
+std::vector<ParameterEstimate> estimates(const Trial& trial, const EffectForm& form,
+                                         const std::vector<double>& widening, const MapFit& found, Eigen::Index from,
+                                         const Eigen::MatrixXd& part) {
+  const auto size = std::ssize(form.coordinates);
+  const Point c = part * found.point.segment(from, size);
+  const auto parameters = parameters_of(trial.ship, form.at({c.data(), static_cast<std::size_t>(c.size())}));
+  Eigen::MatrixXd slopes = parameter_slopes(trial.ship, form, c) * part;
+  if (!widening.empty()) slopes *= Eigen::Map<const Eigen::VectorXd>(widening.data(), size).asDiagonal();
+  const Eigen::MatrixXd covariance =
+      slopes * widened(form, found.covariance.block(from, from, size, size)) * slopes.transpose();
+  const double ordinary = ordinary_size(trial, form);
+  const auto size_of_it = std::ranges::find_if(parameters, [](const Parameter& p) { return p.decides; });
+  std::vector<ParameterEstimate> result;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto place = static_cast<Eigen::Index>(i);
+    if (!std::isfinite(parameters[i].value) || !(covariance(place, place) > 0.0)) continue;
+    const double in_it = &parameters[i] == &*size_of_it ? ordinary
+                         : parameters[i].direction      ? ordinary / std::max(ordinary, std::abs(size_of_it->value))
+                                                        : 0.0;
+    const double value =
+        parameters[i].direction && parameters[i].value < 0.0 ? parameters[i].value + 2.0 * pi : parameters[i].value;
+    const double departure = parameters[i].direction ? 1.0
+                             : parameters[i].decides ? std::abs(parameters[i].value - parameters[i].null)
+                                                     : std::abs(parameters[i].value),
+                 law = std::isfinite(departure) ? parameters[i].law * departure : 0.0;
+    result.push_back(
+        {std::string(parameters[i].key), value, std::hypot(std::sqrt(covariance(place, place)), law, in_it)});
+  }
+  return result;
+}
+
+FoundEffect found_effect(const Trial& trial, const Accepted& accepted, const MapFit& now, Eigen::Index from) {
+  const auto& form = *accepted.form;
+  FoundEffect found{.effect = form.at(mean_of_parts(form, {now.point.data() + from, form.coordinates.size()})),
+                    .scope = form.scope,
+                    .probability = accepted.probability,
+                    .onset = {},
+                    .end = {},
+                    .parameters = estimates(trial, form, accepted.widening, now, from, mean_part_map(form)),
+                    .indistinguishable_from = {}};
+  for (const auto& rival : accepted.rivals) found.indistinguishable_from.push_back(rival.form->id);
+  if (const auto time = acting_time(found.effect)) found.onset = time->onset, found.end = time->end;
+  return found;
+}
+
+std::vector<SurroundingsEstimate> surroundings_of(const Trial& trial, const Accepted& accepted, const MapFit& found,
+                                                  Eigen::Index from, std::span<const Recording> runs) {
+  const auto& form = *accepted.form;
+  std::vector<SurroundingsEstimate> result;
+  for (std::size_t part = 0; part < std::max<std::size_t>(1, form.parts.size()); ++part) {
+    SurroundingsEstimate there{.scope = form.parts.empty() ? "all" : form.parts[part], .runs = {}, .parameters = {}};
+    for (const auto& run : runs)
+      if (form.part_of(run) == part) there.runs.push_back(run.name);
+    there.parameters = estimates(trial, form, accepted.widening, found, from, part_map(form, part));
+    take_out_untold(there, parameters_of(trial.ship, accepted.effect), runs);
+    result.push_back(std::move(there));
+  }
+  return result;
+}
+
+void put_untold_surroundings(Diagnosis& d, const Trial& trial, const Search& s, std::span<const Recording> runs,
+                             std::span<const EffectForm> forms, double needed) {
+  if (!d.surroundings.empty() || !s.on_board) return;
+  auto untold = untold_of_tried(s, needed);
+  if (!untold) untold = untold_wind(trial, s, forms, needed);
+  if (!untold) return;
+  SurroundingsEstimate all{.scope = "all", .runs = {}, .parameters = {}};
+  for (const auto& run : runs) all.runs.push_back(run.name);
+  all.cannot_tell = fmt::format("{}; {}", *untold, what_would_tell(runs, all.runs));
+  d.surroundings.push_back(std::move(all));
+}
+
+std::vector<InstrumentEstimate> instruments_of(const Trial& trial, const Search& s) {
+  std::vector<InstrumentEstimate> told;
+  for (const auto& o : ordinary_instruments(trial, s.hypothesis(), s.now)) {
+    if (!(std::abs(o.value) > 2.0 * o.standard_error)) continue;
+    const auto [error, unit] = error_and_unit(o.key);
+    told.push_back({std::string(channel_shown_wrong(o.effect)), error, o.value, o.standard_error, unit});
+  }
+  return told;
+}
+
+std::vector<MismatchPlace> places_of(const Effect& sensor, std::span<const Recording> runs) {
+  std::vector<MismatchPlace> places;
+  for (const auto& run : runs)
+    places.push_back({run.name, std::string(shown_wrong(sensor)), run.time.front(), run.time.back(), 1.0,
+                      "all along, in the instrument and not in a force"});
+  return places;
+}
+
+}  // namespace swayaw::mismatch::detail
