@@ -6,6 +6,7 @@
 #include <set>
 
 #include "files.hpp"
+#include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 #include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 #include "trial/trial.hpp"
@@ -66,6 +67,28 @@ TEST_CASE("wherever a search goes, the parameters of an effect are in their rang
 
 // Regression, 2026-11-22: a refit that left the range, as m_y = -0.10, ended a diagnosis after minutes of work, when
 // the improved ship was written.
+TEST_CASE("a direction that was found is one from north to just below all round, in answers and in the saved ship",
+          "[mismatch][regression]") {
+  std::mt19937_64 engine(4);
+  std::normal_distribution<double> normal;
+  int directions = 0;
+  for (const auto& ship : ships())
+    for (const auto& form : effect_forms(ship, recorded_channels, 300.0)) {
+      auto points = form.starts;
+      for (int i = 0; i < 20; ++i)
+        for (double& c : points.emplace_back(form.starts.front())) c += normal(engine);
+      points.emplace_back(form.starts.front())[0] = 1.0, points.back()[1 % points.back().size()] = -1e-300;
+      for (const auto& c : points)
+        for (const auto& p : parameters_of(ship, form.at(c))) {
+          if (!p.direction) continue;
+          INFO(ship.name << " " << form.id);
+          CHECK((p.value >= 0.0 && p.value < 2.0 * pi));
+          ++directions;
+        }
+    }
+  CHECK(directions > 400);
+}
+
 TEST_CASE("wherever a search goes, the coefficients of the ship are in their ranges", "[mismatch][regression]") {
   for (auto ship : ships()) {
     ship.confidence.coefficients = 0.3;

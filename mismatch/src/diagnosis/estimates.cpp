@@ -127,8 +127,7 @@ std::vector<ParameterEstimate> estimates(const Trial& trial, const EffectForm& f
     const double in_it = &parameters[i] == &*size_of_it ? ordinary
                          : parameters[i].direction      ? ordinary / std::max(ordinary, std::abs(size_of_it->value))
                                                         : 0.0;
-    const double value =
-        parameters[i].direction && parameters[i].value < 0.0 ? parameters[i].value + 2.0 * pi : parameters[i].value;
+    const double value = parameters[i].direction ? from_north(parameters[i].value) : parameters[i].value;
     const double departure = parameters[i].direction ? 1.0
                              : parameters[i].decides ? std::abs(parameters[i].value - parameters[i].null)
                                                      : std::abs(parameters[i].value),

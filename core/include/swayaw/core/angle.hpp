@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,6 +17,12 @@ constexpr double degrees(double radians) { return radians * (180.0 / pi); }
 
 /// The same direction in [-pi, pi].
 inline double wrapped(double angle) { return std::remainder(angle, 2.0 * pi); }
+
+/// The same direction in [0, 2 pi), as directions are told.
+inline double from_north(double angle) {
+  const double near = wrapped(angle);
+  return near < 0.0 ? std::min(near + 2.0 * pi, std::nextafter(2.0 * pi, 0.0)) : near;
+}
 
 /// The same direction, less than half a turn from `previous`.
 inline double unwrapped(double angle, double previous) { return previous + wrapped(angle - previous); }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "swayaw/core/angle.hpp"
 #include "swayaw/nonlinear/effects/effect.hpp"
 
 /// An effect in the coordinates that a search moves.
@@ -150,7 +151,7 @@ SearchForm<Kind> by_parts(const Kind& null, const Parameter& size, const Paramet
              further = std::move(further)](std::span<const double> c) {
     Kind effect = null;
     parameter_value(effect, a) = unit * std::hypot(c[0], c[1]);
-    parameter_value(effect, b) = std::atan2(c[1], c[0]);
+    parameter_value(effect, b) = from_north(std::atan2(c[1], c[0]));
     for (std::size_t i = 0; i < further.size(); ++i)
       parameter_value(effect, further[i].index) = further[i].value(c[2 + i]);
     return effect;
