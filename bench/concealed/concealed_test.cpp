@@ -645,6 +645,18 @@ TEST_CASE("what the whole would lack most is named first", "[bench][on_board][li
   }
 }
 
+// Her hull pushes her round without bound at the drift of the hard turn, which no filter follows with the noise that is
+// usual; with more of it one does, and what is hidden is found. There had been no answer.
+TEST_CASE("a ship that runs away as her file has it is diagnosed all the same", "[bench][on_board][limit]") {
+  const auto c = made(plan_named("on_board", 300, 41).at(240));
+  REQUIRE(c.labels.size() == 1);
+  const auto d = diagnose(c.ship, c.train, c.reference, c.holdout);
+  INFO(d.words);
+  REQUIRE(!d.effects.empty());
+  CHECK(id_of(d.effects.front().effect) == c.labels.front().effect);
+  CHECK(d.troubles.empty());
+}
+
 // Each is within what instruments and gears are off by from ship to ship, and gained 2 where that was ordinary.
 TEST_CASE("what reference runs tell of instruments and gear makes small errors on other days findings",
           "[bench][on_board][limit]") {

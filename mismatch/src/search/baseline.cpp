@@ -32,8 +32,11 @@ MapFit likeliest_baseline(const Trial& trial, const Noise& start, const MapFit& 
   std::vector<MapFit> fits(starts.size());
   in_parallel(starts.size(), 0, [&](std::size_t i) {
     const bool goes_on = i == 0 && begun.point.size() > 0;
-    fits[i] = fit(trial, {}, goes_on ? begun.point : trial.mean, goes_on ? begun.noise : starts[i],
-                  {.rounds = until_it_stays});
+    try {
+      fits[i] = fit(trial, {}, goes_on ? begun.point : trial.mean, goes_on ? begun.noise : starts[i],
+                    {.rounds = until_it_stays});
+    } catch (const std::exception&) {  // with that noise she runs away
+    }
   });
   const auto evidence = [](const MapFit& f) { return f.point.size() == 0 ? -HUGE_VAL : f.log_evidence; };
   return *std::ranges::max_element(fits, {}, evidence);
