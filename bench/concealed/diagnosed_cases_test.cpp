@@ -1,12 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "catch.hpp"
 #include "concealed_case.hpp"
 #include "on_board_case.hpp"
 #include "swayaw/mismatch/diagnose.hpp"
-#include "swayaw/nonlinear/effects/acting_ship.hpp"
 
 using namespace swayaw;
 using namespace swayaw::concealed;

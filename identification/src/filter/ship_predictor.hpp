@@ -218,7 +218,8 @@ class ShipPredictor {
                     .turned = Eigen::Matrix<double, 6, 1>::Zero(),
                     .by_rudder = Eigen::Vector3d::Zero()};
     if (moves != 0.0 || by_rudder) {
-      constexpr double least = 1e-4;  // rad
+      // rad: over less, rounding is left of a difference; over more than this the lift is straight, too
+      constexpr double least = 1e-4;
       const double reach = std::abs(moves) > least ? moves : least;
       auto further = controls;
       further.delta += reach;
