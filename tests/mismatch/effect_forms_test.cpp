@@ -6,8 +6,12 @@
 #include <set>
 
 #include "files.hpp"
+#include "search/ranking.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/nonlinear/linearization.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
 #include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 #include "trial/trial.hpp"
 
@@ -149,6 +153,77 @@ TEST_CASE("an effect of one number is not searched beyond what a ship can have, 
   CHECK_THAT(value(roll, high, "GM_m"), WithinRel(0.25 * B, 1e-9));
   CHECK_THAT(value(roll, low, "zeta"), WithinRel(0.02, 1e-9));
   CHECK_THAT(value(roll, high, "zeta"), WithinRel(0.5, 1e-9));
+}
+
+/// The form of her forces with one coordinate at its usual size.
+Ship with_usual(Ship ship, std::string_view coordinate) {
+  const auto form = ordinary_forms(ship, {}, recorded_channels).front();
+  std::vector<double> c(form.coordinates.size(), 0.0);
+  c[static_cast<std::size_t>(std::ranges::find(form.coordinates, coordinate, &Coordinate::name) -
+                             form.coordinates.begin())] = 1.0;
+  ship.effects = {form.at(c)};
+  return ship;
+}
+
+// Each term of the rudder had been as large as a tenth of the force on the hull, which is nearly all of the lift:
+// rudders that were weak by a third went unnamed.
+TEST_CASE("the form of the rudder is usually a fifth of its lift, by the slopes of the whole ship",
+          "[mismatch][second-route]") {
+  for (const auto& ship : ships()) {
+    INFO(ship.name);
+    const double U = service_speed(ship);
+    const auto slopes = [&](const Ship& one) {
+      return sname(linearize_transient(one, {{U, 0.0, 0.0}, self_propulsion(ship, U)}));
+    };
+    const auto own = slopes(ship), by_lift = slopes(with_usual(ship, "Y_d")),
+               by_lever = slopes(with_usual(ship, "N_d"));
+    CHECK_THAT(by_lift.Y_delta - own.Y_delta, WithinRel(0.2 * std::abs(own.Y_delta), 1e-6));
+    CHECK_THAT(by_lever.N_delta - own.N_delta, WithinRel(0.2 * std::abs(own.N_delta), 1e-6));
+    for (const auto* lost : {"Y_d15", "Y_a28", "N_d15", "N_a28"}) {  // at small angles nothing
+      CHECK_THAT(slopes(with_usual(ship, lost)).Y_delta, WithinRel(own.Y_delta, 1e-9));
+      CHECK_THAT(slopes(with_usual(ship, lost)).N_delta, WithinRel(own.N_delta, 1e-9));
+    }
+  }
+}
+
+TEST_CASE("straight ahead at service speed the form of her forces is 3e-4 along, and with no other term more",
+          "[mismatch][law]") {
+  for (const auto& ship : ships()) {
+    INFO(ship.name);
+    const double U = service_speed(ship), L = length(ship),
+                 rho = std::visit([](const auto&m) { return m.water.rho; }, ship.model),
+                 unit = 0.5 * rho * L * L * U * U;
+    const auto along = [&](const Ship& one) {
+      return force_breakdown(one, {0.0, 0.0, 0.0, {U, 0.0, 0.0}}, self_propulsion(ship, U)).total.X / unit;
+    };
+    const auto form = ordinary_forms(ship, {}, recorded_channels).front();
+    for (const auto& coordinate : form.coordinates) {
+      INFO(coordinate.name);
+      CHECK_THAT(along(with_usual(ship, coordinate.name)) - along(ship),
+                 WithinAbs(coordinate.name == "X_uu" ? 3e-4 : 0.0, 1e-12));
+    }
+  }
+}
+
+TEST_CASE("effects that her form explains as well share the odds of one", "[mismatch][law]") {
+  const auto forms = effect_forms(ships().front(), recorded_channels, 300.0);
+  const auto tried = [&](std::size_t as_form) {
+    std::vector<FittedCandidate> all;
+    for (std::size_t i = 0; i < 5; ++i) {
+      all.push_back({&forms[i], {}, 40.0 - static_cast<double>(i), forms[i].at(forms[i].starts.front()), false});
+      all.back().as_form = i < as_form, all.back().refuted = i >= as_form;
+    }
+    return all;
+  };
+  const auto sum = [](const std::vector<Candidate>& ranked) {
+    double p = 0.0;
+    for (const auto& one : ranked) p += one.probability;
+    return p;
+  };
+  const double of_one = sum(ranked(tried(1), {}, 15.0));
+  CHECK_THAT(of_one, WithinAbs(0.25, 1e-12));  // a third of the odds of nothing
+  for (const std::size_t as_form : {2, 3, 5})
+    CHECK_THAT(sum(ranked(tried(as_form), {}, 15.0)), WithinAbs(of_one, 1e-12));
 }
 
 }  // namespace

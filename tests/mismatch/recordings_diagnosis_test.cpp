@@ -64,7 +64,8 @@ TEST_CASE("the published form for the KVLCC2 lacks cubic terms of the hull, whic
           "[mismatch][published]") {
   const auto folder = test::benchmark_recordings("kvlcc2");
   if (!folder) return;
-  const auto runs = runs_of(*folder, {"hsva_zz10_10_port.csv", "hsva_zz20_10_stbd.csv"}, 5);
+  const auto runs = runs_of(
+      *folder, {"hsva_zz10_10_port.csv", "hsva_zz10_10_stbd.csv", "hsva_zz20_10_port.csv", "hsva_zz20_10_stbd.csv"}, 5);
   const auto held_out = runs_of(*folder, {"hsva_zz15_05_stbd.csv"}, 5);
   const auto d = diagnose(published_ship("kvlcc2_pi"), runs, {}, held_out);
   CHECK(d.verdict == DiagnosisVerdict::missing_physics);

@@ -154,6 +154,14 @@ std::optional<Eigen::Index> place_in(const Trial& trial, const Standing& fitted,
   return std::nullopt;
 }
 
+/// What the form of her forces explains as well as the first effect, it explains as well as any other force of that
+/// kind that gains no more beside the same baseline.
+void put_as_form(std::span<FittedCandidate> tried, const Trial& trial, const FittedCandidate& first) {
+  for (auto& t : tried)
+    if (!t.trace && !t.refuted && could_be_form(trial, *t.form, t.effect) && !(whole_gain(t) > whole_gain(first)))
+      t.as_form = true;
+}
+
 /// Effects, those first without which the whole would lack most; the words of those too small to matter; all
 /// candidates.
 Kept put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipInRun& alone, double needed,
@@ -215,6 +223,7 @@ Kept put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipIn
           t.trace = trace || not_borne_out, t.as_form = !t.trace;
           t.leads = t.trace;  // what it gains makes nothing likelier
         }
+      if (i == 0 && !trace && !not_borne_out) put_as_form(tried, trial, accepted);
     }
     from += size;
   }

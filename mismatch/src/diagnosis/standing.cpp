@@ -24,15 +24,6 @@ bool is_of_hard_manoeuvres(const Effect& effect) {
 /// the lift that rudders lose, of which they tell the sum. Ships of another structure have all of these by themselves.
 bool is_told_little(const Effect& effect) { return is_of_hard_manoeuvres(effect) || takes_rudder_lift(id_of(effect)); }
 
-/// Whether a force might as well be a form of her forces that is a little wrong: it follows the motion at once or a
-/// little late, not a heel that was recorded, and reference runs have not told it.
-bool could_be_form(const Trial& trial, const EffectForm& form, const Effect& effect) {
-  const auto kind = follows(effect);
-  if (place_of(effect) != EffectPlace::force || !(kind == Follows::form || kind == Follows::past)) return false;
-  if (trial.calibrated && kind == Follows::form && !is_told_little(effect)) return false;
-  return !explains_heel(trial, form);
-}
-
 /// Drag of the hull, for which most models have a polynomial of their own.
 bool is_hull_drag(const Effect& effect) {
   return id_of(effect) == CrossFlowDrag<>::id || id_of(effect) == HullNonlinearDamping<>::id;
@@ -48,6 +39,13 @@ constexpr double clearly_late = 100.0;
 constexpr double clearly_changed = 60.0;
 
 }  // namespace
+
+bool could_be_form(const Trial& trial, const EffectForm& form, const Effect& effect) {
+  const auto kind = follows(effect);
+  if (place_of(effect) != EffectPlace::force || !(kind == Follows::form || kind == Follows::past)) return false;
+  if (trial.calibrated && kind == Follows::form && !is_told_little(effect)) return false;
+  return !explains_heel(trial, form);
+}
 
 bool asks_for_form(const Trial& trial, const Search& s, std::size_t accepted) {
   const auto& one = s.accepted[accepted];

@@ -14,6 +14,10 @@ struct Standing {
   MapFit fit;  ///< empty where she cannot sail like that
 };
 
+/// Whether a force might as well be a form of her forces that is a little wrong: it follows the motion at once or a
+/// little late, not a heel that was recorded, and reference runs have not told it.
+bool could_be_form(const Trial& trial, const EffectForm& form, const Effect& effect);
+
 /// Whether it is asked of an effect that was accepted: of any with instruments as on board, else of drag of the hull.
 bool asks_for_form(const Trial& trial, const Search& s, std::size_t accepted);
 

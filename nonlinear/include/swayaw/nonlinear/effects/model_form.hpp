@@ -11,10 +11,12 @@ namespace swayaw::inline nonlinear {
 ///
 /// With q = ½ρL²U_0², u' = u/U_0, v' = v/U_0, r' = rL/U_0:
 ///
-///     X = q (X_u u' + X_uu u'² + X_vv v'² + X_vr v'r' + X_rr r'² + X_dd u'δ²)
+///     X = q (X_u u'(1 − u') + X_uu u'² + X_vv v'² + X_vr v'r' + X_rr r'² + X_dd u'δ²)
 ///     Y = q (Y_v u'v' + Y_r u'r' + Y_vv v'|v'| + Y_rr r'|r'| + Y_vr v'|r'| + Y_rv r'|v'| + Y_d u'δ + Y_d15 u'δ₁₅ +
 ///     Y_a28 u'α₂₈ + Y_u u') + Y_R
 ///     N = q L (the same of N) − 0.48 L Y_R,     Y_R = q (Y_Rg u'|β_R| + Y_Rw u'β_Pα)
+///
+/// X_uu is what lacks straight ahead at service speed, X_u what is nothing there.
 ///
 /// δ₁₅ is what of the rudder angle is beyond 15 deg, either way, where lift is lost to a gap; α₂₈ what of the angle of
 /// the flow at the rudder, α = δ + 0.45 (v' − 0.9 r')/u', is beyond 28 deg, where it is lost to stall: while the rudder
@@ -80,7 +82,8 @@ PlanarForce<S> force(const ModelForm<S>& k, const Model&, const Circumstances<S>
   const S d2 = delta * delta, d15 = u * beyond(delta, S(radians(15.0))),
           a28 = beyond(alpha, radians(28.0) * size_of(u));
   const S sides = k.Y_Rg * u * size_of(beta_R) + k.Y_Rw * beta_P * alpha;
-  return {.X = q * (u * (k.X_u + k.X_uu * u) + k.X_vv * v * v + k.X_vr * v * r + k.X_rr * r * r + k.X_dd * u * d2),
+  return {.X = q * (u * (k.X_u * (1.0 - u) + k.X_uu * u) + k.X_vv * v * v + k.X_vr * v * r + k.X_rr * r * r +
+                    k.X_dd * u * d2),
           .Y = q * (v * (k.Y_v * u + k.Y_vv * a + k.Y_vr * b) + r * (k.Y_r * u + k.Y_rr * b + k.Y_rv * a) + k.Y_d * d +
                     k.Y_d15 * d15 + k.Y_a28 * a28 + k.Y_u * u + sides),
           .N = q * f.L *
