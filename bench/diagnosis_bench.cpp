@@ -129,7 +129,7 @@ BENCHMARK(diagnosis_3_runs_1000_samples)
 /// A tanker of 320 m that changes her course by 10 deg every ten minutes, recorded once a second for three hours.
 Recording voyage(const Ship& ship) {
   constexpr double duration = 3.0 * 3600.0, leg = 600.0, change = radians(10.0);
-  const double T = length(ship) / service_speed(ship);
+  const double T = time_unit_of(ship);
   Simulator simulator(ship);
   Recording run{.name = "voyage.csv", .facts = {}, .time = {}, .channels = {}, .extra = {}};
   for (double t = 0.0; t <= duration; t += 1.0) run.time.push_back(t);

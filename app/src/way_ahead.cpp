@@ -34,7 +34,7 @@ std::optional<ShipState<double>> state_told(const Ship& ship, const Recording& r
 /// A quarter of L/U apart, over which a recorded state is averaged.
 std::vector<Moment> moments_of(const Ship& ship, const Recording& run) {
   const RecordedControls controls(ship, run);
-  const double step = 0.25 * length(ship) / service_speed(ship), end = run.time.back();
+  const double step = 0.25 * time_unit_of(ship), end = run.time.back();
   std::vector<Moment> moments;
   for (double time = run.time.front(); time < end; time += step) {
     const auto state = state_told(ship, run, time);
@@ -98,7 +98,7 @@ void tell_part(const Ship& ship, const Recording& run, const Recording& part) {
 
 std::string why_not(const Ship& ship, const Recording& run) try {
   const auto start = recorded_state(ship, run, run.time.front());
-  const double until = run.time.front() + shortest_way * length(ship) / service_speed(ship);
+  const double until = run.time.front() + shortest_way * time_unit_of(ship);
   const auto count = std::max<std::ptrdiff_t>(2, std::ranges::upper_bound(run.time, until) - run.time.begin());
   const auto times = std::span(run.time).first(std::min(run.time.size(), static_cast<std::size_t>(count)));
   if (times.size() < 2) return "it has one sample";

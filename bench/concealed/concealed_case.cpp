@@ -148,6 +148,7 @@ void write_case(const ConcealedCase& c, const std::filesystem::path& folder) {
     effects.push_back(
         {{"effect", label.effect}, {"level", name_of(label.severity)}, {"parameters", std::move(parameters)}});
     if (label.detectability) effects.back()["detectability"] = *label.detectability;
+    if (label.replay_gain) effects.back()["replay_gain"] = *label.replay_gain;
   }
   Json truth{{"effects", effects}};
   truth.update(c.truth);

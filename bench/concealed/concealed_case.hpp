@@ -33,6 +33,7 @@ struct Label {
   std::vector<LabelNumber> parameters;
   std::string channel;                       ///< of a delay
   std::optional<double> detectability = {};  ///< on board: see detectability()
+  std::optional<double> replay_gain = {};    ///< on board: see replay_gain()
 };
 
 /// Every effect of swayaw that is made here, and the kinds that it does not know, "unknown_…".

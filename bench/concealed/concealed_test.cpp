@@ -51,16 +51,6 @@ Recording on_board(const TrueShip& ship, const Manoeuvre& manoeuvre, const OnBoa
                            random, wild_fix);
 }
 
-/// The ship with what a label tells.
-Ship with_label(Ship ship, const Label& label) {
-  Effect effect = make_effect(label.effect);
-  for (const auto& n : parameters_of(ship, effect))
-    for (const auto& told : label.parameters)
-      if (n.key == told.key) parameter_value(effect, n.index) = told.value;
-  ship.effects.push_back(effect);
-  return ship;
-}
-
 /// Half of the errors in dv/dt and L dr/dt of a file in the motions of trials and in their mirror images: what no
 /// mirror-odd force has.
 Eigen::VectorXd even_errors(const TrueShip& truth, const Ship& file, const std::vector<TruePoint>& points) {
@@ -491,6 +481,27 @@ TEST_CASE("a file replays a clean ship, and one with a hidden effect once it has
   CHECK(detectability(file, {calm}, {calm}) == 1.0);
   CHECK(detectability(file, {run}, {calm}) > strongly);
   CHECK(detectability(with_label(file, label), {run}, {calm}) < 1.2);
+  CHECK(replay_gain(file, {&label, 1}, 0, {run}).value() > strongly);
+}
+
+TEST_CASE("what one effect brings is counted beside the others", "[bench][on_board][law]") {
+  const auto truth = true_ship("twin_screw", 1);
+  const auto file = fair_ship(truth, FileForm::mmg, 0.05).ship;
+  const auto run = on_board(truth, zigzag(20, 10, true, 0.3), perfect, {.rudder_offset = radians(2.5)});
+  const auto label = [](const char* effect, const char* key, double value, const char* channel) {
+    return Label{.effect = effect, .severity = Severity::moderate, .parameters = {{key, value}}, .channel = channel};
+  };
+  const auto whole = label("rudder_offset", "offset_rad", radians(2.5), ""),
+             null = label("channel_delay", "delay_s", 0.0, "psi"),
+             wrong = label("rudder_effectiveness", "factor", 0.5, "");
+  const std::array one{whole};
+  const std::array beside_null{whole, null}, beside_wrong{whole, wrong};
+  CHECK(replay_gain(file, beside_null, 0, {run}) == replay_gain(file, one, 0, {run}));
+  CHECK(replay_gain(file, beside_null, 1, {run}) == 1.0);
+  CHECK(replay_gain(file, beside_wrong, 0, {run}) < replay_gain(file, one, 0, {run}));
+  CHECK(replay_gain(file, beside_wrong, 1, {run}) < 0.9);
+  const Label strange{.effect = "unknown_kelp", .severity = Severity::strong, .parameters = {}, .channel = {}};
+  CHECK(!replay_gain(file, {&strange, 1}, 0, {run}));
 }
 
 TEST_CASE("what is hidden from instruments as on board can be noticed, and the file alone keeps near the ship",
@@ -501,6 +512,7 @@ TEST_CASE("what is hidden from instruments as on board can be noticed, and the f
   const auto c = made(plan);
   REQUIRE(c.labels.size() == 1);
   CHECK(c.labels.front().detectability.value() >= noticeable);
+  CHECK(c.labels.front().replay_gain.value() > 1.0);
   CHECK(c.truth.at("replay_floor").at("heading_rad").get<double>() < radians(8.0));
 }
 
@@ -547,6 +559,7 @@ TEST_CASE("tables of cases as on board tell strong from moderate, and every case
     auto line = line_of("rudder_offset", level[0] == 's' ? "rudder_offset" : "gust");
     line.erase("ship"), line["case"] = "001", line["family"] = "podded", line["form"] = "pi", line["seconds"] = 12.0;
     line["effects"][0]["level"] = level, line["effects"][0]["detectability"] = 2.5;
+    line["effects"][0]["replay_gain"] = level[0] == 's' ? 1.12 : 1.11;
     line["instruments"] = {{"drift", "none"}, {"filter", "causal"}, {"clock", 0.0}, {"gyro", true}};
     line["sea"] = level[0] == 's' ? Json{{"period_s", 9.0}} : Json();
     line["rivals"]["pooled"] = {"rudder_offset"};
@@ -555,6 +568,8 @@ TEST_CASE("tables of cases as on board tell strong from moderate, and every case
   const auto overview = table_named(lines, "overview");
   CHECK_THAT(overview, ContainsSubstring("| strong: named first | 1/1 (100 %)"));
   CHECK_THAT(overview, ContainsSubstring("| moderate: named first | 0/1 (0 %)"));
+  CHECK_THAT(overview, ContainsSubstring("by 10 %: strong | 1/1 (100 %)"));  // 10 % are 1/0.9 = 1.111
+  CHECK_THAT(overview, ContainsSubstring("| … moderate | – |"));
   CHECK_THAT(overview, ContainsSubstring("| expected calibration error, ten bins | 0.400 |"));
   CHECK_THAT(overview, ContainsSubstring("12.0, 12.0"));
   CHECK_THAT(table_named(lines, "cases"), ContainsSubstring("| podded | pi | rudder_offset (2.50) | gust (0.90) |"));

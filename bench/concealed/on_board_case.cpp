@@ -198,6 +198,17 @@ double window_error(const std::vector<QuantityError>& all, Quantity quantity) {
   return found == all.end() ? missing : found->window_rms;
 }
 
+/// Mean over the quantities that both have.
+double mean_ratio(const std::vector<QuantityError>& all, const std::vector<QuantityError>& others) {
+  double sum = 0.0;
+  int told = 0;
+  for (const auto quantity : quantities) {
+    const double ratio = window_error(all, quantity) / window_error(others, quantity);
+    if (std::isfinite(ratio)) sum += ratio, ++told;
+  }
+  return sum / told;
+}
+
 /// Whether replays by a file stay near the ship: a number wrong by its confidence may make her turn by herself.
 bool has_sense(const Ship& file, const std::vector<Recording>& runs) {
   try {
@@ -269,14 +280,31 @@ Json floor_of(const std::vector<QuantityError>& all) {
 }  // namespace
 
 double detectability(const Ship& file, const std::vector<Recording>& runs, const std::vector<Recording>& calm_runs) {
-  const auto with = errors(file, runs), without = errors(file, calm_runs);
-  double sum = 0.0;
-  int told = 0;
-  for (const auto quantity : quantities) {
-    const double ratio = window_error(with, quantity) / window_error(without, quantity);
-    if (std::isfinite(ratio)) sum += ratio, ++told;
+  return mean_ratio(errors(file, runs), errors(file, calm_runs));
+}
+
+Ship with_label(Ship ship, const Label& label) {
+  Effect effect = make_effect(label.effect);
+  if (auto* channel = channel_of(effect)) *channel = channel_named(label.channel).value();
+  for (const auto& n : parameters_of(ship, effect))
+    for (const auto& told : label.parameters)
+      if (n.key == told.key) parameter_value(effect, n.index) = told.value;
+  ship.effects.push_back(effect);
+  return ship;
+}
+
+std::optional<double> replay_gain(const Ship& file, std::span<const Label> labels, std::size_t one,
+                                  const std::vector<Recording>& runs) {
+  if (!effect_named(labels[one].effect)) return std::nullopt;
+  Ship others = file;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (i != one) others = with_label(others, labels[i]);
+  try {
+    const double gain = mean_ratio(errors(others, runs), errors(with_label(others, labels[one]), runs));
+    return std::isfinite(gain) ? std::optional(gain) : std::nullopt;
+  } catch (const Refusal&) {
+    return std::nullopt;
   }
-  return sum / told;
 }
 
 std::vector<CasePlan> on_board_plans(bool something_hidden, std::size_t count, std::uint64_t seed) {
@@ -330,6 +358,9 @@ ConcealedCase made_by(const CasePlan& plan, std::uint64_t seed) {
     const auto found = hide(scene, day, programme.holdout, kind, severity, c.labels, random);
     c.labels.push_back(found.put_into(hidden, scene.truth));
   }
+  const auto held_out = scene.recorded(hidden, hidden, day, programme.holdout, holdout_part);
+  for (std::size_t i = 0; i < c.labels.size(); ++i)
+    c.labels[i].replay_gain = replay_gain(scene.file, c.labels, i, held_out);
   c.plan.reference = !programme.reference.empty();
   c.train = scene.recorded(hidden, hidden, day, programme.train, train_part, Wanted::as_on_board);
   c.holdout = scene.recorded(hidden, hidden, day, programme.holdout, holdout_part, Wanted::as_on_board);

@@ -16,9 +16,20 @@ std::vector<CasePlan> on_board_plans(bool something_hidden, std::size_t count, s
 ConcealedCase made_on_board(const CasePlan& plan);
 
 /// Errors of replays by a ship, restarted every two lengths, over those of the same runs with nothing hidden: mean over
-/// heading, yaw rate, speed and position. With the truth itself added to the model of the file, replays improve by
-/// 1 − 1/that.
+/// heading, yaw rate, speed and position. A model that told it all would improve replays by 1 − 1/that.
 double detectability(const Ship& file, const std::vector<Recording>& runs, const std::vector<Recording>& calm_runs);
+
+/// A ship with what is hidden, as far as swayaw knows it.
+Ship with_label(Ship ship, const Label& label);
+
+/// What the truth itself brings beside a file that is wrong elsewhere: the same errors of replays by the file with all
+/// else that is hidden, over those with this, too. Replays improve by 1 − 1/that. Two errors may hide each other: a
+/// rudder that is weak beside shallow water may improve nothing. Nothing where what is hidden is of a kind that swayaw
+/// does not know, or the ship cannot sail the runs.
+/// @param labels  all that is hidden
+/// @param one     which of them
+std::optional<double> replay_gain(const Ship& file, std::span<const Label> labels, std::size_t one,
+                                  const std::vector<Recording>& runs);
 
 inline constexpr double noticeable = 1.0 / 0.9;  ///< least detectability of what is hidden: replays gain 10 %
 inline constexpr double strongly = 2.0;          ///< from here on it is strong: they gain half

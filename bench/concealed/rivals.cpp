@@ -75,7 +75,7 @@ std::vector<double> complete(const Recording& run, Channel channel) {
 }
 
 std::vector<Sample> samples_of(const Ship& ship, const Recording& run) {
-  const auto [reach, step] = grid_of(run, length(ship) / service_speed(ship));
+  const auto [reach, step] = grid_of(run, time_unit_of(ship));
   const RecordedControls controls(ship, run);
   constexpr std::array channels{Channel::x, Channel::y, Channel::psi, Channel::r, Channel::delta};
   std::array<std::vector<double>, channels.size()> values;

@@ -105,7 +105,7 @@ Json answered(const fs::path& folder, bool rivals_only) {
   Json line = Json::parse(read_text(folder / "truth.json"));
   line["case"] = folder.filename().string();
   const auto riddle = read_riddle(folder);
-  line["time_unit_s"] = length(riddle.ship) / service_speed(riddle.ship);
+  line["time_unit_s"] = time_unit_of(riddle.ship);
   for (const auto& [rival, effects] : rivals_on(riddle, line.value("seed", std::uint64_t{0})))
     line["rivals"][rival] = effects;
   if (rivals_only) return line;

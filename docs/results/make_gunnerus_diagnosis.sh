@@ -24,7 +24,10 @@ for run in [0-9]*.csv; do helper prepare "$run" "trackless_$run" --drop x_m,y_m;
 helper found "1550, 1850, 3250=order.json" "1550, 1850, 3700=second.json" "1850, 2550, 4150=third.json" > tables/choices.md
 helper instruments "1550, 1850, 3250=order.json" "1550, 1850, 3700=second.json" "1850, 2550, 4150=third.json" > tables/instruments.md
 "$program" diagnose gunnerus.toml 0350_*.csv 0800_*.csv 1100_*.csv --json > speed.json
-helper found "zigzags, without positions=order.json" "two circles and a straight leg, with positions=speed.json" > tables/found.md
+"$program" diagnose gunnerus.toml [0-9]*.csv --json > all.json
+helper found "zigzags, without positions=order.json" "two circles and a straight leg, with positions=speed.json" "all twelve runs, with positions=all.json" > tables/found.md
+helper instruments "all twelve=all.json" > tables/day.md
+helper candidates all.json 8 > tables/all.md
 helper candidates order.json 8 > tables/order.md
 helper candidates speed.json 8 > tables/speed.md
 helper errors order.json > tables/errors.md

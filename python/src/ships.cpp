@@ -271,6 +271,7 @@ She is a value: `with_values` and `with_effect` give another ship. Two ships are
       .def_property_readonly("length", &length, "Between perpendiculars [m].")
       .def_property_readonly("service_speed", &service_speed,
                              "At which she approaches a manoeuvre unless told otherwise [m/s].")
+      .def_property_readonly("time_unit", &time_unit_of, "In which she sails her length at service speed, L/U [s].")
       .def_property_readonly("steering_gear", &steering_gear, "What her steering gear can do.")
       .def_property_readonly(
           "parameters", [](const Ship& ship) { return by_name(parameters_of(ship)); },

@@ -2590,6 +2590,9 @@ class Ship:
         """What her steering gear can do."""
     def text(self: Ship, remark: str = ...) -> str:
         """The text of her ship file, which parse_ship reads back to the same ship."""
+    @property
+    def time_unit(self) -> float:
+        """In which she sails her length at service speed, L/U [s]."""
     @overload
     def with_effect(self: Ship, effect: Effect) -> Ship: ...
     @overload

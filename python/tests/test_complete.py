@@ -111,6 +111,7 @@ OTHERWISE = {
     "steering_gear": "Ship.steering_gear",
     "summary_of": "trial_summary",
     "sway_yaw": "Linearization.sway_yaw",
+    "time_unit_of": "Ship.time_unit",
     "verdict": "compare_verdict",
     "version": "__version__",
     "with_effect": "Ship.with_effect",

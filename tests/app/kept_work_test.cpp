@@ -23,8 +23,7 @@ using test::Scratch;
 template <class Change>
 std::string recorded(const Scratch& scratch, const std::string& name, double rudder, const Change& change) {
   const auto ship = published_ship("kvlcc2_l7");
-  auto recording =
-      zigzag(ship, {radians(rudder), radians(rudder)}, {.step = 0.03 * length(ship) / service_speed(ship)}).run;
+  auto recording = zigzag(ship, {radians(rudder), radians(rudder)}, {.step = 0.03 * time_unit_of(ship)}).run;
   change(recording);
   write_recording(recording, scratch / name);
   return (scratch / name).string() + " ";

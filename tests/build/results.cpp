@@ -98,7 +98,7 @@ void print_state(const std::string& name, const ShipState<double>& state) {
 
 /// Steps of one size, with the rudder to port, then to starboard; forces by part at the end.
 void print_simulated(const std::string& name, const Ship& ship) {
-  const double second = length(ship) / service_speed(ship) / 50.0;
+  const double second = time_unit_of(ship) / 50.0;
   Simulator simulator(ship);
   simulator.order_rudder(0.3);
   for (int k = 0; k < 300; ++k) simulator.step(second);

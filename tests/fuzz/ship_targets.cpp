@@ -46,13 +46,13 @@ void require_finite(const Recording& run) {
 
 /// 10/10 zigzag and turn, short and with the error of a sketch; then a minute by the fixed steps of a simulator.
 void sail(const Ship& ship) {
-  const ManoeuvreOptions sketch{.duration = 15.0 * length(ship) / service_speed(ship), .tolerance = 1e-4};
+  const ManoeuvreOptions sketch{.duration = 15.0 * time_unit_of(ship), .tolerance = 1e-4};
   answers([&] { require_finite(zigzag(ship, {ten_degrees, ten_degrees}, sketch).run); });
   answers([&] { require_finite(turning_circle(ship, {ten_degrees}, sketch).run); });
   answers([&] {
     Simulator live(ship, {.longest_step = 0.05});
     live.order_rudder(ten_degrees);
-    const double dt = 0.05 * length(ship) / service_speed(ship);
+    const double dt = 0.05 * time_unit_of(ship);
     for (int i = 0; i < 100; ++i) live.step(dt);
     const auto& m = live.state().motion;
     promise(std::isfinite(m.u + m.v + m.r), "the simulator left the finite numbers");

@@ -17,7 +17,7 @@ Ship sailing_ship() {
 }
 
 inline Recording zigzag_of(const Ship& ship) {
-  const double time_unit = length(ship) / service_speed(ship);
+  const double time_unit = time_unit_of(ship);
   return zigzag(ship, {.rudder = radians(20), .heading = radians(20)},
                 {.duration = 12.0 * time_unit, .step = 0.01 * time_unit})
       .run;

@@ -15,7 +15,7 @@ namespace {
 
 /// Zigzags of a ship with three rudder amplitudes, densely sampled.
 std::vector<Recording> zigzags(const Ship& ship) {
-  const double time_unit = length(ship) / service_speed(ship);
+  const double time_unit = time_unit_of(ship);
   std::vector<Recording> runs;
   for (const auto& [rudder, heading, side] :
        {std::tuple{10.0, 10.0, Side::starboard}, {20.0, 20.0, Side::port}, {30.0, 15.0, Side::starboard}})

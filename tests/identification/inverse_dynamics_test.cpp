@@ -75,7 +75,7 @@ std::vector<Ship> ships_of_all_models() {
 
 /// In her own units: a 160 m ship sails as one of 7 m does.
 test::DisturbedOptions in_ship_lengths(const Ship& ship, std::size_t samples, double step) {
-  const double unit = length(ship) / service_speed(ship);
+  const double unit = time_unit_of(ship);
   return {.samples = samples, .step = step * unit, .swing = 2.5 * unit};
 }
 

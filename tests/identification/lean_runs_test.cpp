@@ -15,7 +15,7 @@ namespace {
 /// A tanker of 320 m on a slow curve whose channels are quadratics of time, recorded at a rate.
 struct Curve {
   Ship ship = test::kvlcc2();
-  double unit = length(ship) / service_speed(ship);
+  double unit = time_unit_of(ship);
 
   static double position(double t) { return 7.0 * t - 1e-3 * t * t; }
   static double yaw_rate(double t) { return 2e-3 + 3e-6 * t - 4e-9 * t * t; }
@@ -284,7 +284,7 @@ TEST_CASE("the likelihood of few samples does not go by the channel by which the
   test::RandomModels models(47);
   for (unsigned seed = 1; seed <= 3; ++seed) {
     auto [ship, runs] = test::steerable<MmgShip<double>>(models, {20.0, -10.0}, 15.0, 0.02, 1e-8);
-    const double unit = length(ship) / service_speed(ship), interval = runs.front().time[1] - runs.front().time[0];
+    const double unit = time_unit_of(ship), interval = runs.front().time[1] - runs.front().time[0];
     for (const int late : {-2, -1, 1, 2}) {  // samples, of six from one of the few to the next
       auto recorded = runs;
       for (auto& run : recorded) {

@@ -67,7 +67,7 @@ std::vector<Effect> effects_on(const Ship& ship, std::span<const std::string_vie
   std::vector<Effect> effects;
   for (const auto id : wanted)
     if (const auto effect = random.of_kind(id, ship)) effects.push_back(*effect);
-  const double unit = length(ship) / service_speed(ship);
+  const double unit = time_unit_of(ship);
   for (const auto channel : {Channel::r, Channel::x, Channel::delta})
     effects.push_back(ChannelDelay<>{channel, random.uniform(0.02, 0.1) * unit});
   return effects;

@@ -19,7 +19,7 @@ SampledRun sampled_run(const Ship& ship, const Recording& run) {
                     .measurements = {},
                     .changes = all_changes(ship, recorded_wind(ship, run))};
   const RecordedControls controls(ship, run);
-  const double end = 5.0 * length(ship) / service_speed(ship);
+  const double end = 5.0 * time_unit_of(ship);
   for (std::size_t k = 0; k < run.samples() && run.time[k] < end; ++k) {
     result.time.push_back(run.time[k]);
     result.controls.push_back(controls.at(run.time[k]));

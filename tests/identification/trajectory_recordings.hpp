@@ -30,7 +30,7 @@ std::vector<std::string> told_parameters() {
 /// ship lengths. The rudder moves in straight lines between the samples, as a fit takes it to.
 inline std::vector<Recording> zigzags(const Ship& ship, const std::vector<double>& angles, double lengths, double step,
                                       double tolerance = 1e-12) {
-  const double unit = length(ship) / service_speed(ship);
+  const double unit = time_unit_of(ship);
   std::vector<Recording> runs;
   for (const double angle : angles) {
     const ZigzagOrder order{.rudder = radians(std::abs(angle)),

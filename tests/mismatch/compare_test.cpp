@@ -191,7 +191,7 @@ TEST_CASE("the true current makes a ship agree with her own recording, from log 
 
 TEST_CASE("gaps of any channel or of all leave errors that are those without them", "[mismatch][second-route]") {
   const Ship ship = test::kvlcc2_l7();
-  const double unit = length(ship) / service_speed(ship);
+  const double unit = time_unit_of(ship);
   const auto whole = zigzag_run(with_rudder_force(ship, 0.9));
   const auto without_gaps = compare(ship, whole);
   const std::vector<Channel> of_receiver{Channel::x, Channel::y}, of_log{Channel::u, Channel::v}, of_gyro{Channel::r},

@@ -289,6 +289,24 @@ TEST_CASE("a force without a name is said to be unknown, and its map predicts ru
   CHECK(heading(d.holdout.front().after) < 0.5 * heading(d.holdout.front().refitted));
 }
 
+TEST_CASE("a force that may be the wind is said to be one where the file tells no windage", "[mismatch][limit]") {
+  const Ship ship = symmetric_ship();
+  const auto real = with_effect(ship, SteadyWind<double>{3.0 * service_speed(ship), 0.7});
+  const auto said = [&](const Ship& file) {
+    const auto d = diagnose(file, trials(real), {}, held_out(real), quick());
+    REQUIRE(!d.effects.empty());
+    return std::pair(std::string(id_of(d.effects.front().effect)), d.words);
+  };
+  Ship blind = ship;
+  blind.surroundings.windage = {};
+  const auto [effect, words] = said(blind);
+  CHECK(effect == "wave_drift");
+  CHECK_THAT(words, ContainsSubstring("It may be the wind, which was not tried"));
+  const auto [told, others] = said(ship);
+  CHECK(told == "steady_wind");
+  CHECK_THAT(others, !ContainsSubstring("not tried"));
+}
+
 TEST_CASE("a push that comes and goes is told by its time, and is no gust", "[mismatch][round-trip]") {
   const Ship ship = symmetric_ship();
   const auto real = with_effect(ship, UnknownForce<double>{.Y_0 = 1.5e-3, .N_0 = 4e-4, .onset = 40.0, .end = 75.0});
@@ -316,7 +334,7 @@ TEST_CASE("an effect that begins during a run has an onset", "[mismatch][second-
   const auto d = diagnose(ship, std::vector{late}, {}, {}, quick());
   finds(d, GyroBias<double>{});
   REQUIRE(d.effects.front().onset);
-  CHECK(std::abs(*d.effects.front().onset - begins) < 0.5 * length(ship) / service_speed(ship));
+  CHECK(std::abs(*d.effects.front().onset - begins) < 0.5 * time_unit_of(ship));
   CHECK_FALSE(d.effects.front().end);
   const auto whole = of(ship, GyroBias<double>{bias});
   CHECK_FALSE(whole.effects.front().onset);

@@ -49,7 +49,7 @@ Recording zigzag_run(const Ship& ship, double step = 0.2) {
 /// Of all samples but those of the first and last ship length.
 template <class Get>
 std::vector<double> inside(const Ship& ship, const Recording& run, const std::vector<MissingForce>& forces, Get&& get) {
-  const double T = length(ship) / service_speed(ship);
+  const double T = time_unit_of(ship);
   std::vector<double> values;
   for (std::size_t k = 0; k < run.samples(); ++k)
     if (run.time[k] > run.time.front() + T && run.time[k] < run.time.back() - T) values.push_back(get(forces[k]));
@@ -112,7 +112,7 @@ TEST_CASE("the missing force is mass with added mass times the missing accelerat
 
 TEST_CASE("a force is seen when it begins, not later", "[mismatch][limit]") {
   const Ship ship = test::kvlcc2_l7();
-  const double T = length(ship) / service_speed(ship), onset = 60.0;
+  const double T = time_unit_of(ship), onset = 60.0;
   auto run = zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, {.duration = 120.0, .step = 0.2}).run;
   // from the onset on the ship with the force goes on where the other one was
   const auto k = static_cast<std::size_t>(std::ranges::lower_bound(run.time, onset) - run.time.begin());

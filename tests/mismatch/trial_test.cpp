@@ -136,7 +136,7 @@ TEST_CASE("the time in which a force is missing in all runs is told, and only th
   constexpr double onset = 40.0, end = 60.0;
   const auto together = common_in(runs_of(pushed(onset, end), 11));
   REQUIRE(together.has_value());
-  const double lengths = length(ship) / service_speed(ship);  // 6 s
+  const double lengths = time_unit_of(ship);  // 6 s
   CHECK(std::abs(together->first - onset) < lengths);
   CHECK(std::abs(together->second - end) < lengths);
   CHECK_FALSE(common_in(runs_of(ship, 12)).has_value());
@@ -264,7 +264,7 @@ TEST_CASE(
     "what is smoothed is as late as a filter makes it before that is a finding, and a heading as late as is usual",
     "[mismatch][limit]") {
   const Ship ship = well_known_ship();
-  const double time_unit = length(ship) / service_speed(ship);
+  const double time_unit = time_unit_of(ship);
   const auto runs = runs_of(ship, 17);
   const auto channels = recorded_channels(runs, motion_channels());
   const auto trial = as_on_board(trial_of(ship, runs, channels), runs, channels);

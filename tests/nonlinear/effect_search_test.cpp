@@ -24,7 +24,7 @@ std::vector<Ship> ships_of_all_models() {
 
 SearchContext context_of(const Ship& ship, std::span<const Parameter> parameters) {
   return {.parameters = parameters,
-          .time_unit = length(ship) / service_speed(ship),
+          .time_unit = time_unit_of(ship),
           .duration = duration,
           .rudder_rate = steering_gear(ship).rate};
 }

@@ -36,7 +36,7 @@ Model sailing_ship() {
 }
 
 Recording zigzag_of(const Ship& ship, double lengths = 10.0, double tolerance = 1e-10, double step = 0.01) {
-  const double time_unit = length(ship) / service_speed(ship);
+  const double time_unit = time_unit_of(ship);
   return zigzag(ship, {.rudder = radians(10), .heading = radians(10)},
                 {.duration = lengths * time_unit, .step = step * time_unit, .tolerance = tolerance})
       .run;

@@ -23,7 +23,7 @@ std::vector<Ship> ships_of_all_models() {
 
 /// A 20/20 zigzag of eight ship lengths, sampled 400 times.
 Recording zigzag_run(const Ship& ship) {
-  const double duration = 8.0 * length(ship) / service_speed(ship);
+  const double duration = 8.0 * time_unit_of(ship);
   return zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, {.duration = duration, .step = duration / 400.0})
       .run;
 }

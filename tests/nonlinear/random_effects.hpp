@@ -65,7 +65,7 @@ class RandomEffects {
 
   template <BeginsAndEnds Kind>
   void set_window(Kind& effect, const Ship& ship) {
-    const double time_unit = length(ship) / service_speed(ship);
+    const double time_unit = time_unit_of(ship);
     effect.onset = uniform(1.0, 4.0) * time_unit;
     effect.end = effect.onset + uniform(1.0, 4.0) * time_unit;
   }

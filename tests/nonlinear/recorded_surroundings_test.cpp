@@ -24,7 +24,7 @@ const Ship& pond_model() {
 /// 1.5 m/s from the north-east, on a ship of 0.35 m/s.
 constexpr test::AirMoves mean_wind{-1.2, -0.9};
 
-double unit_of_time(const Ship& ship) { return length(ship) / service_speed(ship); }
+double unit_of_time(const Ship& ship) { return time_unit_of(ship); }
 
 /// Root mean square of the difference.
 double rms_difference(const Recording& a, const Recording& b, Channel channel) {

@@ -288,7 +288,7 @@ TEST_CASE("a receiver that is late, or beside a wrong heading, tells no sway by 
 TEST_CASE("a simulation that is taken up where it is goes on as if nothing had been", "[nonlinear][round-trip]") {
   // what the water remembers, and the heel, are in no state that is taken up
   const Ship calm = test::kvlcc2();
-  const double time_unit = length(calm) / service_speed(calm);
+  const double time_unit = time_unit_of(calm);
   for (const Effect& effect : {Effect{FluidMemory<>{.tau = 0.8 * time_unit, .share = 0.5}},
                                Effect{RollCoupling<>{.GM = 1.5, .Y_phi = -0.02, .N_phi = -0.01}}}) {
     Ship ship = calm;
@@ -391,7 +391,7 @@ TEST_CASE("what carries a ship from the start does not leap with the delay of a 
   for (double& x : run.channels[index_of(Channel::x)]) x += 0.01 * std::sin(40.0 * x);  // positions tell another speed
   const auto rev = [&](Channel channel, double delay) {
     Ship late = ship;
-    late.effects = {ChannelDelay<>{.channel = channel, .delay = delay * length(ship) / service_speed(ship)}};
+    late.effects = {ChannelDelay<>{.channel = channel, .delay = delay * time_unit_of(ship)}};
     return RecordedControls(late, run).constant().rev;
   };
   for (const auto channel : {Channel::x, Channel::psi})
@@ -409,7 +409,7 @@ TEST_CASE("a run that does not tell its speed is refused", "[nonlinear][refusal]
 TEST_CASE("in a gap the state is on straight lines between what was recorded about it", "[nonlinear][limit]") {
   const Ship ship = test::kvlcc2_l7();
   auto run = zigzag_run(ship, 0.05);
-  const double unit = length(ship) / service_speed(ship), begin = 20.0, end = begin + 3.0 * unit;
+  const double unit = time_unit_of(ship), begin = 20.0, end = begin + 3.0 * unit;
   const auto before = recorded_state(ship, run, begin - 0.5 * unit),
              after = recorded_state(ship, run, end + 0.5 * unit);
   for (auto& channel : run.channels)

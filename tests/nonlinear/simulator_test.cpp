@@ -45,7 +45,7 @@ Ship sailing_ship() {
   else return test::with_areas(test::mariner());
 }
 
-double time_unit(const Ship& ship) { return length(ship) / service_speed(ship); }
+double time_unit(const Ship& ship) { return time_unit_of(ship); }
 
 constexpr double frame = 0.02;  ///< 50 Hz
 

@@ -41,7 +41,7 @@ class WanderingWind {
 /// The rudder 10 deg to either side in turn for `lengths` ship lengths, in that wind; x, y, psi, u, v, r, the rudder,
 /// the shaft and the wind as columns, `rate` samples in L/U.
 inline Recording run_in_wind(const Ship& ship, WanderingWind wind, double lengths = 40.0, double rate = 50.0) {
-  const double unit = length(ship) / service_speed(ship), h = unit / rate;
+  const double unit = time_unit_of(ship), h = unit / rate;
   Simulator simulator(ship);
   Recording run{.name = "gusty.csv", .facts = {}, .time = {}, .channels = {}, .extra = {}};
   const auto samples = static_cast<std::size_t>(lengths * rate);

@@ -25,7 +25,7 @@ FilterNoise variances(const Ship& scale, const PreparedRun& run, const Noise& no
 template <class F>
 void for_each_run(const EstimationProblem& problem, const Point& point, const Noise& noise, const FilteredRuns* passes,
                   F&& f) {
-  const double tau = noise.memory * length(problem.scale) / service_speed(problem.scale);
+  const double tau = noise.memory * time_unit_of(problem.scale);
   in_parallel(problem.runs.size(), 0, [&](std::size_t i) {
     const auto& run = problem.runs[i];
     f(i, *run_filter<9>(problem.ship_in(point, i), *run.run, run.channels, run.start, tau, SampleTimes::shown,
@@ -64,7 +64,7 @@ FilterNoise log_likelihood_slope(const EstimationProblem& problem, const Point& 
 
 FilterNoise noises_seen(const EstimationProblem& problem, const Noise& noise, const FilteredRuns& passes) {
   FilterNoise seen = FilterNoise::Zero();
-  const double time_unit = length(problem.scale) / service_speed(problem.scale);
+  const double time_unit = time_unit_of(problem.scale);
   for (std::size_t i = 0; i < problem.runs.size(); ++i) {
     const auto& run = problem.runs[i];
     const auto R = variances(problem.scale, run, noise);

@@ -189,7 +189,7 @@ PreparedRun thinned(PreparedRun run, double time_unit, const Density& density, c
 
 std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> runs,
                                    std::span<const Channel> channels) {
-  const double time_unit = length(ship) / service_speed(ship);
+  const double time_unit = time_unit_of(ship);
   auto prepared = runs_with_all_samples(ship, runs, own_channels(channels));
   for (auto& run : prepared) {
     const auto waves = waves_in(*run.run, time_unit);
@@ -202,7 +202,7 @@ std::vector<PreparedRun> lean_runs(const Ship& ship, std::span<const Recording> 
 
 std::vector<PreparedRun> thinned_runs(const Ship& ship, std::span<const Recording> runs,
                                       std::span<const Channel> channels) {
-  const double time_unit = length(ship) / service_speed(ship);
+  const double time_unit = time_unit_of(ship);
   auto prepared = runs_with_all_samples(ship, runs, channels);
   for (auto& run : prepared) {
     if (rows_in(*run.run, time_unit) > 2.0 * beside_white_noise.rows)

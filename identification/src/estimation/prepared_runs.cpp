@@ -98,7 +98,7 @@ void detail::thin_heel(PreparedRun& run, double time_unit) {
 std::vector<PreparedRun> prepared_runs(const Ship& ship, std::span<const Recording> runs,
                                        std::span<const Channel> channels) {
   auto result = runs_with_all_samples(ship, runs, channels);
-  for (auto& run : result) thin_heel(run, length(ship) / service_speed(ship));
+  for (auto& run : result) thin_heel(run, time_unit_of(ship));
   return result;
 }
 

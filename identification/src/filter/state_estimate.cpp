@@ -110,7 +110,7 @@ class Estimator {
         channels_(recorded_channels(runs, measured_channels(), options.channels)),
         unknown_(ship, runs, channels_, options),
         passes_(runs.size()) {
-    const double time_unit = length(ship) / service_speed(ship),
+    const double time_unit = time_unit_of(ship),
                  tau = require_positive(options.memory, "memory of the process noise") * time_unit;
     for (const auto& run : runs) {
       require_position_or_speed(run, channels_);

@@ -19,7 +19,7 @@ namespace {
 class RecordedMotion {
  public:
   RecordedMotion(const Ship& ship, const Recording& run) {
-    const double step = 0.25 * length(ship) / service_speed(ship);
+    const double step = 0.25 * time_unit_of(ship);
     const double begin = run.time.front(), end = run.time.back();
     const auto count = static_cast<std::size_t>(std::ceil((end - begin) / step)) + 1;
     for (std::size_t i = 0; i < count; ++i) {
@@ -169,7 +169,7 @@ QuantityError error_of(const Comparison& c, Quantity quantity, const WaveMotion&
 
 Comparison compare(const Ship& ship, const Recording& run, const CompareOptions& options) {
   if (run.samples() < 3) throw Refusal(fmt::format("{}: {} samples are too few to compare", run.name, run.samples()));
-  const double time_unit = length(ship) / service_speed(ship);
+  const double time_unit = time_unit_of(ship);
   const RecordedControls controls(ship, run, options.replay);
   const RecordedMotion motion(ship, run);
   Comparison c{.recorded = run, .open_loop = {}, .restarted = {}, .window_starts = {}, .conditions = {}, .errors = {}};

@@ -40,7 +40,7 @@ TimeOfRuns time_of(std::span<const Recording> runs) {
 
 /// The share of runs in which waves move the ship.
 double runs_in_waves(const Ship& ship, std::span<const Recording> runs) {
-  const double time_unit = length(ship) / service_speed(ship);
+  const double time_unit = time_unit_of(ship);
   const auto in_waves =
       std::ranges::count_if(runs, [&](const Recording& run) { return WaveMotion(run, time_unit).exists(); });
   return static_cast<double>(in_waves) / static_cast<double>(runs.size());

@@ -131,6 +131,16 @@ std::string discrepancy_words(const Diagnosis& d) {
   return words + ". ";
 }
 
+/// Whether what was found pushes from one side of the earth as a wind does, and no wind could be tried, since the file
+/// does not tell what the ship shows it. Of R/V Gunnerus without windage waves were found in a sheltered fjord.
+bool may_be_a_wind(const Diagnosis& d) {
+  const auto& windage = d.refitted.surroundings.windage;
+  if (windage.A_F > 0.0 || windage.A_L > 0.0) return false;
+  return std::ranges::any_of(d.effects, [](const FoundEffect& e) {
+    return follows(e.effect) == Follows::earth && place_of(e.effect) == EffectPlace::force;
+  });
+}
+
 }  // namespace
 
 std::string_view phrase(std::string_view id) { return text_of(make_effect(id)).phrase; }
@@ -139,6 +149,8 @@ std::string words_of(const Diagnosis& d) {
   auto words = discrepancy_words(d) + verdict_words(d);
   if (is_in_waves(d))
     words += " Waves move the ship: a force that follows nothing else may be theirs, and is not counted.";
+  if (may_be_a_wind(d))
+    words += " It may be the wind, which was not tried: give the areas above water in [windage] of the ship file.";
   return d.prior_inflation > 1.0
              ? fmt::format("{} The baseline's numbers are known {:.0f} times less well than was said.", words,
                            d.prior_inflation)

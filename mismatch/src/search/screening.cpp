@@ -111,7 +111,7 @@ void begin_where_the_track_tells(std::vector<EffectForm>& forms, const Trial& tr
   constexpr double clearly_off = radians(1.0);  // five times an ordinary error
   const auto compass = std::ranges::find(forms, HeadingBias<>::id, &EffectForm::id);
   if (compass == forms.end()) return;
-  const auto off = heading_off_track(trial.runs, length(trial.ship) / service_speed(trial.ship));
+  const auto off = heading_off_track(trial.runs, time_unit_of(trial.ship));
   if (!off || std::abs(*off) < clearly_off) return;
   if (const auto start = coordinates_of(trial.ship, *compass, HeadingBias<>{*off})) compass->told = *start;
 }

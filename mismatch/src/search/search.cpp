@@ -268,7 +268,7 @@ Search named(Search s, const Trial& unused, std::span<const EffectForm> forms, c
     keep_from_early(s.forms, s.trial);
     std::ranges::move(differing_surroundings(forms, s.trial.runs), std::back_inserter(s.forms));
   }
-  const double time_unit = length(s.trial.ship) / service_speed(s.trial.ship);
+  const double time_unit = time_unit_of(s.trial.ship);
   begin_where_force_is_missing(s.forms, s.located.common, time_unit);
   Progress progress;
   bool working = true;

@@ -85,7 +85,7 @@ ActiveTime active_time(const Trial& trial, const Search& s, std::size_t accepted
     return {};
   }
   std::ranges::stable_sort(samples, {}, &Sample::time);
-  const double settled = 2.0 * length(trial.ship) / service_speed(trial.ship), first = samples.front().time + settled,
+  const double settled = 2.0 * time_unit_of(trial.ship), first = samples.front().time + settled,
                last = samples.back().time - settled;
   // where the running sum of the gains is least, the effect begins; from the other side, it ends
   const auto least = [&](auto begin, auto end) {

@@ -448,7 +448,7 @@ std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> 
     const auto parameters = parameters_of(ship, null);
     if (parameters.empty() || Kind::id == form_id) return;
     const SearchContext context{.parameters = parameters,
-                                .time_unit = length(ship) / service_speed(ship),
+                                .time_unit = time_unit_of(ship),
                                 .duration = duration,
                                 .rudder_rate = steering_gear(ship).rate};
     if constexpr (requires { null.channel; }) add_forms_by_channel(forms, null, context, channels);

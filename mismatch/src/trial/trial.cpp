@@ -106,8 +106,7 @@ Trial as_on_board(Trial trial, std::span<const Recording> runs, std::span<const 
   put_prior(trial);
   trial.runs = lean_runs(trial.ship, runs, channels);
   if (runs.size() == 1)
-    trial.halves =
-        lean_runs(trial.ship, halves_of(runs.front(), length(trial.ship) / service_speed(trial.ship)), channels);
+    trial.halves = lean_runs(trial.ship, halves_of(runs.front(), time_unit_of(trial.ship)), channels);
   return trial;
 }
 

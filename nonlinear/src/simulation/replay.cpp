@@ -15,8 +15,6 @@ using namespace detail;
 namespace {
 
 /// L/U [s].
-double time_unit_of(const Ship& ship) { return length(ship) / service_speed(ship); }
-
 // ---------------------------------------------------------------- recorded state
 
 /// Samples that tell the state at a time.
@@ -227,7 +225,7 @@ Interpolant rudder_of(const Ship& ship, const Recording& run) {
 constexpr double longest_gap = 1e4;
 
 void require_samples_near(const Recording& run, const Ship& ship) {
-  const double longest = longest_gap * length(ship) / service_speed(ship);
+  const double longest = longest_gap * time_unit_of(ship);
   const auto gap = std::ranges::adjacent_find(run.time, [&](double a, double b) { return b - a > longest; });
   if (gap == run.time.end()) return;
   throw Refusal(fmt::format(

@@ -103,7 +103,7 @@ std::vector<WindPiece> recorded_wind(const Ship& ship, const Recording& run) {
   if (!has_wind(run) || !feels_wind(ship)) return {};
   const auto air = air_of(true_wind(run, instruments_of(ship)));
   if (air.north.empty()) return {};
-  const double longest = wind_averaging * length(ship) / service_speed(ship);
+  const double longest = wind_averaging * time_unit_of(ship);
   std::vector<WindPiece> pieces;
   for (std::size_t from = 0, to; pieces.empty() || from + 1 < run.samples(); from = to) {
     to = end_of_piece(run.time, from, longest);

@@ -29,6 +29,9 @@ double length(const Ship& ship);
 /// Speed at which the ship approaches a manoeuvre unless told otherwise [m/s].
 double service_speed(const Ship& ship);
 
+/// Time in which she sails her length at that speed, L/U [s].
+double time_unit_of(const Ship& ship);
+
 /// What the steering gear can do.
 const SteeringGear<double>& steering_gear(const Ship& ship);
 
