@@ -150,7 +150,7 @@ std::string words_of(const Diagnosis& d) {
   if (is_in_waves(d))
     words += " Waves move the ship: a force that follows nothing else may be theirs, and is not counted.";
   if (may_be_a_wind(d))
-    words += " It may be the wind, which was not tried: give the areas above water in [windage] of the ship file.";
+    words += " The force of waves may be that of a wind, which was not tried: give areas above water in [windage].";
   return d.prior_inflation > 1.0
              ? fmt::format("{} The baseline's numbers are known {:.0f} times less well than was said.", words,
                            d.prior_inflation)
