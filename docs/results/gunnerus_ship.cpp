@@ -18,10 +18,11 @@ int main(int argc, char** argv) {
   auto [ship, assumptions, warnings] = estimated_mmg_ship(gunnerus, 5.4, {.propeller_diameter = 2.0});
   Ship named{.name = "R/V Gunnerus, from main dimensions",
              .model = ship,
-             .confidence = {.coefficients = 0.4},
+             .confidence = {.coefficients = 0.4, .named = {{"R_0", 1.0}}},
              .surroundings = {}};
   write_ship(argv[1], named,
              fmt::format("Made by docs/results/gunnerus_ship.cpp from L, B, d of the trials' documentation and C_B "
-                         "0.56 (a guess).\nThe confidence is that of a guess from main dimensions.\n{}\n{}",
+                         "0.56 (a guess).\nThe confidence is that of a guess from main dimensions; at a Froude number "
+                         "of 0.30 the waves that R_0 leaves out resist as much again.\n{}\n{}",
                          fmt::join(assumptions, "\n"), fmt::join(warnings, "\n")));
 }

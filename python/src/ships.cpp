@@ -12,6 +12,7 @@
 #include "swayaw/nonlinear/published_ships.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 
 namespace swayaw::python {
 
@@ -271,6 +272,9 @@ She is a value: `with_values` and `with_effect` give another ship. Two ships are
       .def_property_readonly("length", &length, "Between perpendiculars [m].")
       .def_property_readonly("service_speed", &service_speed,
                              "At which she approaches a manoeuvre unless told otherwise [m/s].")
+      .def_property_readonly(
+          "feels_wind", [](const Ship& ship) { return feels_wind(ship.surroundings.windage); },
+          "Whether she shows the wind anything: without areas above water no wind acts on her.")
       .def_property_readonly("time_unit", &time_unit_of, "In which she sails her length at service speed, L/U [s].")
       .def_property_readonly("steering_gear", &steering_gear, "What her steering gear can do.")
       .def_property_readonly(

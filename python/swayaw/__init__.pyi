@@ -2566,6 +2566,9 @@ class Ship:
     def effects(self) -> List[Effect]:
         """What her model leaves out, as Effect."""
     @property
+    def feels_wind(self) -> bool:
+        """Whether she shows the wind anything: without areas above water no wind acts on her."""
+    @property
     def length(self) -> float:
         """Between perpendiculars [m]."""
     @property

@@ -81,6 +81,7 @@ OTHERWISE = {
     "coefficients": "LinearShip.coefficients",
     "criteria_of": "ImoCriteria.criteria",
     "estimated_mmg_ship": "estimate_ship",
+    "feels_wind": "Ship.feels_wind",
     "fit": "map_fit",
     "group_of": "Recording.group",
     "grouped": "check_groups",

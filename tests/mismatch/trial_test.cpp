@@ -4,6 +4,7 @@
 #include <catch.hpp>
 #include <cmath>
 #include <random>
+#include <set>
 #include <string_view>
 
 #include "files.hpp"
@@ -159,6 +160,32 @@ TEST_CASE("a rudder that has a gap of her own keeps it in the baseline", "[misma
   CHECK_FALSE(is_finding(own, RudderGap<double>{pick(own).delta_lim, pick(own).s}));
   CHECK(is_finding(own, RudderGap<double>{0.0, 0.0}));
   CHECK(is_finding(none, RudderGap<double>{0.1, -2.0}));
+}
+
+TEST_CASE("a baseline that is known less well keeps resistance and propeller, and added mass and rudder to a fifth",
+          "[mismatch][law]") {
+  for (const auto& name : {"kvlcc2_l7.toml", "wpcc_pi.toml", "mariner.toml"}) {
+    const Ship ship = read_ship(test::ships / name);
+    INFO(name);
+    const std::vector<Recording> runs{
+        turning_circle(ship, {.rudder = radians(5)}, {.duration = 10.0, .step = 0.5}).run};
+    const auto trial = trial_of(ship, runs, recorded_channels(runs, motion_channels()));
+    const auto wider = with_inflated_prior(trial, 9.0);
+    std::set<std::string_view> kept;
+    for (std::size_t i = 0; i < trial.parameters.size(); ++i) {
+      const auto& p = trial.parameters[i];
+      const auto k = static_cast<Eigen::Index>(i);
+      INFO(p.name);
+      const double factor = std::sqrt(trial.precision(k, k) / wider.precision(k, k));
+      if (is_resistance(p) || p.table == "propeller") {
+        CHECK_THAT(factor, WithinAbs(1.0, 1e-9));
+        kept.insert(p.table);
+      } else if (p.null != 0.0 && (p.table == "added_mass" || p.table == "rudder"))
+        CHECK(p.deviation * factor <= std::max(0.2 * std::abs(p.null), p.deviation) * (1.0 + 1e-9));
+      else CHECK_THAT(factor, WithinAbs(9.0, 1e-9));
+    }
+    CHECK(kept.contains("hull"));
+  }
 }
 
 TEST_CASE("what another prior brings is what a fit beside it brings", "[mismatch][second-route]") {

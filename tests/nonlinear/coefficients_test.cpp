@@ -8,8 +8,10 @@
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/published_ships.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
+#include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw {
 namespace {
@@ -115,6 +117,22 @@ TEST_CASE("numbers are known by the key of the file, with the table where two ha
   CHECK_THROWS_AS(parameters_of(ship, ambiguous), Refusal);
   CHECK_THROWS_WITH(parameters_of(ship, unknown), ship.name + ": her model has no number N_x");
   CHECK(coefficients_of(ship, "hull").size() == 17);
+}
+
+TEST_CASE("coefficients of the resistance are those that resist a straight course", "[nonlinear][second-route]") {
+  for (const auto& name : {"kvlcc2_l7", "kvlcc2_pi", "wpcc_pi", "wpcc_pu", "mariner", "kcs"}) {
+    const auto ship = published_ship(name);
+    const double U = service_speed(ship);
+    const auto controls = self_propulsion(ship, U);
+    const auto along = [&](const Ship& one) {
+      return force_breakdown(one, {0.0, 0.0, 0.0, {0.9 * U, 0.0, 0.0}}, controls).total.X;
+    };
+    for (const auto& p : coefficients_of(ship, "hull")) {
+      INFO(name << ' ' << p.name);
+      const auto other = with_values(ship, {&p, 1}, std::vector{1.1 * p.value});
+      if (p.value != 0.0) CHECK((along(other) != along(ship)) == is_resistance(p));
+    }
+  }
 }
 
 TEST_CASE("values set by name arrive, and nothing else changes", "[nonlinear]") {

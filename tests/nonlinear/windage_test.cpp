@@ -163,7 +163,9 @@ TEST_CASE("windage areas alone make the windage of a loaded tanker", "[nonlinear
   CHECK(windage->x_A == 0.0);
   CHECK(windage->C_Dt == tanker.C_Dt);
   CHECK(windage->delta == tanker.delta);
+  CHECK(feels_wind(*windage));
   const Windage<double> by_default;
+  CHECK_FALSE(feels_wind(by_default));
   CHECK(by_default.C_Dt == tanker.C_Dt);
   CHECK(by_default.C_Dl_bow == tanker.C_Dl_bow);
   CHECK(by_default.C_Dl_stern == tanker.C_Dl_stern);

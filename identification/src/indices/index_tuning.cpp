@@ -12,6 +12,7 @@
 #include "index_trials.hpp"
 #include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/coefficients.hpp"
 #include "swayaw/nonlinear/manoeuvres/index_slopes.hpp"
 
 namespace swayaw::inline identification {
@@ -290,10 +291,6 @@ class Tuner {
   Vector low_, high_;  ///< of z
 };
 
-bool is_resistance(std::string_view key) {
-  return key == "R_0" || key == "X_0" || key == "X_u" || key == "X_uu" || key == "X_uuu";
-}
-
 void require_options(const TuningOptions& options) {
   if (options.prior) require_positive(*options.prior, "prior");
   if (options.most_change) require_positive(*options.most_change, "largest change of a number");
@@ -321,7 +318,7 @@ std::vector<Parameter> tuned_parameters(const Ship& ship, const TuningOptions& o
     return parameters;
   }
   auto parameters = coefficients_of(ship, "hull");
-  std::erase_if(parameters, [](const Parameter& n) { return n.value == 0.0 || is_resistance(n.key); });
+  std::erase_if(parameters, [](const Parameter& n) { return n.value == 0.0 || is_resistance(n); });
   if (parameters.empty()) throw Refusal(fmt::format("{}: her model has no hull derivative to tune", ship.name));
   return parameters;
 }

@@ -164,8 +164,9 @@ void put_as_form(std::span<FittedCandidate> tried, const Trial& trial, const Fit
 
 /// Effects, those first without which the whole would lack most; the words of those too small to matter; all
 /// candidates.
-Kept put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipInRun& alone, double needed,
-                 std::span<const Recording> runs, std::span<const Recording> holdout) {
+/// @param unused  the trial with the runs held out
+Kept put_effects(Diagnosis& d, const Trial& trial, const Trial& unused, const Search& s, const ShipInRun& alone,
+                 double needed, std::span<const Recording> runs, std::span<const Recording> holdout) {
   auto tried = s.first;
   Kept kept;
   struct Found {
@@ -215,7 +216,7 @@ Kept put_effects(Diagnosis& d, const Trial& trial, const Search& s, const ShipIn
     if (stands || (trace && !not_borne_out)) kept.with_traces.push_back(i);
     if (stands) {
       kept.standing.push_back(i);
-      found_effects.push_back({s.on_board ? worth(s, without[i]) : 0.0, &accepted, std::move(found)});
+      found_effects.push_back({s.on_board ? whole_worth(unused, s, without[i]) : 0.0, &accepted, std::move(found)});
     } else {
       if (!not_borne_out) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
       for (auto& t : tried)
@@ -324,7 +325,9 @@ Diagnosis diagnose_clean(const Ship& ship, std::span<const Recording> runs, std:
   d.troubles = s.troubles;
   attempt(d, "what the missing force follows", [&] { d.budget = budget_of(trial, s.hypothesis(), s.now); });
   const auto refitted = ships_at(trial, {}, alone.point);
-  const auto kept = put_effects(d, trial, s, refitted, options.detection, runs, holdout);
+  auto unused = trial;
+  unused.runs = s.on_board ? lean_runs(ship, holdout, channels) : std::vector<PreparedRun>{};
+  const auto kept = put_effects(d, trial, unused, s, refitted, options.detection, runs, holdout);
   const auto& with_traces = kept.fitted;
   d.shifts = shifts_of(trial, with_traces.fit.point);
   if (std::ranges::count(d.shifts, "rudder", &BaselineShift::part) > 0)

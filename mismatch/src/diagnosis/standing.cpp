@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../missing_force/budget.hpp"
+#include "../search/held_out.hpp"
 #include "replay_errors.hpp"
 #include "verdict.hpp"
 
@@ -42,6 +43,7 @@ constexpr double clearly_changed = 60.0;
 
 bool could_be_form(const Trial& trial, const EffectForm& form, const Effect& effect) {
   const auto kind = follows(effect);
+  if (id_of(effect) == AddedResistance<>::id) return false;  // the form has little of it: it is told straight ahead
   if (place_of(effect) != EffectPlace::force || !(kind == Follows::form || kind == Follows::past)) return false;
   if (trial.calibrated && kind == Follows::form && !is_told_little(effect)) return false;
   return !explains_heel(trial, form);
@@ -90,6 +92,13 @@ Standing refitted_without(const Search& s, std::size_t accepted) {
 
 double worth(const Search& s, const Standing& without) {
   return without.fit.point.size() == 0 ? HUGE_VAL : s.now.log_evidence - without.fit.log_evidence;
+}
+
+double whole_worth(const Trial& unused, const Search& s, const Standing& without) {
+  const double used = worth(s, without);
+  auto held_out = held_out_runs(unused, s);
+  if (held_out.is_empty() || without.fit.point.size() == 0) return used;
+  return used - held_out_gain(s.trial, s.sizes, held_out, s.hypothesis(), s.now, without.effects, without.fit);
 }
 
 bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, const Standing& without,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../missing_force/budget.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 #include "verdict.hpp"
 #include "words.hpp"
 
@@ -134,8 +135,7 @@ std::string discrepancy_words(const Diagnosis& d) {
 /// Whether what was found pushes from one side of the earth as a wind does, and no wind could be tried, since the file
 /// does not tell what the ship shows it. Of R/V Gunnerus without windage waves were found in a sheltered fjord.
 bool may_be_a_wind(const Diagnosis& d) {
-  const auto& windage = d.refitted.surroundings.windage;
-  if (windage.A_F > 0.0 || windage.A_L > 0.0) return false;
+  if (feels_wind(d.refitted.surroundings.windage)) return false;
   return std::ranges::any_of(d.effects, [](const FoundEffect& e) {
     return follows(e.effect) == Follows::earth && place_of(e.effect) == EffectPlace::force;
   });

@@ -55,7 +55,7 @@ Point with_stages(const Trial& trial, Point point, std::size_t stages) {
   if (!is_among(Follows::form, stages)) point.head(std::ssize(trial.parameters)).setZero();
   const auto axes = form_axes(trial);
   for (std::size_t i = 0; i < axes.size(); ++i)
-    if (axes[i] >= 0 && !is_among(axes[i] >= asymmetric_axis ? Follows::side : Follows::form, stages))
+    if (axes[i] >= 0 && !is_among(differs_from_side_to_side(axes[i]) ? Follows::side : Follows::form, stages))
       point[static_cast<Eigen::Index>(i)] = 0.0;
   return point;
 }

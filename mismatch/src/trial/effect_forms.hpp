@@ -77,10 +77,11 @@ std::optional<EffectForm> ordinary_lift_loss(const Ship& ship);
 inline constexpr std::string_view form_id = ModelForm<>::id;
 
 /// Of a coordinate of that force: 0 along, 1 across, 2 of the moment; 3 a constant that differs from side to side, 4
-/// what the rudder differs by.
+/// what the rudder differs by; 5 along, straight ahead at service speed.
 int axis_of_term(std::string_view name);
 
-inline constexpr int asymmetric_axis = 3, rudder_sides_axis = 4;  ///< the last: what differs from side to side
+inline constexpr int asymmetric_axis = 3, rudder_sides_axis = 4, straight_ahead_axis = 5;
+inline bool differs_from_side_to_side(int axis) { return axis == asymmetric_axis || axis == rudder_sides_axis; }
 
 /// The channel that an effect is of, if it is of one.
 std::optional<Channel> channel_of(const EffectForm& form);

@@ -70,9 +70,9 @@ Trial trial_of(const Ship& ship, std::span<const Recording> runs, std::span<cons
 Trial as_on_board(Trial trial, std::span<const Recording> runs, std::span<const Channel> channels);
 
 /// How large the form of her forces may be wrong, over its usual size: along, across, of the moment, a constant force
-/// from side to side, and what the rudder differs by from side to side.
-using FormSizes = std::array<double, 5>;
-inline constexpr FormSizes usual_sizes{1.0, 1.0, 1.0, 1.0, 1.0};
+/// from side to side, what the rudder differs by from side to side, and along, straight ahead at service speed.
+using FormSizes = std::array<double, 6>;
+inline constexpr FormSizes usual_sizes{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
 
 /// The trial with a form of these sizes in place of the usual ones.
 Trial with_form_sizes(Trial usual, const FormSizes& sizes);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "swayaw/core/parts_reader.hpp"
@@ -60,6 +61,12 @@ std::vector<Parameter> coefficients_of(const Ship& ship, std::string_view table)
   auto parameters = parameters_of(ship);
   std::erase_if(parameters, [&](const Parameter& p) { return p.table != table || p.role != Role::coefficient; });
   return parameters;
+}
+
+bool is_resistance(const Parameter& parameter) {
+  constexpr std::array keys{std::string_view("R_0"), std::string_view("X_0"), std::string_view("X_u"),
+                            std::string_view("X_uu"), std::string_view("X_uuu")};
+  return parameter.table == "hull" && std::ranges::count(keys, parameter.key) > 0;
 }
 
 Ship with_values(const Ship& ship, std::span<const Parameter> parameters, std::span<const double> values) {

@@ -14,6 +14,7 @@
 #include "swayaw/nonlinear/simulation/equations_of_motion.hpp"
 #include "swayaw/nonlinear/simulation/runge_kutta.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 
 namespace swayaw::inline nonlinear {
 using namespace detail;
@@ -387,8 +388,7 @@ void Simulator::set_thrust(double thrust) {
 
 void Simulator::set_wind(const Wind<double>& wind) {
   require_finite(wind.speed, "wind speed [m/s]"), require_finite(wind.from, "wind direction [rad]");
-  const auto& windage = core_->around.windage;
-  if (wind.speed != 0.0 && windage.A_F == 0.0 && windage.A_L == 0.0)
+  if (wind.speed != 0.0 && !feels_wind(core_->around.windage))
     throw Refusal("the ship file does not tell what she shows the wind");
   core_->wind.set(wind);
   core_->blow();

@@ -8,6 +8,7 @@
 #include "swayaw/core/detail/median.hpp"
 #include "swayaw/nonlinear/effects/acting_in_wind.hpp"
 #include "swayaw/nonlinear/instruments/instruments.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 
 namespace swayaw::inline nonlinear {
 namespace {
@@ -15,11 +16,6 @@ namespace {
 constexpr double forever = std::numeric_limits<double>::infinity();
 
 bool has_wind(const Recording& run) { return run.has(Channel::wind_speed) && run.has(Channel::wind_from); }
-
-bool feels_wind(const Ship& ship) {
-  const auto& windage = ship.surroundings.windage;
-  return windage.A_F != 0.0 || windage.A_L != 0.0;
-}
 
 // ---------------------------------------------------------------- wind
 
@@ -100,7 +96,7 @@ std::string depth_in_vain(const Ship& ship, double depth) {
 }  // namespace
 
 std::vector<WindPiece> recorded_wind(const Ship& ship, const Recording& run) {
-  if (!has_wind(run) || !feels_wind(ship)) return {};
+  if (!has_wind(run) || !feels_wind(ship.surroundings.windage)) return {};
   const auto air = air_of(true_wind(run, instruments_of(ship)));
   if (air.north.empty()) return {};
   const double longest = wind_averaging * time_unit_of(ship);
@@ -182,7 +178,7 @@ std::vector<std::string> measured_in_vain(const Ship& ship, const Recording& run
   std::vector<std::string> words;
   if (run.has(Channel::wind_speed) != run.has(Channel::wind_from))
     words.push_back("the measured wind is not used: it needs both, wind_speed and wind_from");
-  else if (has_wind(run) && !feels_wind(ship))
+  else if (has_wind(run) && !feels_wind(ship.surroundings.windage))
     words.push_back(
         "the measured wind is not used: the ship file has no [windage], which tells what she shows the wind "
         "(docs/formats.md)");

@@ -123,6 +123,8 @@ std::optional<Windage<double>> windage_from(const WindageAreas& areas, std::stri
                          .delta = ship.delta};
 }
 
+bool feels_wind(const Windage<double>& windage) { return windage.A_F != 0.0 || windage.A_L != 0.0; }
+
 WindTable mirrored(WindTable table) {
   for (auto& row : table) row = {-row.angle, row.C_X, -row.C_Y, -row.C_N};
   return table;

@@ -23,6 +23,9 @@ std::vector<Parameter> parameters_of(const Ship& ship, std::span<const std::stri
 /// Those of a part, "hull", that can be fitted.
 std::vector<Parameter> coefficients_of(const Ship& ship, std::string_view table);
 
+/// Whether it is a coefficient of the resistance of a hull on a straight course: R_0, X_0, X_u, X_uu or X_uuu.
+bool is_resistance(const Parameter& parameter);
+
 /// The ship with other values of these numbers, in SI.
 Ship with_values(const Ship& ship, std::span<const Parameter> numbers, std::span<const double> values);
 

@@ -56,6 +56,9 @@ struct WindageAreas {
 /// @throws std::domain_error  if an area is negative, the length is not positive or the type is not known
 std::optional<Windage<double>> windage_from(const WindageAreas& areas, std::string_view type = "tanker_loaded");
 
+/// Whether a ship shows the wind anything: without areas above water no wind acts on her.
+bool feels_wind(const Windage<double>& windage);
+
 /// Coefficients at one angle of attack, in the axes of docs/notation.md.
 struct WindRow {
   double angle;  ///< alpha, where the air comes from, clockwise from the bow [rad]
