@@ -307,29 +307,65 @@ std::optional<double> replay_gain(const Ship& file, std::span<const Label> label
   }
 }
 
+namespace {
+
+/// Every one of a list equally often and in an order by chance: a pack of cards, shuffled anew when it is used up.
+class Pack {
+ public:
+  Pack(std::span<const std::string_view> cards, RandomSource& random)
+      : cards_(cards.begin(), cards.end()), random_(random) {}
+
+  std::string drawn() {
+    if (left_ == 0) left_ = cards_.size();
+    std::swap(cards_[random_.below(left_)], cards_[left_ - 1]);
+    return std::string(cards_[--left_]);
+  }
+  /// Another than the one that is named, by chance.
+  std::string other_than(std::string_view name) {
+    std::vector<std::string_view> others;
+    std::ranges::copy_if(cards_, std::back_inserter(others), [&](std::string_view card) { return card != name; });
+    return std::string(others[random_.below(others.size())]);
+  }
+
+ private:
+  std::vector<std::string_view> cards_;
+  RandomSource& random_;
+  std::size_t left_ = 0;
+};
+
+}  // namespace
+
+CasePlan on_board_plan(std::string_view structure, FileForm form, Effects effects, std::uint64_t seed) {
+  return {.name = {},
+          .ship_kind = std::string(structure),
+          .effects = std::move(effects),
+          .wrong_baseline = true,
+          .seed = seed,
+          .on_board = form};
+}
+
 std::vector<CasePlan> on_board_plans(bool something_hidden, std::size_t count, std::uint64_t seed) {
   constexpr std::array forms{FileForm::mmg, FileForm::abkowitz, FileForm::mmg, FileForm::pi};
-  const auto structures = ship_structures();
-  const auto known = on_board_kinds(), unknown = on_board_unknown_kinds();
   RandomSource random(seed_of(seed, something_hidden ? 0x0b0a : 0x0bc1));
-  std::size_t next = random.below(known.size()), strange = random.below(unknown.size());
-  const auto severity = [](std::size_t i) { return i % 2 == 0 ? Severity::strong : Severity::moderate; };
+  Pack structures(ship_structures(), random), singles(on_board_kinds(), random), firsts(on_board_kinds(), random),
+      unknown(on_board_unknown_kinds(), random);
+  const auto severity = [&] { return random.below(2) > 0 ? Severity::strong : Severity::moderate; };
   const auto effects = [&](std::size_t i) -> Effects {
     const std::size_t place = i % 10;  // six singles, two pairs, two unknown
     if (!something_hidden) return {};
-    if (place == 4 || place == 9) return {{std::string(unknown[strange++ % unknown.size()]), severity(i / 5)}};
-    Effects list{{std::string(known[next++ % known.size()]), severity(i)}};
-    if (place == 2 || place == 7) list.emplace_back(known[(next + 7) % known.size()], severity(i + i / 5));
-    return list;
+    if (place == 4 || place == 9) return {{unknown.drawn(), severity()}};
+    if (place != 2 && place != 7) return {{singles.drawn(), severity()}};
+    const auto first = firsts.drawn(), second = firsts.other_than(first);
+    return {{first, severity()}, {second, severity()}};
   };
   std::vector<CasePlan> plans;
-  for (std::size_t i = 0; i < (count > 0 ? count : something_hidden ? 60 : 20); ++i)
-    plans.push_back({.name = fmt::format("{:03}", i + 1),
-                     .ship_kind = std::string(structures[(i + i / 10) % structures.size()]),
-                     .effects = effects(i),
-                     .wrong_baseline = true,
-                     .seed = random.bits(),
-                     .on_board = forms[random.below(forms.size())]});
+  for (std::size_t i = 0; i < (count > 0 ? count : something_hidden ? 60 : 20); ++i) {
+    const auto structure = structures.drawn();
+    auto hidden = effects(i);
+    const auto form = forms[random.below(forms.size())];
+    plans.push_back(on_board_plan(structure, form, std::move(hidden), random.bits()));
+    plans.back().name = fmt::format("{:03}", i + 1);
+  }
   return plans;
 }
 

@@ -7,11 +7,16 @@
 /// to a ship of another structure and wrong by its confidence. docs/concealed_on_board.md
 namespace swayaw::concealed {
 
-/// Cases of all structures and forms of files, with nothing hidden or with something.
+/// Cases of all structures and forms of files, with nothing hidden or with something. Every kind is hidden alone
+/// equally often, and is equally often the first of two; the second is any other.
 std::vector<CasePlan> on_board_plans(bool something_hidden, std::size_t count, std::uint64_t seed);
 
+/// One of them: what is hidden in which ship, and the form of her file.
+CasePlan on_board_plan(std::string_view structure, FileForm form, std::vector<std::pair<std::string, Severity>> effects,
+                       std::uint64_t seed);
+
 /// Of another ship, on another day, where the first can be given no such case: a twin screw on whom no force without a
-/// name was large enough to be noticed (case 200 of seed 41), for one.
+/// name was large enough to be noticed, for one.
 /// @throws std::domain_error  where none of five ships can
 ConcealedCase made_on_board(const CasePlan& plan);
 
