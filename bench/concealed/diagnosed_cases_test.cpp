@@ -9,6 +9,21 @@
 using namespace swayaw;
 using namespace swayaw::concealed;
 
+namespace {
+
+/// A case of a seed that was looked at, and how near a number of what is found must come.
+struct SeenCase {
+  const char* structure;
+  FileForm form;
+  const char* planned;
+  Severity severity;
+  std::uint64_t seed;
+  std::string_view key;
+  double near;  ///< of the true value, in its unit
+};
+
+}  // namespace
+
 // Strips of a tanker's hull are not the polynomial of her file; exact recordings tell that, as a drag of 0.13 to 0.21.
 TEST_CASE("the polynomial of a hull lacks no cross-flow drag, and the smallest that is hidden is found",
           "[bench][limit]") {
@@ -36,22 +51,13 @@ TEST_CASE("the polynomial of a hull lacks no cross-flow drag, and the smallest t
 // compass feigns had taken the force away that resists it; a ship that cannot sail without her stream ended the search;
 // a wind was refuted by runs that gained by it; a heel that nobody recorded was to act more than it gained.
 TEST_CASE("what hides in a form, behind another summit or on other courses is found", "[bench][on_board][limit]") {
-  struct Missed {
-    const char* structure;
-    FileForm form;
-    const char* effect;
-    Severity severity;
-    std::uint64_t seed;
-    std::string_view key;
-    double near;  ///< of the true value, in its unit
-  };
   using enum Severity;
   for (const auto& [structure, form, effect, severity, seed, key, near] :
-       {Missed{"rolling", FileForm::abkowitz, "heading_bias", strong, 0x2839b0cf2138ceea, "bias_rad", radians(0.5)},
-        Missed{"twin_screw", FileForm::mmg, "steady_current", strong, 0x8fb100ee6c458316, "current_speed_m_s", 0.2},
-        Missed{"twin_screw", FileForm::mmg, "steady_wind", moderate, 0x1073438d0b2d0ad8, "wind_from_rad",
-               radians(20.0)},
-        Missed{"twin_screw", FileForm::mmg, "roll_coupling", moderate, 0x5d9337de95d4f479, "N_phi", 0.05}}) {
+       {SeenCase{"rolling", FileForm::abkowitz, "heading_bias", strong, 0x2839b0cf2138ceea, "bias_rad", radians(0.5)},
+        SeenCase{"twin_screw", FileForm::mmg, "steady_current", strong, 0x8fb100ee6c458316, "current_speed_m_s", 0.2},
+        SeenCase{"twin_screw", FileForm::mmg, "steady_wind", moderate, 0x1073438d0b2d0ad8, "wind_from_rad",
+                 radians(20.0)},
+        SeenCase{"twin_screw", FileForm::mmg, "roll_coupling", moderate, 0x5d9337de95d4f479, "N_phi", 0.05}}) {
     const auto c = made(on_board_plan(structure, form, {{effect, severity}}, seed));
     REQUIRE(c.labels.size() == 1);
     REQUIRE(c.labels.front().effect == effect);
@@ -167,19 +173,10 @@ TEST_CASE("a ship that runs away as her file has it is diagnosed all the same", 
 // Each is within what instruments and gears are off by from ship to ship, and gained 2 where that was ordinary.
 TEST_CASE("what reference runs tell of instruments and gear makes small errors on other days findings",
           "[bench][on_board][limit]") {
-  struct Small {
-    const char* structure;
-    FileForm form;
-    const char* planned;
-    Severity severity;
-    std::uint64_t seed;
-    std::string_view key;
-    double near;
-  };
   for (const auto& [structure, form, planned, severity, seed, key, near] :
-       {Small{"rolling", FileForm::mmg, "steering_gear_lag", Severity::strong, 0xf8a0476df4bf29b9, "lag_s", 0.5},
-        Small{"twin_screw", FileForm::abkowitz, "roll_coupling", Severity::moderate, 0x954d6a0cf38be6df, "scale",
-              0.005}}) {
+       {SeenCase{"rolling", FileForm::mmg, "steering_gear_lag", Severity::strong, 0xf8a0476df4bf29b9, "lag_s", 0.5},
+        SeenCase{"twin_screw", FileForm::abkowitz, "roll_coupling", Severity::moderate, 0x954d6a0cf38be6df, "scale",
+                 0.005}}) {
     const auto c = made(on_board_plan(structure, form, {{planned, severity}}, seed));
     REQUIRE(c.labels.size() == 1);
     REQUIRE(!c.reference.empty());

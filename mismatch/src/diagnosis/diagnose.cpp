@@ -164,8 +164,7 @@ void put_as_form(std::span<FittedCandidate> tried, const Trial& trial, const Fit
 
 /// Effects, those first without which the whole would lack most; the words of those too small to matter; all
 /// candidates.
-/// @param unused  the trial with the runs held out
-Kept put_effects(Diagnosis& d, const Trial& trial, const Trial& unused, const Search& s, const ShipInRun& alone,
+Kept put_effects(Diagnosis& d, const Trial& trial, HeldOutRuns& held_out, const Search& s, const ShipInRun& alone,
                  double needed, std::span<const Recording> runs, std::span<const Recording> holdout) {
   auto tried = s.first;
   Kept kept;
@@ -216,7 +215,7 @@ Kept put_effects(Diagnosis& d, const Trial& trial, const Trial& unused, const Se
     if (stands || (trace && !not_borne_out)) kept.with_traces.push_back(i);
     if (stands) {
       kept.standing.push_back(i);
-      found_effects.push_back({s.on_board ? whole_worth(unused, s, without[i]) : 0.0, &accepted, std::move(found)});
+      found_effects.push_back({s.on_board ? whole_worth(held_out, s, without[i]) : 0.0, &accepted, std::move(found)});
     } else {
       if (!not_borne_out) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
       for (auto& t : tried)
@@ -290,12 +289,15 @@ Diagnosis diagnose_clean(const Ship& ship, std::span<const Recording> runs, std:
                          std::span<const Recording> holdout, const DiagnosisOptions& options) {
   const auto goes_on = [&](std::string_view what) { return !options.progress || options.progress(what); };
   const auto channels = recorded_channels(runs, motion_channels());
+  const auto prepared_holdout = [&](bool on_board) {
+    return on_board ? lean_runs(ship, holdout, channels) : thinned_runs(ship, holdout, channels);
+  };
   const auto trials = [&](bool on_board) {
     Trial trial = trial_of(ship, runs, channels);
     if (on_board) trial = as_on_board(std::move(trial), runs, channels);
     if (goes_on("calibrating on reference runs")) calibrate(trial, ship, reference, channels, on_board);
     Trials both{trial, trial};
-    both.unused.runs = on_board ? lean_runs(ship, holdout, channels) : thinned_runs(ship, holdout, channels);
+    both.unused.runs = prepared_holdout(on_board);
     return both;
   };
   const auto time = time_of(runs);
@@ -326,8 +328,9 @@ Diagnosis diagnose_clean(const Ship& ship, std::span<const Recording> runs, std:
   attempt(d, "what the missing force follows", [&] { d.budget = budget_of(trial, s.hypothesis(), s.now); });
   const auto refitted = ships_at(trial, {}, alone.point);
   auto unused = trial;
-  unused.runs = s.on_board ? lean_runs(ship, holdout, channels) : std::vector<PreparedRun>{};
-  const auto kept = put_effects(d, trial, unused, s, refitted, options.detection, runs, holdout);
+  unused.runs = prepared_holdout(s.on_board);
+  auto held_out = held_out_runs(unused, s);
+  const auto kept = put_effects(d, trial, held_out, s, refitted, options.detection, runs, holdout);
   const auto& with_traces = kept.fitted;
   d.shifts = shifts_of(trial, with_traces.fit.point);
   if (std::ranges::count(d.shifts, "rudder", &BaselineShift::part) > 0)

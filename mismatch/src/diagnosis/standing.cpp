@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "../missing_force/budget.hpp"
-#include "../search/held_out.hpp"
 #include "replay_errors.hpp"
 #include "verdict.hpp"
 
@@ -94,9 +93,8 @@ double worth(const Search& s, const Standing& without) {
   return without.fit.point.size() == 0 ? HUGE_VAL : s.now.log_evidence - without.fit.log_evidence;
 }
 
-double whole_worth(const Trial& unused, const Search& s, const Standing& without) {
+double whole_worth(HeldOutRuns& held_out, const Search& s, const Standing& without) {
   const double used = worth(s, without);
-  auto held_out = held_out_runs(unused, s);
   if (held_out.is_empty() || without.fit.point.size() == 0) return used;
   return used - held_out_gain(s.trial, s.sizes, held_out, s.hypothesis(), s.now, without.effects, without.fit);
 }

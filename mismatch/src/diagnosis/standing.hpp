@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "../search/held_out.hpp"
 #include "../search/search.hpp"
 
 /// Whether an effect that was accepted stands, or is no more than a form of her forces that is a little wrong. Not
@@ -41,8 +42,7 @@ double worth(const Search& s, const Standing& without);
 
 /// The same with what runs held out lose in log likelihood. What is fixed to the earth may stand for another force on
 /// the courses used: a wind for half of the waves of a case as on board, which were larger on those held out.
-/// @param unused  the trial with these runs
-double whole_worth(const Trial& unused, const Search& s, const Standing& without);
+double whole_worth(HeldOutRuns& held_out, const Search& s, const Standing& without);
 
 /// Whether an effect that follows the motion is more than a form that is wrong by a few per cent: without it, all else
 /// fitted once more, replays of all runs err by more, and those of runs that were not used do not err less with the
