@@ -203,11 +203,13 @@ Numbers play(Kitchen& k) {
 }
 
 /// A heel that in a turn with r' = 0.4 moves the ship like some share of her rudder.
+/// A hard turn heels her by 5 to 10 deg: with more stability only forces by heel ten times those of [Son1982] would be
+/// felt.
 Numbers roll(Kitchen& k) {
-  k.h.GM = 0.05 * k.s.B;
-  const double heel = 0.5 * k.s.d * 0.4 * k.s.U_0 * k.s.U_0 / k.s.L / (9.81 * k.h.GM);
+  const double heel = k.random.uniform(0.08, 0.18);
+  k.h.GM = 0.5 * k.s.d * 0.4 * k.s.U_0 * k.s.U_0 / k.s.L / (9.81 * heel);
   k.h.N_phi = -k.size({0.0006, 0.0014, 0.0028}) / heel, k.h.Y_phi = 0.8 * k.h.N_phi;
-  return {{"Y_phi", k.h.Y_phi}, {"N_phi", k.h.N_phi}};
+  return {{"GM_m", k.h.GM}, {"Y_phi", k.h.Y_phi}, {"N_phi", k.h.N_phi}};
 }
 
 Numbers memory(Kitchen& k) {
@@ -250,7 +252,11 @@ Numbers grown(Kitchen& k, const Three& sizes) {
   return {};
 }
 
-Numbers kelp(Kitchen& k) { return grown<&Concealment::kelp>(k, {0.004, 0.008, 0.016}); }
+Numbers kelp(Kitchen& k) {
+  k.h.kelp = k.size({0.004, 0.008, 0.016});
+  k.h.kelp_place = 0.3 * k.s.B * k.random.sign();
+  return {{"drag_y_m", k.h.kelp_place}};
+}
 Numbers fouled_side(Kitchen& k) { return grown<&Concealment::fouled_side>(k, {0.3, 0.6, 1.2}); }
 Numbers sloshing(Kitchen& k) { return grown<&Concealment::sloshing>(k, {0.02, 0.05, 0.10}); }
 Numbers compass(Kitchen& k) {

@@ -212,7 +212,7 @@ Force unknown(const TrueShip& s, const Concealment& h, const States& q, const Mo
                  f = -size * unit * std::pow(U / s.U_0, power) / U;
     sum = sum + at(f * a, f * b, x_place, y_place);
   };
-  if (h.kelp != 0.0) drag(h.kelp, 1.3, 0.45 * s.L, 0.0);
+  if (h.kelp != 0.0) drag(h.kelp, 1.3, 0.45 * s.L, h.kelp_place);
   if (h.tow_line != 0.0 && now.time >= h.tow_onset) drag(h.tow_line, 0.5, -0.48 * s.L, 0.4 * s.B);
   if (h.broken_blade != 0.0)
     sum = sum + at(0.0, h.broken_blade * unit * std::sin(2.0 * pi * now.time / (0.8 * s.time_unit())), -0.48 * s.L);

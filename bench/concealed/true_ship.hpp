@@ -111,7 +111,8 @@ struct Concealment {
   double heading_bias = 0, gyro_bias = 0, log_scale = 0, antenna_x = 0, antenna_y = 0, delay = 0;
   Channel late = Channel::psi;
   // kinds that swayaw does not know
-  double kelp = 0;            ///< ½ρLd U_0² kelp (U/U_0)^1.3 against the flow at the bow
+  double kelp = 0;            ///< ½ρLd U_0² kelp (U/U_0)^1.3 against the flow at one bow
+  double kelp_place = 0;      ///< to starboard of the centreline [m]
   double tow_line = 0;        ///< the same for a drogue on the starboard quarter, from tow_onset on
   double tow_onset = 0;       ///< [s]
   double fouled_side = 0;     ///< drag of cross flow from starboard only

@@ -323,6 +323,22 @@ TEST_CASE("a push that comes and goes is told by its time, and is no gust", "[mi
   CHECK(d.effects.front().onset.value() == std::get<UnknownForce<double>>(d.effects.front().effect).onset);
 }
 
+TEST_CASE("what drags at one side is told by its place, and is not more resistance", "[mismatch][round-trip]") {
+  const Ship ship = symmetric_ship();
+  const double y = 0.06 * length(ship);
+  const auto real = with_effect(ship, UnknownForce<double>{.drag = 8e-4, .drag_y = y});
+  const auto d = diagnose(ship, trials(real), {}, held_out(real), quick());
+  INFO(d.words);
+  CHECK(d.verdict == DiagnosisVerdict::unexplained);
+  REQUIRE(d.effects.size() == 1);
+  CHECK(id_of(d.effects.front().effect) == "unknown");
+  CHECK(std::abs(error_of(d, "drag", 8e-4)) < 3.5);
+  CHECK(std::abs(error_of(d, "drag_y_m", y)) < 3.5);
+  CHECK_THAT(d.words, ContainsSubstring("as a drag that grows with the square of the speed"));
+  CHECK_THAT(d.words,
+             ContainsSubstring("m to starboard of the centreline: look for weed, a line or damage on that side"));
+}
+
 TEST_CASE("an effect that begins during a run has an onset", "[mismatch][second-route]") {
   const Ship ship = symmetric_ship();
   const auto steady = zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, sampled).run;

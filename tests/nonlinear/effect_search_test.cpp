@@ -195,6 +195,29 @@ TEST_CASE("gap and stall take lift of the rudder, and a little of it is what eve
   CHECK_FALSE(ordinary(SteadyCurrent<>{}));
 }
 
+TEST_CASE("a drag at one side is searched by its size and its moment", "[nonlinear][limit]") {
+  const auto ship = test::kvlcc2_l7();
+  const auto parameters = parameters_of(ship, UnknownForce<>{});
+  const double L = length(ship);
+  const auto form =
+      drag_form(UnknownForce<>{}, {.parameters = parameters, .time_unit = 1.0, .duration = 1.0, .rudder_rate = 1.0});
+  const auto at = [&](double drag, double moment) { return form.at(std::array{drag, moment}); };
+  std::mt19937_64 engine(18);
+  std::uniform_real_distribution<double> size(0.1, 3.0), place(-2.0, 2.0);
+  for (int i = 0; i < 20; ++i) {
+    const double drag = size(engine), moment = drag * place(engine);
+    const auto found = at(drag, moment);
+    CHECK_THAT(found.drag, WithinRel(1e-3 * drag, 1e-12));
+    CHECK_THAT(found.drag * found.drag_y, WithinRel(1e-3 * 0.05 * L * moment, 1e-12));
+    CHECK(at(drag, -moment).drag_y == -found.drag_y);
+    CHECK_FALSE(acting_time(found));
+  }
+  // never beyond the side of a beamy ship
+  CHECK_THAT(at(1.0, 5.0).drag_y, WithinRel(0.1 * L, 1e-12));
+  CHECK_THAT(at(1.0, -5.0).drag_y, WithinRel(-0.1 * L, 1e-12));
+  CHECK(form.coordinates[0].low > 0.0);
+}
+
 TEST_CASE("no turn is steady in waves or under a force that goes with the heading", "[nonlinear][limit]") {
   CHECK(never_steady(make_effect("wave_drift")) == "in waves");
   auto force = make_effect("unknown");

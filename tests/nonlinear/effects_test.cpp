@@ -195,6 +195,14 @@ TEMPLATE_TEST_CASE("a force without a name is what its terms say", "[nonlinear][
     const auto g = force_of({.Y_r = 0.2, .N_rr = 0.3});
     CHECK_THAT(g.Y, WithinRel(0.2 * q * r, 1e-12));
     CHECK_THAT(g.N, WithinRel(0.3 * q * L * r * std::abs(r), 1e-12));
+
+    // a drag against the flow past midship, at a point abeam
+    const double drag = random.uniform(1e-4, 2e-3), y = random.uniform(-0.1, 0.1) * L, speed = std::hypot(m.u, m.v);
+    const auto h = force_of({.drag = drag, .drag_y = y});
+    CHECK_THAT(std::hypot(h.X, h.Y), WithinRel(0.5 * model.water.rho * L * L * drag * speed * speed, 1e-12));
+    CHECK_THAT(h.X * m.v, WithinAbs(h.Y * m.u, 1e-12 * std::abs(h.X * speed)));
+    CHECK(h.X * m.u < 0.0);
+    CHECK_THAT(h.N, WithinRel(-y * h.X, 1e-12));
   }
 }
 

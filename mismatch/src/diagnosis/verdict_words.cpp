@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "../missing_force/budget.hpp"
@@ -32,6 +33,16 @@ std::string push_words(const UnknownForce<double>& push) {
                      when, std::abs(lever), lever > 0.0 ? "before" : "behind");
 }
 
+/// ", as a drag that grows with the square of the speed, 14 ± 3 m to starboard of the centreline"
+std::string drag_words(std::span<const ParameterEstimate> parameters) {
+  std::string words = ", as a drag that grows with the square of the speed";
+  const auto place = std::ranges::find(parameters, "drag_y_m", &ParameterEstimate::key);
+  if (place != parameters.end())
+    words += fmt::format(", {:.2g} ± {:.1g} m to {} of the centreline", std::abs(place->value), place->standard_error,
+                         place->value > 0.0 ? "starboard" : "port");
+  return words + ": look for weed, a line or damage on that side";
+}
+
 /// What acts that has no name, in words: a push by its time, else its place, what it goes with, and the terms of its
 /// map if there is one.
 std::string unknown_words(const Diagnosis& d) {
@@ -45,6 +56,7 @@ std::string unknown_words(const Diagnosis& d) {
   if (unknown != d.effects.end()) {
     const auto& force = std::get<UnknownForce<double>>(unknown->effect);
     if (std::isfinite(force.onset)) return words + push_words(force);
+    if (force.drag != 0.0) return words + drag_words(unknown->parameters);
   }
   if (place != d.location.end()) words += ", " + place->where;
   if (!d.symmetry.empty()) words += "; " + d.symmetry;

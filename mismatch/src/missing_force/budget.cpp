@@ -33,7 +33,7 @@ Follows follows_kind(const Kind& effect) {
   if constexpr (requires { effect.channel; })
     return effect.channel == Channel::delta ? Follows::past : Follows::instruments;
   else if constexpr (IsInstrument<Kind>) return Follows::instruments;
-  else if constexpr (std::is_same_v<Kind, UnknownForce<>>) return Follows::nothing;
+  else if constexpr (std::is_same_v<Kind, UnknownForce<>>) return effect.drag != 0.0 ? Follows::side : Follows::nothing;
   else if constexpr (GivesWind<Kind> || GivesCurrent<Kind> || has_a_direction<Kind>) return Follows::earth;
   else if constexpr (differs_between_sides<Kind>) return Follows::side;
   else if constexpr (Remembers<Kind> || ActuatesRudder<Kind>) return Follows::past;

@@ -253,6 +253,70 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
   return true;
 }
 
+// ---------------------------------------------------------------- a drag at one side, and more resistance
+
+/// Where the coordinates of an effect that was accepted begin in a point.
+Eigen::Index place_of_accepted(const Search& s, std::size_t accepted) {
+  auto place = s.trial.baseline_size();
+  for (std::size_t i = 0; i < accepted; ++i) place += std::ssize(s.accepted[i].form->coordinates);
+  return place;
+}
+
+/// The present point with other coordinates, or none, where those of an effect that was accepted are.
+Point with_coordinates(const Search& s, std::size_t accepted, std::span<const double> coordinates) {
+  const auto from = place_of_accepted(s, accepted);
+  const auto rest = s.now.point.size() - from - std::ssize(s.accepted[accepted].form->coordinates);
+  Point result(from + std::ssize(coordinates) + rest);
+  result << s.now.point.head(from), Eigen::Map<const Point>(coordinates.data(), std::ssize(coordinates)),
+      s.now.point.tail(rest);
+  return result;
+}
+
+/// More resistance that was found before a drag at one side goes into it: nothing tells the one from the other but the
+/// moment.
+void leave_to_drag(Search& s, std::size_t resistance, Progress& progress) {
+  auto hypothesis = s.hypothesis();
+  hypothesis.erase(hypothesis.begin() + static_cast<std::ptrdiff_t>(resistance));
+  auto found = fit(s.trial, hypothesis, with_coordinates(s, resistance, {}), s.now.noise);
+  if (!std::isfinite(found.log_evidence)) return;
+  const auto place = s.accepted.begin() + static_cast<std::ptrdiff_t>(resistance);
+  s.accepted.back().gain += place->gain;
+  s.accepted.erase(place);
+  s.now = std::move(found);
+  --progress.findings;
+}
+
+/// Where something else is not alike on both sides, too, it may have all of the moment, and the drag be more
+/// resistance: that is taken where it is as good.
+void leave_to_resistance(Search& s, std::size_t drag) {
+  const auto named = std::ranges::find(s.forms, AddedResistance<>::id, &EffectForm::id);
+  if (named == s.forms.end()) return;
+  const auto alone =
+      std::ranges::find_if(s.first, [&](const FittedCandidate& t) { return t.form->id == AddedResistance<>::id; });
+  const double start = alone == s.first.end() ? 1.0 : alone->fit.point[alone->fit.point.size() - 1];
+  auto hypothesis = s.hypothesis();
+  hypothesis[drag] = &*named;
+  auto found = fit(s.trial, hypothesis, with_coordinates(s, drag, {&start, 1}), s.now.noise);
+  if (!(found.log_evidence > s.now.log_evidence - as_good)) return;
+  auto& accepted = s.accepted[drag];
+  s.now = std::move(found);
+  accepted.form = &*named, accepted.widening.clear();
+  const double c = s.now.point[place_of_accepted(s, drag)];
+  accepted.effect = named->at({&c, 1});
+}
+
+/// Whether a drag at one side that was accepted is one, beside what was accepted with it.
+void settle_drag(Search& s, Progress& progress) try {
+  const auto place = [&](const auto& is_it) {
+    return static_cast<std::size_t>(std::ranges::find_if(s.accepted, is_it) - s.accepted.begin());
+  };
+  const auto last = s.accepted.size() - 1, drag = place([](const Accepted&a) { return is_drag(*a.form); }),
+             resistance = place([](const Accepted&a) { return a.form->id == AddedResistance<>::id; });
+  if (drag == last && resistance < last) leave_to_drag(s, resistance, progress);
+  else if (drag < last && follows(s.accepted.back().effect) == Follows::side) leave_to_resistance(s, drag);
+} catch (const std::exception&) {  // she cannot sail so
+}
+
 // ---------------------------------------------------------------- all of them
 
 bool is_never_over(const Search&) { return false; }
@@ -278,6 +342,7 @@ Search named(Search s, const Trial& unused, std::span<const EffectForm> forms, c
            (s.accepted.empty() || !is_over(s))) {
       working = goes_on(s.accepted.empty() ? "trying every effect" : "trying a further effect");
       if (!find_another(unused, s, options, progress)) break;
+      if (!s.accepted.empty()) settle_drag(s, progress);
     }
   };
   try {

@@ -45,6 +45,11 @@ struct UnfittedCandidate {
 
 inline bool is_unknown(const EffectForm& form) { return form.id == UnknownForce<>::id; }
 
+/// Whether it is what drags at one side, which has a law, if no name.
+inline bool is_drag(const EffectForm& form) {
+  return is_unknown(form) && !form.coordinates.empty() && form.coordinates.front().name == "drag";
+}
+
 /// Odds of what no candidate shows, to nothing, beside an inexact form: of 375 answers "nothing is missing" of 900
 /// cases as on board (`swayaw_concealed`, seeds 44 and 46) 278 were right; in the others coefficients and form had
 /// taken something up. With 0.15 they had been given 0.82 in the mean, with 0.35 0.70.
@@ -53,7 +58,9 @@ inline constexpr double odds_of_unseen = 0.28;
 /// Whether it is the map of what has no name beside an inexact form: it keeps the odds of what no candidate shows,
 /// fitted or not. Of 14 answers of nothing with 0.996, where it was fitted and gained too little, 11 were right (seed
 /// 31).
-inline bool stands_for_unseen(const EffectForm& form, bool on_board) { return on_board && is_unknown(form); }
+inline bool stands_for_unseen(const EffectForm& form, bool on_board) {
+  return on_board && is_unknown(form) && !is_drag(form);
+}
 inline bool stands_for_unseen(const FittedCandidate& tried) {
   return stands_for_unseen(*tried.form, tried.fit.noise.with_memory);
 }

@@ -440,7 +440,7 @@ Eigen::MatrixXd parameter_slopes(const Ship& ship, const EffectForm& form, const
 EffectForm unknown_map(const Ship& ship) {
   const UnknownForce<> null;
   auto terms = parameters_of(ship, null);
-  std::erase_if(terms, [](const Parameter& p) { return !p.decides; });
+  std::erase_if(terms, [](const Parameter& p) { return !p.decides || p.key == "drag"; });
   return as_effect(by_parameters(null, std::span<const Parameter>(terms)));
 }
 
@@ -458,6 +458,7 @@ std::vector<EffectForm> effect_forms(const Ship& ship, std::span<const Channel> 
     if constexpr (requires { null.channel; }) add_forms_by_channel(forms, null, context, channels);
     else if constexpr (BeginsAndEnds<Kind>) forms.push_back(counted_from(form_of(null, context), begin));
     else forms.push_back(form_of(null, context));
+    if constexpr (requires { drag_form(null, context); }) forms.push_back(as_effect(drag_form(null, context)));
   });
   return forms;
 }

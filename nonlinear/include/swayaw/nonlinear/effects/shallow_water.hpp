@@ -26,6 +26,8 @@ struct ShallowWater {
       .confused_with = "linear derivatives, mass → another depth"};
 
   /// The priors of the growth are the spread of published laws (docs/effects.md, finite depth).
+  /// Depths of ships whose shallow water follows other laws were told 11 % off (rms of 11, `swayaw_concealed` as on
+  /// board, seeds 44 and 46), where the runs alone tell them to 7 %.
   static constexpr auto parameters() {
     using W = ShallowWater;
     using P = ParameterOf<W, S>;
@@ -44,7 +46,8 @@ struct ShallowWater {
                         .range = {.low = 1.1},
                         .null = std::numeric_limits<double>::infinity(),
                         .prior = 2.0,
-                        .floor = 0.1},
+                        .floor = 0.1,
+                        .law = 0.08},
                       growth("sway", &W::sway, 1.0),
                       growth("yaw", &W::yaw, 1.0),
                       growth("cubic", &W::cubic, 1.0),

@@ -29,6 +29,8 @@ struct WaveDrift {
       .confused_with = "wind → it grows with the speed of the air, waves do not"};
   static constexpr std::string_view never_steady = "in waves";
 
+  /// The law of the force is that of short waves on a wall: on simulated ships whose waves follow another it was found
+  /// 14 % off (rms of 42, `swayaw_concealed` as on board, seeds 44 and 46), where the runs alone tell it to 10 %.
   static constexpr auto parameters() {
     using P = ParameterOf<WaveDrift, S>;
     return std::array{
@@ -46,6 +48,7 @@ struct WaveDrift {
           .range = non_negative,
           .prior = 1.0,
           .floor = 0.05,
+          .law = 0.1,
           .scale = ShipUnit::force},
         P{.key = "ahead",
           .member = &WaveDrift::ahead,
