@@ -420,12 +420,14 @@ struct Inexact {
 };
 
 /// The same of a fit of two rounds, which has only begun; nothing where there is none.
-std::optional<double> walk_as_begun(Inexact& inexact, std::span<const EffectForm> forms) {
+std::optional<double> walk_as_begun(Inexact& inexact, std::span<const EffectForm> forms) try {
   constexpr FitOptions begun{.rounds = 2};
   const auto& trial = inexact.trials.used;
   inexact.begun = fit(trial, {}, trial.mean, Noise::on_board(), begun);
   if (inexact.begun.point.size() == 0) return std::nullopt;
   return walk_of_positions(trial, inexact.begun, forms, perhaps_real_walk, begun);
+} catch (const std::exception&) {  // she runs away with the noise that is usual
+  return std::nullopt;
 }
 
 void say_left_out(Search& exact, const std::exception& trouble) {
