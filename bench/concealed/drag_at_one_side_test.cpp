@@ -1,0 +1,49 @@
+#include <algorithm>
+#include <cmath>
+
+#include "catch.hpp"
+#include "concealed_case.hpp"
+#include "on_board_case.hpp"
+#include "swayaw/mismatch/diagnose.hpp"
+
+/// What drags at one side of a ship as on board, and what only looks as if it did.
+using namespace swayaw;
+using namespace swayaw::concealed;
+
+// Weed grows with U^1.3, on a ship of another structure; reference runs tell how she was without it. Both cases were
+// told more resistance.
+TEST_CASE("weed at one bow is no more resistance but something unknown on that side", "[bench][on_board][limit]") {
+  for (const auto& [structure, form, seed] : {std::tuple{"twin_screw", FileForm::mmg, 0x9abe662f8d0ecfbaull},
+                                              std::tuple{"rolling", FileForm::mmg, 0x0655bfc46a4dcacaull}}) {
+    const auto c = made(on_board_plan(structure, form, {{"unknown_kelp", Severity::strong}}, seed));
+    REQUIRE(!c.reference.empty());
+    const auto d = diagnose(c.ship, c.train, c.reference, c.holdout);
+    INFO(structure << ": " << d.words);
+    CHECK(d.verdict == DiagnosisVerdict::unexplained);
+    REQUIRE(!d.effects.empty());
+    const auto& found = d.effects.front();
+    CHECK(id_of(found.effect) == "unknown");
+    const auto place = std::ranges::find(found.parameters, "drag_y_m", &ParameterEstimate::key);
+    REQUIRE(place != found.parameters.end());
+    REQUIRE(c.labels.front().parameters.size() == 1);
+    CHECK(std::abs(place->value - c.labels.front().parameters.front().value) < 3.5 * place->standard_error);
+  }
+}
+
+// A drag at one side explained these runs better than either alone.
+TEST_CASE("more resistance and an offset of the rudder are no drag at one side", "[bench][on_board][limit]") {
+  const auto c =
+      made(on_board_plan("twin_screw", FileForm::mmg,
+                         {{"added_resistance", Severity::strong}, {"rudder_offset", Severity::moderate}}, 0x7530ec71));
+  REQUIRE(c.labels.size() == 2);
+  REQUIRE(!c.reference.empty());
+  const auto d = diagnose(c.ship, c.train, c.reference, c.holdout);
+  INFO(d.words);
+  REQUIRE(!d.candidates.empty());
+  CHECK(d.candidates.front().effect == "unknown");
+  CHECK(d.verdict == DiagnosisVerdict::missing_physics);
+  REQUIRE(d.effects.size() == 2);
+  for (const auto& label : c.labels)
+    CHECK(std::ranges::count(d.effects, label.effect,
+                             [](const FoundEffect& e) { return std::string(id_of(e.effect)); }) == 1);
+}
