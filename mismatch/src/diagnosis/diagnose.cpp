@@ -146,11 +146,9 @@ struct Kept {
 
 /// Where the coordinates of an effect begin in the point of a fit; nothing where it is not among those fitted.
 std::optional<Eigen::Index> place_in(const Trial& trial, const Standing& fitted, const EffectForm* form) {
-  auto from = trial.baseline_size();
-  for (const auto* other : fitted.effects) {
-    if (other == form) return from;
-    from += std::ssize(other->coordinates);
-  }
+  const auto found = std::ranges::find(fitted.effects, form);
+  if (found != fitted.effects.end())
+    return place_in_point(trial, fitted.effects, static_cast<std::size_t>(found - fitted.effects.begin()));
   return std::nullopt;
 }
 

@@ -255,16 +255,9 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
 
 // ---------------------------------------------------------------- a drag at one side, and more resistance
 
-/// Where the coordinates of an effect that was accepted begin in a point.
-Eigen::Index place_of_accepted(const Search& s, std::size_t accepted) {
-  auto place = s.trial.baseline_size();
-  for (std::size_t i = 0; i < accepted; ++i) place += std::ssize(s.accepted[i].form->coordinates);
-  return place;
-}
-
 /// The present point with other coordinates, or none, where those of an effect that was accepted are.
 Point with_coordinates(const Search& s, std::size_t accepted, std::span<const double> coordinates) {
-  const auto from = place_of_accepted(s, accepted);
+  const auto from = place_in_point(s.trial, s.hypothesis(), accepted);
   const auto rest = s.now.point.size() - from - std::ssize(s.accepted[accepted].form->coordinates);
   Point result(from + std::ssize(coordinates) + rest);
   result << s.now.point.head(from), Eigen::Map<const Point>(coordinates.data(), std::ssize(coordinates)),
@@ -301,7 +294,7 @@ void leave_to_resistance(Search& s, std::size_t drag) {
   auto& accepted = s.accepted[drag];
   s.now = std::move(found);
   accepted.form = &*named, accepted.widening.clear();
-  const double c = s.now.point[place_of_accepted(s, drag)];
+  const double c = s.now.point[place_in_point(s.trial, hypothesis, drag)];
   accepted.effect = named->at({&c, 1});
 }
 

@@ -255,6 +255,12 @@ Unknown unknown_of(const Coordinate& c) {
 
 }  // namespace
 
+Eigen::Index place_in_point(const Trial& trial, const Hypothesis& hypothesis, std::size_t effect) {
+  auto place = trial.baseline_size();
+  for (std::size_t i = 0; i < effect; ++i) place += std::ssize(hypothesis[i]->coordinates);
+  return place;
+}
+
 bool is_same_effect(const EffectForm& a, const EffectForm& b) { return a.id == b.id && channel_of(a) == channel_of(b); }
 
 bool stands_for(const EffectForm& form, const EffectForm& ordinary) {

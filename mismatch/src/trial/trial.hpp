@@ -47,6 +47,9 @@ using Hypothesis = std::vector<const EffectForm*>;
 /// One more effect.
 Hypothesis with(Hypothesis hypothesis, const EffectForm& form);
 
+/// Where the coordinates of one of the effects begin in a point.
+Eigen::Index place_in_point(const Trial& trial, const Hypothesis& hypothesis, std::size_t effect);
+
 /// The trial with parameters of the baseline that are known so many times less well, but no worse than theory tells.
 Trial with_inflated_prior(Trial trial, double factor);
 
