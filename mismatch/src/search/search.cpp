@@ -410,6 +410,7 @@ struct Inexact {
   Trials trials;
   MapFit begun{};
   std::optional<Search> baseline{};
+  std::string trouble{};  ///< why there is no baseline, once it was asked for
 };
 
 /// The same of a fit of two rounds, which has only begun; nothing where there is none.
@@ -423,40 +424,37 @@ std::optional<double> walk_as_begun(Inexact& inexact, std::span<const EffectForm
   return std::nullopt;
 }
 
-void say_left_out(Search& exact, const std::exception& trouble) {
-  exact.troubles.push_back(fmt::format("the search beside an inexact form ended early: {}", trouble.what()));
+void say_left_out(Search& exact, std::string_view trouble) {
+  exact.troubles.push_back(fmt::format("the search beside an inexact form ended early: {}", trouble));
 }
 
 std::optional<Inexact> inexact_runs(const std::function<Trials()>& on_board, Search& exact) try {
   return Inexact{on_board()};
 } catch (const std::exception& trouble) {
-  say_left_out(exact, trouble);
+  say_left_out(exact, trouble.what());
   return std::nullopt;
 }
 
-Search& baseline_of(Inexact& inexact) {
-  if (!inexact.baseline) inexact.baseline = with_baseline(inexact.trials.used, Noise::on_board(), inexact.begun);
-  return *inexact.baseline;
-}
-
-/// @return null where she cannot sail
-Search* baseline_of(Inexact& inexact, Search& exact) try {
-  return &baseline_of(inexact);
+/// @return null where she cannot sail these runs
+Search* baseline_of(Inexact& inexact) try {
+  if (!inexact.baseline && inexact.trouble.empty())
+    inexact.baseline = with_baseline(inexact.trials.used, Noise::on_board(), inexact.begun);
+  return inexact.baseline ? &*inexact.baseline : nullptr;
 } catch (const std::exception& trouble) {
-  say_left_out(exact, trouble);
+  inexact.trouble = trouble.what();
   return nullptr;
 }
 
 /// Whether the search is to go on beside an inexact form at once: beside an exact one it is hopeless, or the
 /// instruments are of the kind that ships have.
-bool is_inexact(Inexact& inexact, Search& exact, std::span<const EffectForm> forms) {
+bool is_inexact(Inexact& inexact, const Search& exact, std::span<const EffectForm> forms) {
   bool surely = exact.null.noise.largest_scale() > hopeless_scale;
   if (!surely) {
     const auto walk = walk_as_begun(inexact, forms);
     if (walk && !(*walk > perhaps_real_walk)) return false;
     surely = walk && *walk > surely_real_walk;
   }
-  const auto* baseline = baseline_of(inexact, exact);
+  const auto* baseline = baseline_of(inexact);
   return baseline && (surely || walk_of_positions(baseline->trial, baseline->null, forms, real_walk) > real_walk);
 }
 
@@ -478,14 +476,12 @@ constexpr std::size_t enough_found = 2;
 /// the hull; or it left it as large as it was, which forces that were hidden take away, and an inexact form alone
 /// explains the runs better than all of that. Of 209 labelled cases and others with something hidden, known or not, the
 /// second ended three, and the search beside an inexact form was preferred to each that went on.
-bool is_given_up(Inexact& inexact, const Search& found) try {
+bool is_given_up(Inexact& inexact, const Search& found) {
   const double scale = found.now.noise.largest_scale();
   if (scale > hopeless_scale) return true;
   if (found.accepted.size() < enough_found || scale < found.null.noise.largest_scale()) return false;
-  const auto& baseline = baseline_of(inexact);
-  return baseline.null.log_evidence > evidence_from(found, baseline.trial.runs);
-} catch (const std::exception&) {  // she cannot sail these runs beside an inexact form, which is said later
-  return false;
+  const auto* baseline = baseline_of(inexact);
+  return baseline && baseline->null.log_evidence > evidence_from(found, baseline->trial.runs);
 }
 
 }  // namespace
@@ -533,14 +529,14 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
   bool given_up = false;
   s = named(std::move(s), exact.unused, forms, options, go_on,
             [&](const Search& found) { return given_up = inexact && is_given_up(*inexact, found); });
-  if (auto* baseline = working && given_up ? baseline_of(*inexact, s) : nullptr) return beside_form(*baseline);
+  if (auto* baseline = working && given_up ? baseline_of(*inexact) : nullptr) return beside_form(*baseline);
   // a baseline may suit as it is, and its instruments be of the kind that ships have all the same: what is found then
   // may be their ordinary errors
   if (working && !inexact && !s.accepted.empty()) {
     inexact = inexact_runs(on_board, s);
     if (inexact && is_inexact(*inexact, s, forms)) return beside_form(*inexact->baseline);
   }
-  if (auto* baseline = working && inexact && s.named_scale > ordinary_scale ? baseline_of(*inexact, s) : nullptr) {
+  if (auto* baseline = working && inexact && s.named_scale > ordinary_scale ? baseline_of(*inexact) : nullptr) {
     auto other = beside_form(*baseline);
     if (s.named_scale > hopeless_scale) return other;
     auto mapped = s;  // its effects are those of s, which stays
@@ -557,6 +553,7 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
     goes_on("a map of what has no name");
     map_unknown(exact.unused, s, options.further);
   }
+  if (inexact && !inexact->trouble.empty()) say_left_out(s, inexact->trouble);
   return s;
 }
 
