@@ -41,6 +41,7 @@ struct Innovation {
 /// so that the squared error over it grows as |e| and not as e²: the likelihood of an outlier falls as that of Laplace,
 /// and the gain of the filter with it. Source: [Huber1981]
 inline double widening_of(double error, double S, double c) {
+  if (error * error <= c * c * S) return 1.0;  // most are none, and roots take long
   return std::max(1.0, std::abs(error) / (c * std::sqrt(S)));
 }
 
@@ -105,8 +106,8 @@ struct Smoother {
   /// The same of what moves all states by g.
   double slope(const FilterVector<N>& g) const { return 0.5 * (std::pow(r.dot(g), 2) - g.dot(M * g)); }
 
-  /// Before a step.
-  void step_back(const Transition<N>& t) { carry_back<N>(M, r, t); }
+  /// Before a step: Φᵀ M Φ and Φᵀ r.
+  void step_back(const Transition<N>& t);
 
   /// Before a measurement. With the smoothed error e_s of the measurement over its variance R, and its variance D,
   ///
@@ -114,21 +115,7 @@ struct Smoother {
   ///
   /// @param h  slope of a channel that shows no state alone
   /// @return ½ (e_s² − D), the slope of the log likelihood by R. Source: [Koopman1992]
-  double step_back(const Innovation<N>& now, const FilterVector<N>& h) {
-    const FilterVector<N> MK = M * now.K;
-    const double e_s = now.error / now.variance - now.K.dot(r), D = 1.0 / now.variance + now.K.dot(MK);
-    if (const int i = now.state; i >= 0) {
-      r[i] += e_s;
-      M.row(i) -= MK.transpose();
-      M.col(i) -= MK;
-      M(i, i) += D;
-    } else {
-      r += h * e_s;
-      M.noalias() += (D * h - MK) * h.transpose();
-      M.noalias() -= h * MK.transpose();
-    }
-    return 0.5 * (e_s * e_s - D);
-  }
+  double step_back(const Innovation<N>& now, const FilterVector<N>& h);
 };
 
 }  // namespace swayaw::identification::detail

@@ -250,8 +250,9 @@ class RunFilterOf final : public RunFilter<N> {
     return furthest;
   }
 
-  /// To sample k, in steps that are short for the ship.
-  void predict(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
+  /// To sample k, in steps that are short for the ship. As what measures, inlined as a whole: with these parts called
+  /// one by one a filter of 20,000 samples took 3 to 15 % longer.
+  [[gnu::flatten]] void predict(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
     require_motion(estimate.mean, k - 1);
     const int count = predictor_.steps(speed(ship_state<N>(estimate.mean).motion), timeline_[k] - timeline_[k - 1]);
     for (int i = 0; i < count; ++i) {
@@ -274,7 +275,8 @@ class RunFilterOf final : public RunFilter<N> {
   }
 
   /// @return log likelihood of the sample
-  double measure(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise, FilteredRun<N>& pass) {
+  [[gnu::flatten]] double measure(Gaussian<N>& estimate, std::size_t k, const FilterNoise& noise,
+                                  FilteredRun<N>& pass) {
     double product = 1.0, squares = 0.0;  // of variances, whose logarithm is slow
     const auto readings =
         std::span<const Reading>(readings_).subspan(first_reading_[k], first_reading_[k + 1] - first_reading_[k]);

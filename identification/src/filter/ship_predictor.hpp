@@ -97,21 +97,6 @@ FilterMatrix<N> carried(const FilterMatrix<N>& P, const Transition<N>& t) {
   return next;
 }
 
-/// Φᵀ M Φ of a symmetric M, and Φᵀ r.
-template <int N>
-void carry_back(FilterMatrix<N>& M, FilterVector<N>& r, const Transition<N>& t) {
-  const Eigen::Matrix<double, 6, N - 2> B = t.B();
-  FilterMatrix<N> right = M;  // M Φ
-  if constexpr (N == 9) right.template rightCols<3>() *= t.keep;
-  right.template rightCols<N - 2>().noalias() += M.template leftCols<6>().lazyProduct(B);
-  M = right;
-  if constexpr (N == 9) M.template bottomRows<3>() *= t.keep;
-  M.template bottomRows<N - 2>().noalias() += B.transpose().lazyProduct(right.template topRows<6>());
-  const Eigen::Vector<double, 6> of_motion = r.template head<6>();
-  if constexpr (N == 9) r.template tail<3>() *= t.keep;
-  r.template tail<N - 2>() += B.transpose().lazyProduct(of_motion);
-}
-
 /// Derivatives over a step by the variables of a taped ship.
 struct StepSlopes {
   TapedShip::Slopes rates;                             ///< of x … r

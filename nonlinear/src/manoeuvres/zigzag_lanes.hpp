@@ -135,7 +135,8 @@ class ZigzagLanes {
 
   // ---------------------------------------------------------------- one step of every lane
 
-  State rates(const P& t, const State& y) const {
+  /// Inlined as a whole: with the forces called one by one packs of eight took 13 % longer.
+  [[gnu::flatten]] State rates(const P& t, const State& y) const {
     const ShipState<P> state{P(0.0), P(0.0), y[0], motion_of(y)};
     const auto a = acceleration_of(ship_, StillSurroundings{}, NoEffects{}, state, NoEffects{},
                                    Controls<P>{rudder_.at(t), rev_}, branch_);

@@ -132,7 +132,7 @@ std::vector<Effect> read_effects(const ShipModel& model, const Windage<double>& 
   std::vector<Effect> effects;
   for (const auto& given : file.effects()) {
     const auto effect = read_effect(given, file);
-    if (place_of(effect) == EffectPlace::air && windage.A_L == 0.0)
+    if (place_of(effect) == EffectPlace::air && !feels_wind(windage))
       file.fail(given, "wind needs frontal and lateral area of the ship, in [windage] or [particulars]");
     if (const auto why = cannot_act(model, effect); !why.empty()) file.fail(given, why);
     if (std::ranges::any_of(effects, [&](const Effect& e) { return same_kind(e, effect); }))
