@@ -323,26 +323,18 @@ constexpr std::array<std::pair<std::string_view, Recipe>, 38> recipes{{
 constexpr std::size_t known_count = 30, unknown_count = 7;
 
 /// What makes sense to hide from instruments as on board: kinds whose numbers are not those of a ship file, which has
-/// terms of another form, and the three that no effect is like and that harbours know.
-constexpr std::array<std::string_view, 20> on_board_names{"steady_wind",
-                                                          "rudder_effectiveness",
-                                                          "gyro_bias",
-                                                          "added_resistance",
-                                                          "steady_current",
-                                                          "propeller_side_force",
-                                                          "wave_drift",
-                                                          "rudder_offset",
-                                                          "cross_flow_drag",
-                                                          "channel_delay",
-                                                          "steering_gear_lag",
-                                                          "shallow_water",
-                                                          "gust",
-                                                          "heading_bias",
-                                                          "roll_coupling",
-                                                          "shaft_speed_drop",
-                                                          "log_scale",
-                                                          "fluid_memory",
-                                                          "antenna_lever_arm",
+/// terms of another form, but for the cubic terms of the hull, as the labelled cases have them; and the three that no
+/// effect is like and that harbours know.
+constexpr std::array<std::string_view, 21> on_board_names{"steady_wind",      "rudder_effectiveness",
+                                                          "gyro_bias",        "added_resistance",
+                                                          "steady_current",   "propeller_side_force",
+                                                          "wave_drift",       "rudder_offset",
+                                                          "cross_flow_drag",  "hull_nonlinear_damping",
+                                                          "channel_delay",    "steering_gear_lag",
+                                                          "shallow_water",    "gust",
+                                                          "heading_bias",     "roll_coupling",
+                                                          "shaft_speed_drop", "log_scale",
+                                                          "fluid_memory",     "antenna_lever_arm",
                                                           "rudder_stall"};
 constexpr std::array<std::string_view, 3> on_board_unknown_names{"unknown_tug", "unknown_kelp", "unknown_bank"};
 

@@ -283,14 +283,13 @@ double detectability(const Ship& file, const std::vector<Recording>& runs, const
   return mean_ratio(errors(file, runs), errors(file, calm_runs));
 }
 
-Ship with_label(Ship ship, const Label& label) {
+Ship with_label(const Ship& ship, const Label& label) {
   Effect effect = make_effect(label.effect);
   if (auto* channel = channel_of(effect)) *channel = channel_named(label.channel).value();
   for (const auto& n : parameters_of(ship, effect))
     for (const auto& told : label.parameters)
       if (n.key == told.key) parameter_value(effect, n.index) = told.value;
-  ship.effects.push_back(effect);
-  return ship;
+  return with_effect(ship, effect);
 }
 
 std::optional<double> replay_gain(const Ship& file, std::span<const Label> labels, std::size_t one,

@@ -25,7 +25,7 @@ ConcealedCase made_on_board(const CasePlan& plan);
 double detectability(const Ship& file, const std::vector<Recording>& runs, const std::vector<Recording>& calm_runs);
 
 /// A ship with what is hidden, as far as swayaw knows it.
-Ship with_label(Ship ship, const Label& label);
+Ship with_label(const Ship& ship, const Label& label);
 
 /// What the truth itself brings beside a file that is wrong elsewhere: the same errors of replays by the file with all
 /// else that is hidden, over those with this, too. Replays improve by 1 − 1/that. Two errors may hide each other: a

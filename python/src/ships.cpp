@@ -185,7 +185,7 @@ bool same_kind(const Effect& a, const Effect& b) {
 Ship with_one_more(const Ship& ship, const Effect& effect) {
   if (std::ranges::any_of(ship.effects, [&](const Effect& e) { return same_kind(e, effect); }))
     throw Refusal(fmt::format("{} has the effect {} already", ship.name, id_of(effect)));
-  if (place_of(effect) == EffectPlace::air && ship.surroundings.windage.A_L == 0.0)
+  if (place_of(effect) == EffectPlace::air && !feels_wind(ship.surroundings.windage))
     throw Refusal("wind needs frontal and lateral area of the ship, in [windage] or [particulars]");
   if (const auto why = cannot_act(ship.model, effect); !why.empty()) throw Refusal(why);
   return with_effect(ship, effect);

@@ -63,14 +63,12 @@ Standing refitted_with(const Search& s, std::span<const std::size_t> which) {
   const auto base = s.trial.baseline_size();
   std::vector<Eigen::Index> places(static_cast<std::size_t>(base));
   std::iota(places.begin(), places.end(), 0);
-  auto from = base;
-  for (std::size_t i = 0; i < s.accepted.size(); ++i) {
-    const auto size = std::ssize(s.accepted[i].form->coordinates);
-    if (std::ranges::count(which, i) > 0) {
-      standing.effects.push_back(s.accepted[i].form);
-      for (Eigen::Index k = 0; k < size; ++k) places.push_back(from + k);
-    }
-    from += size;
+  const auto all = s.hypothesis();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (std::ranges::count(which, i) == 0) continue;
+    standing.effects.push_back(all[i]);
+    const auto from = place_in_point(s.trial, all, i);
+    for (Eigen::Index k = 0; k < std::ssize(all[i]->coordinates); ++k) places.push_back(from + k);
   }
   for (const auto* baseline : {&s.now.point, &s.null.point}) try {
       Point start = s.now.point(places);
