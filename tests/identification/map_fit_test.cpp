@@ -139,6 +139,33 @@ TEST_CASE("the likelihood of a sample of real instruments falls with its error, 
   CHECK(loss(80.0, real) > loss(40.0, real));
 }
 
+TEST_CASE("at the noise that suits real instruments best the likelihood is level, however many outliers they have",
+          "[identification][law]") {
+  const Tanker tanker;
+  auto runs = tanker.noisy();
+  const double deviation =
+      prepared_runs(tanker.ship, runs, test::usual_channels).front().deviation[index_of(Channel::psi)];
+  for (auto& run : runs) {
+    auto psi = run.fill(Channel::psi);
+    for (std::size_t i = 5; i < psi.size(); i += 20) psi[i] += (i % 40 < 20 ? 8.0 : -8.0) * deviation;
+  }
+  const auto prepared = prepared_runs(tanker.ship, runs, test::usual_channels);
+  const Coefficients truth{tanker.ship, tanker.names};
+  const auto problem = truth.problem(prepared);
+  const auto best = best_noise(problem, problem.mean(), Noise::on_board(), true);
+  for (const Channel channel : test::usual_channels) {
+    const auto at = [&](double factor) {
+      auto noise = best.noise;
+      noise.factor[index_of(channel)] *= factor;
+      return log_likelihood(problem, problem.mean(), noise);
+    };
+    constexpr double step = 1.02;
+    const double slope = (at(step) - at(1.0 / step)) / (2.0 * std::log(step));
+    INFO(index_of(channel) << " " << best.noise.factor[index_of(channel)] << " " << slope);
+    CHECK(std::abs(slope) < 2.0);
+  }
+}
+
 TEST_CASE("process noise makes coefficients from runs with random forces better, and their intervals hold",
           "[identification][second-route]") {
   const Tanker tanker;

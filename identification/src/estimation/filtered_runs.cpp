@@ -68,9 +68,12 @@ FilterNoise noises_seen(const EstimationProblem& problem, const Noise& noise, co
   for (std::size_t i = 0; i < problem.runs.size(); ++i) {
     const auto& run = problem.runs[i];
     const auto R = variances(problem.scale, run, noise);
-    for (const auto& now : passes.runs[i].innovations)
-      seen[place_of(now.reading.channel)] +=
-          std::pow(R[place_of(now.reading.channel)] * now.widening / now.variance, 2);
+    const auto& pass = passes.runs[i];
+    for (std::size_t row = 0; row < pass.innovations.size(); ++row) {
+      const auto& now = pass.innovations[row];
+      const int place = place_of(pass.readings[row].channel);
+      seen[place] += std::pow(R[place] * widening_of(now, pass.outlying) / now.variance, 2);
+    }
     const double ship_times = (run.run->time.back() - run.run->time.front()) / time_unit;
     seen[place_of_walk] += ship_times;
     seen.tail<3>().array() += ship_times;

@@ -25,11 +25,9 @@ struct Reading {
 /// What a measurement told: error e and variance S of its prediction, and the gain K.
 template <int N>
 struct Innovation {
-  Reading reading;
   int state;  ///< that the channel shows alone, or −1
   double error;
   double variance;
-  double widening = 1.0;  ///< of the variance, where the measurement is an outlier
   FilterVector<N> K;
 };
 
@@ -45,6 +43,12 @@ inline double widening_of(double error, double S, double c) {
   return std::max(1.0, std::abs(error) / (c * std::sqrt(S)));
 }
 
+/// The same factor of an innovation, whose variance S' is the widened one: e²/(c² S').
+template <int N>
+double widening_of(const Innovation<N>& now, double c) {
+  return std::max(1.0, now.error * now.error / (c * c * now.variance));
+}
+
 /// Measurement update by a channel that shows one state alone.
 ///
 ///     S = h P hᵀ + R,   K = P hᵀ/S,   x⁺ = x + K e,   P⁺ = P − K S Kᵀ
@@ -52,16 +56,11 @@ inline double widening_of(double error, double S, double c) {
 /// of one scalar, P⁺ is symmetric by construction, and positive since R is not below rounding of h P hᵀ.
 /// @param outlying  standard deviations beyond which a measurement is an outlier
 template <int N>
-Innovation<N> updated(Gaussian<N>& estimate, const Reading& reading, int state, double measured, double R,
+Innovation<N> updated(Gaussian<N>& estimate, Channel channel, int state, double measured, double R,
                       double outlying = HUGE_VAL) {
-  const double error = compared(reading.channel, measured, estimate.mean[state]), S_0 = estimate.P(state, state) + R,
-               widening = widening_of(error, S_0, outlying), S = S_0 * widening;
-  const Innovation<N> innovation{.reading = reading,
-                                 .state = state,
-                                 .error = error,
-                                 .variance = S,
-                                 .widening = widening,
-                                 .K = estimate.P.col(state) / S};
+  const double error = compared(channel, measured, estimate.mean[state]), S_0 = estimate.P(state, state) + R,
+               S = S_0 * widening_of(error, S_0, outlying);
+  const Innovation<N> innovation{.state = state, .error = error, .variance = S, .K = estimate.P.col(state) / S};
   estimate.mean += innovation.K * error;
   estimate.P.noalias() -= (S * innovation.K) * innovation.K.transpose();
   return innovation;
@@ -70,17 +69,16 @@ Innovation<N> updated(Gaussian<N>& estimate, const Reading& reading, int state, 
 /// The same for any channel, linearized again where the first update leads, unless it is linear.
 /// @param expected  double expected(const FilterVector<N>& x, FilterVector<N>& slope)
 template <int N, class Expected>
-Innovation<N> updated(Gaussian<N>& estimate, const Reading& reading, Expected&& expected, bool linear, double measured,
+Innovation<N> updated(Gaussian<N>& estimate, Channel channel, Expected&& expected, bool linear, double measured,
                       double R, FilterVector<N>& slope, double outlying = HUGE_VAL) {
-  Innovation<N> innovation{.reading = reading, .state = -1};
+  Innovation<N> innovation{.state = -1};
   FilterVector<N> x = estimate.mean;
   for (int pass = 0; pass < (linear ? 1 : 2); ++pass) {
     const double h = expected(x, slope);
     const FilterVector<N> Ph = estimate.P * slope;
-    innovation.error = compared(reading.channel, measured, h) - slope.dot(estimate.mean - x);
+    innovation.error = compared(channel, measured, h) - slope.dot(estimate.mean - x);
     const double S = slope.dot(Ph) + R;
-    innovation.widening = widening_of(innovation.error, S, outlying);
-    innovation.variance = S * innovation.widening;
+    innovation.variance = S * widening_of(innovation.error, S, outlying);
     innovation.K = Ph / innovation.variance;
     x = estimate.mean + innovation.K * innovation.error;
   }

@@ -92,8 +92,9 @@ struct FilteredRun {
   double outlying = HUGE_VAL;  ///< standard deviations beyond which a measurement is an outlier
   std::vector<Passed> passed;  ///< of the samples, and of times before and after them
   std::vector<Transition<N>> steps;
-  std::vector<Innovation<N>> innovations;
-  std::vector<FilterVector<N>> slopes;  ///< of channels that show no state alone
+  std::vector<Reading> readings;           ///< of all channels, sample after sample
+  std::vector<Innovation<N>> innovations;  ///< of each reading
+  std::vector<FilterVector<N>> slopes;     ///< of channels that show no state alone
   /// Of each of `passed`, the times furthest from it that readings show before and after it, after it [s]; residuals
   /// keep them, for where another reading becomes the furthest their sum of squares has an edge.
   std::vector<std::array<double, 2>> shown;

@@ -33,7 +33,7 @@ class RunFilterOf final : public RunFilter<N> {
 
   void forward(const FilterNoise& noise, FilteredRun<N>& pass,
                const std::function<void(std::size_t, const Gaussian<N>&)>& tell) override {
-    place_readings();
+    place_readings(pass.readings);
     pass.restart(timeline_.size(), channels_.size());
     pass.before = timeline_.before(), pass.after = timeline_.after();
     pass.tau = predictor_.tau();
@@ -61,9 +61,9 @@ class RunFilterOf final : public RunFilter<N> {
       const auto before = k == 0 ? Passed{} : pass.passed[k - 1];
       for (std::size_t i = pass.passed[k].innovations; i-- > before.innovations;) {
         const auto& now = pass.innovations[i];
-        const int place = place_of(now.reading.channel);
+        const int place = place_of(pass.readings[i].channel);
         // S' = |e| √S/c of an outlier grows with R half as fast as its widening says
-        const double share = now.widening > 1.0 ? 0.5 * now.widening : 1.0;
+        const double widening = widening_of(now, pass.outlying), share = widening > 1.0 ? 0.5 * widening : 1.0;
         slope[place] += share * noise[place] *
                         smoother.step_back(now, now.state >= 0 ? FilterVector<N>() : pass.slopes[--slope_count]);
       }
@@ -139,7 +139,8 @@ class RunFilterOf final : public RunFilter<N> {
             });
         },
         [&](const FilterVector<N>& x, const Sight& sight, std::size_t row, double) {
-          X.observe(seen_from(x, sight), pass.innovations[row], out.row(static_cast<Eigen::Index>(row)));
+          X.observe(seen_from(x, sight), pass.readings[row], pass.innovations[row],
+                    out.row(static_cast<Eigen::Index>(row)));
         });
     return differences.found;
   }
@@ -200,11 +201,10 @@ class RunFilterOf final : public RunFilter<N> {
       const auto sight = sight_at(x, k, pass.shown[k], step == 0 ? nullptr : &pass.steps[step - 1], late);
       arrived(x, k, sight);
       for (; row < pass.passed[k].innovations; ++row) {
-        const auto& now = pass.innovations[row];
-        const auto& [channel, sample, since] = now.reading;
-        const double e = compared(channel, run_[channel][sample], expected(now.reading, x, sight));
+        const auto& reading = pass.readings[row];
+        const double e = compared(reading.channel, run_[reading.channel][reading.sample], expected(reading, x, sight));
         told(x, sight, row, e);
-        x += now.K * e;
+        x += pass.innovations[row].K * e;
       }
     }
   }
@@ -279,7 +279,7 @@ class RunFilterOf final : public RunFilter<N> {
                                   FilteredRun<N>& pass) {
     double product = 1.0, squares = 0.0;  // of variances, whose logarithm is slow
     const auto readings =
-        std::span<const Reading>(readings_).subspan(first_reading_[k], first_reading_[k + 1] - first_reading_[k]);
+        std::span<const Reading>(pass.readings).subspan(first_reading_[k], first_reading_[k + 1] - first_reading_[k]);
     const auto& shown = pass.shown.emplace_back(furthest_shown(readings));
     const auto before = sight_at(estimate.mean, k, shown, k == 0 ? nullptr : &pass.steps.back(), observer_.late());
     for (const auto& reading : readings) {
@@ -300,7 +300,7 @@ class RunFilterOf final : public RunFilter<N> {
     const auto& [channel, sample, since] = reading;
     const double value = run_[channel][sample];
     if (const auto state = observer_.state_alone(channel))
-      return updated<N>(estimate, reading, *state, value - observer_.bias(channel), R, pass.outlying);
+      return updated<N>(estimate, channel, *state, value - observer_.bias(channel), R, pass.outlying);
     const auto expected = [&](const FilterVector<N>& x, FilterVector<N>& slope) {
       ChannelSlope by;
       const double shown = observer_.value(reading.channel, seen_from(x, before), reading.since, by);
@@ -308,7 +308,7 @@ class RunFilterOf final : public RunFilter<N> {
       if constexpr (N == 9) slope.template tail<3>() = by.by_acceleration;
       return shown;
     };
-    return updated<N>(estimate, reading, expected, observer_.linear(channel), value, R, pass.slopes.emplace_back(),
+    return updated<N>(estimate, channel, expected, observer_.linear(channel), value, R, pass.slopes.emplace_back(),
                       pass.outlying);
   }
 
@@ -335,9 +335,10 @@ class RunFilterOf final : public RunFilter<N> {
     }
     sight.A = way->hA.template bottomRows<3>() / way->h;
     const auto& arrival = predictor_.arrival();
+    const auto there = arrival.acceleration_there(sight.A);
     for (const auto side : {past, future}) {
       const double moved = controls_towards(*controls_, k, shown[side]).delta - arrival.rudder;
-      const Eigen::Vector3d a = arrival.acceleration + moved * way->by_rudder;
+      const Eigen::Vector3d a = there + moved * way->by_rudder;
       sight.acceleration[side] = {a[0], a[1], a[2]};
     }
     return sight;
@@ -376,7 +377,7 @@ class RunFilterOf final : public RunFilter<N> {
   }
 
   /// Each at the sample nearest to the time that it shows, channel by channel.
-  void place_readings() {
+  void place_readings(std::vector<Reading>& readings) {
     double latest = 0.0, earliest = 0.0;
     for (const Channel channel : channels_) {
       latest = std::max(latest, observer_.delay(channel));
@@ -395,10 +396,10 @@ class RunFilterOf final : public RunFilter<N> {
     };
     for_each([&](Channel, std::size_t, std::size_t k) { ++first_reading_[k + 1]; });
     std::partial_sum(first_reading_.begin(), first_reading_.end(), first_reading_.begin());
-    readings_.resize(first_reading_.back());
+    readings.resize(first_reading_.back());
     auto next = first_reading_;
     for_each([&](Channel channel, std::size_t i, std::size_t k) {
-      readings_[next[k]++] = {channel, i, run_.time[i] - timeline_[k]};
+      readings[next[k]++] = {channel, i, run_.time[i] - timeline_[k]};
     });
   }
 
@@ -412,7 +413,6 @@ class RunFilterOf final : public RunFilter<N> {
   ShipState<double> start_;
   double L_, U_0_;
   Timeline timeline_;
-  std::vector<Reading> readings_;
   std::vector<std::size_t> first_reading_;  ///< of each time of the timeline, and the end
 };
 

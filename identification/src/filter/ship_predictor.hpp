@@ -43,11 +43,14 @@ struct Transition {
   double keep;                     ///< what is left of a: the rows of a in Φ
   Changes changes;
   double share;
-  Eigen::Matrix<double, 6, 1> turned;  ///< what the rudder, moving on in the step, adds to x … r
-  Eigen::Vector3d by_rudder;           ///< derivatives of the accelerations by its angle, or 0 where nobody asked
+  double moves;               ///< Δδ, by how much the rudder turns in the step [rad]
+  Eigen::Vector3d by_rudder;  ///< derivatives of the accelerations by its angle, or 0 where nobody asked
 
   /// What is left over a step of a that fades, exp(−h/τ) to third order.
   double faded() const { return 1.0 - fading * (1.0 - fading * (0.5 - fading / 6.0)); }
+
+  /// −h²/12 A f_δ Δδ: what the rudder, turning in the step, adds to x … r.
+  Eigen::Matrix<double, 6, 1> turned() const { return (-h / 12.0 * moves) * hA.template rightCols<3>() * by_rudder; }
 
   /// What small deviations of psi, u, v, r and a add to those of x … r: Φ = 1 + h A + h²A²/2! in these rows and
   /// columns, less 1.
@@ -146,10 +149,15 @@ class ShipPredictor {
 
   bool hides_states() const { return ship_->hides_states(); }
 
-  /// How a step ended: accelerations of the model by the curve of the step, with the rudder at its mean angle in it.
+  /// What led to the end of a step: accelerations of the model at its beginning with the rudder at its mean angle in
+  /// it, and what psi, u, v, r moved by.
   struct Arrival {
     Eigen::Vector3d acceleration;
+    Eigen::Vector4d moved;
     double rudder;  ///< [rad]
+
+    /// Accelerations at the end, by the curve of the step. @param A  their derivatives by psi, u, v, r
+    Eigen::Vector3d acceleration_there(const Eigen::Matrix<double, 3, 4>& A) const { return acceleration + A * moved; }
   };
   const Arrival& arrival() const { return arrival_; }
 
@@ -188,10 +196,11 @@ class ShipPredictor {
     const auto state = ship_state<N>(x);
     const double by_lift = sway_by_rudder(state.motion, controls);
     const auto middle = half_way(state.motion, by_lift, h);
-    LinearizedShip::At there{Eigen::Matrix<double, 6, 1>::Zero(), Eigen::Matrix<double, 6, 4>::Zero()};
+    LinearizedShip::At there;
+    bool first = true;
     with_changes(from, to, [&](double weight) {
       const auto part = ship_->at(state, middle, controls);
-      if (weight == 1.0) there = part;
+      if (std::exchange(first, false)) there = {weight * part.rate, weight * part.A};
       else there.rate += weight * part.rate, there.A += weight * part.A;
     });
     Transition<N> t{.hA = h * there.A,
@@ -200,7 +209,7 @@ class ShipPredictor {
                     .keep = N == 9 ? std::exp(-fading) : 1.0,
                     .changes = changes_,
                     .share = share_of(fading, h),
-                    .turned = Eigen::Matrix<double, 6, 1>::Zero(),
+                    .moves = moves,
                     .by_rudder = Eigen::Vector3d::Zero()};
     if (moves != 0.0 || by_rudder) {
       // rad: over less, rounding is left of a difference; over more than this the lift is straight, too
@@ -211,7 +220,6 @@ class ShipPredictor {
       const auto then = ship_->rates(state, middle, further);
       t.by_rudder << then[3] - there.rate[3], then[4] - there.rate[4], then[5] - there.rate[5];
       t.by_rudder /= reach;
-      t.turned = (-h / 12.0 * moves) * t.hA.template rightCols<3>() * t.by_rudder;
     }
     move(x, controls, by_lift, t, there.rate);
     return t;
@@ -276,9 +284,9 @@ class ShipPredictor {
       hf.template tail<3>() = -fading * x.template tail<3>();
       x.template tail<3>() *= t.faded();
     }
-    x.template head<6>() += hf.template head<6>() + t.curved(hf) + t.turned;
-    arrival_ = {rate.template tail<3>() + t.hA.template bottomRows<3>() * (x.template segment<4>(2) - start) / h,
-                controls.delta};
+    x.template head<6>() += hf.template head<6>() + t.curved(hf);
+    if (t.moves != 0.0) x.template head<6>() += t.turned();
+    arrival_ = {rate.template tail<3>(), x.template segment<4>(2) - start, controls.delta};
     if (ship_->hides_states()) hidden_ = followed(before, ship_state<N>(x).motion, by_rudder, h);
   }
 

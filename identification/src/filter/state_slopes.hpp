@@ -137,8 +137,8 @@ class StateSlopes {
 
   /// Takes a residual. @param out  its derivatives over its standard deviation
   template <class Row>
-  void observe(const Sight& sight, const Innovation<N>& now, Row&& out) {
-    const auto& [channel, sample, since] = now.reading;
+  void observe(const Sight& sight, const Reading& reading, const Innovation<N>& now, Row&& out) {
+    const auto& [channel, sample, since] = reading;
     if (const auto alone = observer_.state_alone(channel)) {
       seen_ = X_.col(*alone);
     } else {
