@@ -87,12 +87,14 @@ MapFit without_form(const Trial& prior, const Search& s, const Hypothesis& hypot
 MapFit refitted_alone(const Search& s) { return s.on_board ? without_form(s.usual, s, {}, s.null) : s.null; }
 
 /// All fitted with some of them, from where there is a fit already; what was accepted, where she cannot sail so.
-Standing refitted_for(const Search& s, std::span<const std::size_t> which) {
+Standing refitted_for(const Search& s, std::span<const std::size_t> which) try {
   const Standing accepted{s.hypothesis(), s.now};
   if (which.size() == s.accepted.size()) return accepted;
-  const auto less = which.empty() ? Standing{{}, fit(s.trial, {}, s.null.point, s.null.noise, {.rounds = 3})}
-                                  : refitted_with(s, which);
+  auto less = which.empty() ? Standing{{}, fit(s.trial, {}, s.null.point, s.null.noise, {.rounds = 3})}
+                            : refitted_with(s, which);
   return less.fit.point.size() == 0 ? accepted : less;
+} catch (const std::exception&) {
+  return {s.hypothesis(), s.now};
 }
 
 /// Fall of the error of what it is judged by in replays, over its variation, by which a form is off by more than any:
@@ -160,87 +162,115 @@ void put_as_form(std::span<FittedCandidate> tried, const Trial& trial, const Fit
       t.as_form = true;
 }
 
-/// Effects, those first without which the whole would lack most; the words of those too small to matter; all
-/// candidates.
-Kept put_effects(Diagnosis& d, const Trial& trial, HeldOutRuns& held_out, const Search& s, const ShipInRun& alone,
-                 double needed, std::span<const Recording> runs, std::span<const Recording> holdout) {
-  auto tried = s.first;
-  Kept kept;
-  struct Found {
-    double worth;  // on board, beside the others
-    const Accepted* accepted;
-    FoundEffect effect;
-  };
-  std::vector<Found> found_effects;
-  std::vector<Standing> without(s.accepted.size());
-  in_parallel(without.size(), 0, [&](std::size_t i) {
-    const bool decides_order = s.on_board && without.size() > 1 && !s.accepted[i].trace;
-    if (decides_order || asks_for_form(trial, s, i)) without[i] = refitted_without(s, i);
-  });
-  Eigen::Index from = trial.baseline_size();
-  for (std::size_t i = 0; i < s.accepted.size(); ++i) {
-    const auto& accepted = s.accepted[i];
-    auto found = found_effect(trial, accepted, s.now, from);
-    if (!found.onset) {
-      const auto time_active = active_time(trial, s, i, needed);
-      found.onset = time_active.onset, found.end = time_active.end;
-    }
-    const auto size = std::ssize(accepted.form->coordinates);
-    const bool too_large =
-        is_at_its_end(*accepted.form, {s.now.point.data() + from, accepted.form->coordinates.size()});
-    // what was told when it was found may be told no longer, and be no more than ordinary, beside what was found after
-    // it; terms that were tried with it and dropped are as uncertain as they were
-    Point widening = Point::Ones(size);
-    if (!accepted.widening.empty()) widening = Eigen::Map<const Point>(accepted.widening.data(), size);
-    const Eigen::MatrixXd covariance =
-        widening.asDiagonal() * s.now.covariance.block(from, from, size, size) * widening.asDiagonal();
-    const MapFit beside_all{.point = s.now.point.segment(from, size), .covariance = covariance};
-    const bool trace = accepted.trace || !is_told(trial.ship, *accepted.form, beside_all) ||
-                       is_as_ordinary(trial, *accepted.form, s.now.point, from) ||
-                       changes_little(trial, s, i, runs, holdout);
-    // forces that nothing bore out bear out no other. Of 202 cases as on board that were looked at (seed 33 and
-    // labelled) eight had an effect found beside such forces alone: of the five that were hidden four gained 24 or more
-    // alone as well, and one 296 beside them; three that were not there gained 9.5 at most and 15 to 27
-    const bool leans_on_nothing = i > 0 && found_effects.empty() && !is_told_by_itself(s, accepted, needed);
-    const bool not_borne_out = too_large || leans_on_nothing;
-    const auto is_more = [&] {
-      if (!comes_late(found.effect)) return false;
-      if (!asks_for_form(trial, s, i)) return true;
-      return s.on_board ? is_more_than_form(trial, s, i, without[i], d.budget, alone, runs, holdout)
-                        : is_more_than_polynomial(trial, s, without[i], runs, holdout);
-    };
-    const bool stands = !trace && !not_borne_out && is_more();
-    if (stands || (trace && !not_borne_out)) kept.with_traces.push_back(i);
-    if (stands) {
-      kept.standing.push_back(i);
-      found_effects.push_back({s.on_board ? whole_worth(held_out, s, without[i]) : 0.0, &accepted, std::move(found)});
-    } else {
-      if (!not_borne_out) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
-      for (auto& t : tried)
-        if (t.form->id == accepted.form->id) {
-          t.trace = trace || not_borne_out, t.as_form = !t.trace;
-          t.leads = t.trace;  // what it gains makes nothing likelier
-        }
-      if (i == 0 && !trace && !not_borne_out) put_as_form(tried, trial, accepted);
-    }
-    from += size;
+/// Where the coordinates of an effect that was accepted begin in the point of the search.
+Eigen::Index place_in_search(const Trial& trial, const Search& s, std::size_t accepted) {
+  return place_in_point(trial, s.hypothesis(), accepted);
+}
+
+/// Whether an effect is too small to matter beside all that was found with it: what was told when it was found may be
+/// told no longer, and be no more than ordinary, beside what was found after it. Terms that were tried with it and
+/// dropped are as uncertain as they were.
+bool is_trace(const Trial& trial, const Search& s, std::size_t i, std::span<const Recording> runs,
+              std::span<const Recording> holdout) {
+  const auto& accepted = s.accepted[i];
+  const auto size = std::ssize(accepted.form->coordinates), from = place_in_search(trial, s, i);
+  Point widening = Point::Ones(size);
+  if (!accepted.widening.empty()) widening = Eigen::Map<const Point>(accepted.widening.data(), size);
+  const Eigen::MatrixXd covariance =
+      widening.asDiagonal() * s.now.covariance.block(from, from, size, size) * widening.asDiagonal();
+  const MapFit beside_all{.point = s.now.point.segment(from, size), .covariance = covariance};
+  return accepted.trace || !is_told(trial.ship, *accepted.form, beside_all) ||
+         is_as_ordinary(trial, *accepted.form, s.now.point, from) || changes_little(trial, s, i, runs, holdout);
+}
+
+/// Whether an effect is larger than it can be, or leans on forces that nothing bore out, which bear out no other. Of
+/// 202 cases as on board that were looked at (seed 33 and labelled) eight had an effect found beside such forces alone:
+/// of the five that were hidden four gained 24 or more alone as well, and one 296 beside them; three that were not
+/// there gained 9.5 at most and 15 to 27.
+/// @param beside_one  whether one of those accepted before it stands
+bool is_supported(const Trial& trial, const Search& s, std::size_t i, bool beside_one, double needed) {
+  const auto& accepted = s.accepted[i];
+  const auto* own = s.now.point.data() + place_in_search(trial, s, i);
+  if (is_at_its_end(*accepted.form, {own, accepted.form->coordinates.size()})) return false;
+  return i == 0 || beside_one || is_told_by_itself(s, accepted, needed);
+}
+
+/// An effect that stands, in the fit of the search.
+struct StandingEffect {
+  double worth;  ///< beside the others, of runs used and held out; on board alone
+  const Accepted* accepted;
+  FoundEffect effect;
+};
+
+/// As the search found it, with when it acted.
+FoundEffect found_in_search(const Trial& trial, const Search& s, std::size_t i, double needed) {
+  auto found = found_effect(trial, s.accepted[i], s.now, place_in_search(trial, s, i));
+  if (!found.onset) {
+    const auto active = active_time(trial, s, i, needed);
+    found.onset = active.onset, found.end = active.end;
   }
-  // what is told of each is that of the fit that stands, without what was dropped, as the saved ship has it
-  kept.fitted = refitted_for(s, kept.with_traces);
-  const auto& fit = kept.fitted.fit;
-  std::ranges::stable_sort(found_effects, std::greater{}, &Found::worth);
-  for (auto& [_, accepted, found] : found_effects) {
-    if (const auto place = place_in(trial, kept.fitted, accepted->form)) {
-      auto standing = found_effect(trial, *accepted, fit, *place);
-      found.effect = standing.effect, found.parameters = std::move(standing.parameters);
-      if (standing.onset) found.onset = standing.onset, found.end = standing.end;
+  return found;
+}
+
+/// What is told of each effect is that of the fit that stands, without what was dropped, as the saved ship has it;
+/// those first without which the whole would lack most.
+void put_standing(Diagnosis& d, const Trial& trial, const Search& s, const Standing& fitted,
+                  std::vector<StandingEffect> standing, std::span<const Recording> runs) {
+  std::ranges::stable_sort(standing, std::greater{}, &StandingEffect::worth);
+  for (auto& [_, accepted, found] : standing) {
+    if (const auto place = place_in(trial, fitted, accepted->form)) {
+      auto now = found_effect(trial, *accepted, fitted.fit, *place);
+      found.effect = now.effect, found.parameters = std::move(now.parameters);
+      if (now.onset) found.onset = now.onset, found.end = now.end;
     }
     d.effects.push_back(std::move(found));
   }
   for (const auto& accepted : s.accepted)
     if (const auto place = place_of(accepted.effect); place == EffectPlace::air || place == EffectPlace::water)
-      if (const auto begin = place_in(trial, kept.fitted, accepted.form))
-        std::ranges::move(surroundings_of(trial, accepted, fit, *begin, runs), std::back_inserter(d.surroundings));
+      if (const auto begin = place_in(trial, fitted, accepted.form))
+        std::ranges::move(surroundings_of(trial, accepted, fitted.fit, *begin, runs),
+                          std::back_inserter(d.surroundings));
+}
+
+/// Effects; the words of those too small to matter; all candidates.
+Kept put_effects(Diagnosis& d, const Trial& trial, HeldOutRuns& held_out, const Search& s, const ShipInRun& alone,
+                 double needed, std::span<const Recording> runs, std::span<const Recording> holdout) {
+  auto tried = s.first;
+  Kept kept;
+  std::vector<StandingEffect> standing;
+  std::vector<Standing> without(s.accepted.size());
+  in_parallel(without.size(), 0, [&](std::size_t i) {
+    const bool decides_order = s.on_board && without.size() > 1 && !s.accepted[i].trace;
+    if (decides_order || asks_for_form(trial, s, i)) without[i] = refitted_without(s, i);
+  });
+  const auto is_more_than_hull = [&](std::size_t i, const Effect& effect) {
+    if (!comes_late(effect)) return false;
+    if (!asks_for_form(trial, s, i)) return true;
+    return s.on_board ? is_more_than_form(trial, s, i, without[i], d.budget, alone, runs, holdout)
+                      : is_more_than_polynomial(trial, s, without[i], runs, holdout);
+  };
+  for (std::size_t i = 0; i < s.accepted.size(); ++i) {
+    const auto& accepted = s.accepted[i];
+    auto found = found_in_search(trial, s, i, needed);
+    const bool trace = is_trace(trial, s, i, runs, holdout),
+               supported = is_supported(trial, s, i, !standing.empty(), needed),
+               stands = !trace && supported && is_more_than_hull(i, found.effect);
+    if (stands || (trace && supported)) kept.with_traces.push_back(i);
+    if (stands) {
+      kept.standing.push_back(i);
+      standing.push_back({s.on_board ? whole_worth(held_out, s, without[i]) : 0.0, &accepted, std::move(found)});
+      continue;
+    }
+    if (supported) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
+    for (auto& t : tried)
+      if (t.form->id == accepted.form->id) {
+        t.trace = trace || !supported, t.as_form = !t.trace;
+        t.leads = t.trace;  // what it gains makes nothing likelier
+      }
+    if (i == 0 && !trace && supported) put_as_form(tried, trial, accepted);
+  }
+  kept.fitted = refitted_for(s, kept.with_traces);
+  put_standing(d, trial, s, kept.fitted, std::move(standing), runs);
   d.candidates = ranked(tried, s.first_unfitted, needed);
   return kept;
 }
@@ -283,93 +313,95 @@ std::string_view name_of(DiagnosisVerdict verdict) {
 
 namespace {
 
-Diagnosis diagnose_clean(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference,
-                         std::span<const Recording> holdout, const DiagnosisOptions& options) {
-  const auto goes_on = [&](std::string_view what) { return !options.progress || options.progress(what); };
-  const auto channels = recorded_channels(runs, motion_channels());
-  const auto prepared_holdout = [&](bool on_board) {
-    return on_board ? lean_runs(ship, holdout, channels) : thinned_runs(ship, holdout, channels);
-  };
-  const auto trials = [&](bool on_board) {
-    Trial trial = trial_of(ship, runs, channels);
-    if (on_board) trial = as_on_board(std::move(trial), runs, channels);
-    if (goes_on("calibrating on reference runs")) calibrate(trial, ship, reference, channels, on_board);
-    Trials both{trial, trial};
-    both.unused.runs = prepared_holdout(on_board);
-    return both;
-  };
-  const auto time = time_of(runs);
-  const auto forms = effect_forms(ship, channels, time.end - time.begin, time.begin);
+using GoesOn = std::function<bool(std::string_view)>;
+
+/// What was recorded, without outliers.
+struct Runs {
+  std::span<const Recording> used, reference, holdout;
+  std::vector<Channel> channels;  ///< of those used, that are compared
+};
+
+std::vector<PreparedRun> prepared_holdout(const Ship& ship, const Runs& runs, bool on_board) {
+  return on_board ? lean_runs(ship, runs.holdout, runs.channels) : thinned_runs(ship, runs.holdout, runs.channels);
+}
+
+Trials trials_of(const Ship& ship, const Runs& runs, bool on_board, const GoesOn& goes_on) {
+  Trial trial = trial_of(ship, runs.used, runs.channels);
+  if (on_board) trial = as_on_board(std::move(trial), runs.used, runs.channels);
+  if (goes_on("calibrating on reference runs")) calibrate(trial, ship, runs.reference, runs.channels, on_board);
+  Trials both{trial, trial};
+  both.unused.runs = prepared_holdout(ship, runs, on_board);
+  return both;
+}
+
+/// Where force is missing and what to sail next; where nothing is, how small an effect would have shown.
+void put_where_and_next(Diagnosis& d, const Search& s, std::span<const EffectForm> forms,
+                        std::span<const Recording> runs, double needed) {
+  if (d.verdict == DiagnosisVerdict::nothing_missing)
+    return attempt(d, "the smallest effects that would have shown",
+                   [&] { d.detectable = detectable_sizes(s.trial, s, forms, needed); });
+  d.symmetry = s.located.symmetry;
+  d.location = s.located.places;
+  if (!d.effects.empty() && !shown_wrong(d.effects.front().effect).empty())
+    d.location = places_of(d.effects.front().effect, runs),
+    d.symmetry = "it is in what was recorded, not in how she moved";
+  attempt(d, "what to sail next", [&] { d.next = next_manoeuvre(s.trial, s); });
+}
+
+Diagnosis diagnose_clean(const Ship& ship, const Runs& runs, const DiagnosisOptions& options) {
+  const GoesOn goes_on = [&](std::string_view what) { return !options.progress || options.progress(what); };
+  const double needed = options.detection;
+  const auto time = time_of(runs.used);
+  const auto forms = effect_forms(ship, runs.channels, time.end - time.begin, time.begin);
   const auto s = search(
-      trials(false), [&] { return trials(true); }, forms, options, goes_on);
+      trials_of(ship, runs, false, goes_on), [&] { return trials_of(ship, runs, true, goes_on); }, forms, options,
+      goes_on);
   const auto& trial = s.trial;
   const auto alone = refitted_alone(s);
-  Diagnosis d{.verdict = {},
-              .words = {},
-              .location = {},
-              .symmetry = {},
-              .linear = {},
-              .effects = {},
-              .traces = {},
-              .as_form = {},
-              .candidates = {},
-              .shifts = {},
-              .train = {},
-              .holdout = {},
-              .refitted = model_at(trial, {}, alone.point),
+  Diagnosis d{.refitted = model_at(trial, {}, alone.point),
               .improved = ship,
               .process_noise = s.named_scale,
               .refitted_process_noise = s.null.noise.largest_scale(),
-              .prior_inflation = s.prior_inflation};
-  if (s.on_board) d.runs_in_waves = runs_in_waves(ship, runs);
-  d.troubles = s.troubles;
+              .prior_inflation = s.prior_inflation,
+              .troubles = s.troubles};
+  if (s.on_board) d.runs_in_waves = runs_in_waves(ship, runs.used);
   attempt(d, "what the missing force follows", [&] { d.budget = budget_of(trial, s.hypothesis(), s.now); });
   const auto refitted = ships_at(trial, {}, alone.point);
   auto unused = trial;
-  unused.runs = prepared_holdout(s.on_board);
+  unused.runs = prepared_holdout(ship, runs, s.on_board);
   auto held_out = held_out_runs(unused, s);
-  const auto kept = put_effects(d, trial, held_out, s, refitted, options.detection, runs, holdout);
-  const auto& with_traces = kept.fitted;
-  d.shifts = shifts_of(trial, with_traces.fit.point);
+  const auto kept = put_effects(d, trial, held_out, s, refitted, needed, runs.used, runs.holdout);
+  const auto& [effects, fit] = kept.fitted;
+  d.shifts = shifts_of(trial, fit.point);
   if (std::ranges::count(d.shifts, "rudder", &BaselineShift::part) > 0)
-    d.rudder_force = rudder_left(ship, model_at(trial, {}, with_traces.fit.point));
-  d.improved = model_at(trial, with_traces.effects, with_traces.fit.point);
+    d.rudder_force = rudder_left(ship, model_at(trial, {}, fit.point));
+  d.improved = model_at(trial, effects, fit.point);
   attempt(d, "how much wind would not have shown",
-          [&] { put_untold_surroundings(d, trial, s, runs, forms, options.detection); });
-  const auto improved = ships_at(trial, with_traces.effects, with_traces.fit.point);
-  d.train = errors_of(ship, refitted, improved, runs);
-  d.holdout = errors_of(ship, refitted, improved, holdout);
+          [&] { put_untold_surroundings(d, trial, s, runs.used, forms, needed); });
+  const auto improved = ships_at(trial, effects, fit.point);
+  d.train = errors_of(ship, refitted, improved, runs.used);
+  d.holdout = errors_of(ship, refitted, improved, runs.holdout);
   d.discrepancy = discrepancy_of(d.train, d.holdout);
   if (d.discrepancy)
     attempt(d, "the part that moved",
-            [&] { d.moved = moved_part(trial, alone.point, *d.discrepancy, ship, d.train, runs); });
+            [&] { d.moved = moved_part(trial, alone.point, *d.discrepancy, ship, d.train, runs.used); });
   attempt(d, "the form of the forces", [&] {
-    const auto standing = kept.standing == kept.with_traces ? with_traces : refitted_for(s, kept.standing);
-    put_form(d, s, alone, standing, options.detection, runs, holdout);
+    const auto standing = kept.standing == kept.with_traces ? kept.fitted : refitted_for(s, kept.standing);
+    put_form(d, s, alone, standing, needed, runs.used, runs.holdout);
   });
   d.verdict = verdict_of(d, s.on_board);
   if (!s.on_board && d.process_noise > ordinary_scale)
     for (auto& e : d.effects) e.probability *= 0.5;
   goes_on("where, and what next");
-  if (d.verdict == DiagnosisVerdict::nothing_missing) {
-    attempt(d, "the smallest effects that would have shown",
-            [&] { d.detectable = detectable_sizes(trial, s, forms, options.detection); });
-  } else {
-    d.symmetry = s.located.symmetry;
-    d.location = s.located.places;
-    if (!d.effects.empty() && !shown_wrong(d.effects.front().effect).empty())
-      d.location = places_of(d.effects.front().effect, runs),
-      d.symmetry = "it is in what was recorded, not in how she moved";
-    attempt(d, "what to sail next", [&] { d.next = next_manoeuvre(trial, s); });
-  }
-  attempt(d, "the linear view", [&] { d.linear = linear_view(d.refitted, runs); });
+  put_where_and_next(d, s, forms, runs.used, needed);
+  attempt(d, "the linear view", [&] { d.linear = linear_view(d.refitted, runs.used); });
   if (s.on_board) d.instruments = instruments_of(trial, s);
-  attempt(d, "what held-out runs gain", [&] { put_holdout_gains(d, trial, s, holdout); });
+  attempt(d, "what held-out runs gain", [&] { put_holdout_gains(d, trial, s, runs.holdout); });
   if (options.pictures && goes_on("drawing the runs"))
     attempt(d, "pictures of the runs", [&] {
       const auto& noise = s.null.noise;
-      d.train_pictures = run_pictures(ship, refitted, improved, runs, noise);
-      d.holdout_pictures = run_pictures(ship, refitted, improved, holdout, noise);
+      d.train_pictures = run_pictures(ship, refitted, improved, runs.used, noise);
+      d.holdout_pictures = run_pictures(ship, refitted, improved, runs.holdout, noise);
     });
   d.words = words_of(d);
   return d;
@@ -386,8 +418,9 @@ std::vector<Recording> all_without_outliers(std::span<const Recording> runs) {
 Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<const Recording> reference,
                    std::span<const Recording> holdout, const DiagnosisOptions& options) {
   if (runs.empty()) throw Refusal("there is no run to diagnose");
-  return diagnose_clean(ship, all_without_outliers(runs), all_without_outliers(reference),
-                        all_without_outliers(holdout), options);
+  const auto used = all_without_outliers(runs), calibrating = all_without_outliers(reference),
+             unused = all_without_outliers(holdout);
+  return diagnose_clean(ship, {used, calibrating, unused, recorded_channels(used, motion_channels())}, options);
 }
 
 }  // namespace swayaw::mismatch

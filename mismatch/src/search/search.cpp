@@ -407,16 +407,22 @@ double walk_of_positions(const Trial& trial, const MapFit& null, std::span<const
 /// The runs beside an inexact form and inexact instruments, the fit of the baseline there as far as it has begun, and
 /// the whole of it once it is asked for.
 struct Inexact {
-  Trials trials;
+  std::optional<Trials> trials{};
   MapFit begun{};
   std::optional<Search> baseline{};
-  std::string trouble{};  ///< why there is no baseline, once it was asked for
+  std::string trouble{};  ///< why there are no runs, or why there is no baseline, once it was asked for
 };
+
+Inexact inexact_runs(const std::function<Trials()>& on_board) try {
+  return {.trials = on_board()};
+} catch (const std::exception& trouble) {
+  return {.trouble = trouble.what()};
+}
 
 /// The same of a fit of two rounds, which has only begun; nothing where there is none.
 std::optional<double> walk_as_begun(Inexact& inexact, std::span<const EffectForm> forms) try {
   constexpr FitOptions begun{.rounds = 2};
-  const auto& trial = inexact.trials.used;
+  const auto& trial = inexact.trials->used;
   inexact.begun = fit(trial, {}, trial.mean, Noise::on_board(), begun);
   if (inexact.begun.point.size() == 0) return std::nullopt;
   return walk_of_positions(trial, inexact.begun, forms, perhaps_real_walk, begun);
@@ -424,21 +430,10 @@ std::optional<double> walk_as_begun(Inexact& inexact, std::span<const EffectForm
   return std::nullopt;
 }
 
-void say_left_out(Search& exact, std::string_view trouble) {
-  exact.troubles.push_back(fmt::format("the search beside an inexact form ended early: {}", trouble));
-}
-
-std::optional<Inexact> inexact_runs(const std::function<Trials()>& on_board, Search& exact) try {
-  return Inexact{on_board()};
-} catch (const std::exception& trouble) {
-  say_left_out(exact, trouble.what());
-  return std::nullopt;
-}
-
 /// @return null where she cannot sail these runs
 Search* baseline_of(Inexact& inexact) try {
-  if (!inexact.baseline && inexact.trouble.empty())
-    inexact.baseline = with_baseline(inexact.trials.used, Noise::on_board(), inexact.begun);
+  if (inexact.trials && !inexact.baseline && inexact.trouble.empty())
+    inexact.baseline = with_baseline(inexact.trials->used, Noise::on_board(), inexact.begun);
   return inexact.baseline ? &*inexact.baseline : nullptr;
 } catch (const std::exception& trouble) {
   inexact.trouble = trouble.what();
@@ -448,6 +443,7 @@ Search* baseline_of(Inexact& inexact) try {
 /// Whether the search is to go on beside an inexact form at once: beside an exact one it is hopeless, or the
 /// instruments are of the kind that ships have.
 bool is_inexact(Inexact& inexact, const Search& exact, std::span<const EffectForm> forms) {
+  if (!inexact.trials) return false;
   bool surely = exact.null.noise.largest_scale() > hopeless_scale;
   if (!surely) {
     const auto walk = walk_as_begun(inexact, forms);
@@ -521,9 +517,9 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
   std::optional<Inexact> inexact;
   if (s.null.noise.largest_scale() > ordinary_scale &&
       go_on("fitting the baseline, form and instruments taken for inexact"))
-    inexact = inexact_runs(on_board, s);
+    inexact = inexact_runs(on_board);
   const auto beside_form = [&](Search& baseline) {
-    return named(std::move(baseline), inexact->trials.unused, forms, options, go_on);
+    return named(std::move(baseline), inexact->trials->unused, forms, options, go_on);
   };
   if (inexact && is_inexact(*inexact, s, forms)) return beside_form(*inexact->baseline);
   bool given_up = false;
@@ -533,15 +529,15 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
   // a baseline may suit as it is, and its instruments be of the kind that ships have all the same: what is found then
   // may be their ordinary errors
   if (working && !inexact && !s.accepted.empty()) {
-    inexact = inexact_runs(on_board, s);
-    if (inexact && is_inexact(*inexact, s, forms)) return beside_form(*inexact->baseline);
+    inexact = inexact_runs(on_board);
+    if (is_inexact(*inexact, s, forms)) return beside_form(*inexact->baseline);
   }
   if (auto* baseline = working && inexact && s.named_scale > ordinary_scale ? baseline_of(*inexact) : nullptr) {
     auto other = beside_form(*baseline);
     if (s.named_scale > hopeless_scale) return other;
     auto mapped = s;  // its effects are those of s, which stays
     map_unknown(exact.unused, mapped, options.further);
-    const auto& runs = inexact->trials.used.runs;
+    const auto& runs = inexact->trials->used.runs;
     if (other.now.log_evidence > std::max(evidence_from(s, runs), evidence_from(mapped, runs))) return other;
   }
   if (working && s.named_scale > ordinary_scale && go_on("once more, surge, sway and yaw apart")) {
@@ -553,7 +549,8 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
     goes_on("a map of what has no name");
     map_unknown(exact.unused, s, options.further);
   }
-  if (inexact && !inexact->trouble.empty()) say_left_out(s, inexact->trouble);
+  if (inexact && !inexact->trouble.empty())
+    s.troubles.push_back(fmt::format("the search beside an inexact form ended early: {}", inexact->trouble));
   return s;
 }
 

@@ -149,19 +149,19 @@ struct DetectableSize {
 };
 
 struct Diagnosis {
-  DiagnosisVerdict verdict;
-  std::string words;  ///< one sentence
-  std::vector<MismatchPlace> location;
-  std::string symmetry;               ///< what the missing force goes with besides the motion, in words
-  std::vector<LinearView> linear;     ///< zigzags and the refitted ship, by K, T and the drift–yaw loop
-  std::vector<FoundEffect> effects;   ///< most important first
-  std::vector<std::string> traces;    ///< effects too small to matter, in words; the improved ship has them
-  std::vector<std::string> as_form;   ///< effects that an error in the form of her forces explains as well; likewise
-  std::vector<Candidate> candidates;  ///< best first
-  std::vector<BaselineShift> shifts;  ///< largest first
+  DiagnosisVerdict verdict{};
+  std::string words{};  ///< one sentence
+  std::vector<MismatchPlace> location{};
+  std::string symmetry{};               ///< what the missing force goes with besides the motion, in words
+  std::vector<LinearView> linear{};     ///< zigzags and the refitted ship, by K, T and the drift–yaw loop
+  std::vector<FoundEffect> effects{};   ///< most important first
+  std::vector<std::string> traces{};    ///< effects too small to matter, in words; the improved ship has them
+  std::vector<std::string> as_form{};   ///< effects that an error in the form of her forces explains as well; likewise
+  std::vector<Candidate> candidates{};  ///< best first
+  std::vector<BaselineShift> shifts{};  ///< largest first
   /// Where numbers of the rudder are among the shifts: its moment at 10 deg straight ahead over that as given.
   std::optional<double> rudder_force{};
-  std::vector<RunErrors> train, holdout;
+  std::vector<RunErrors> train{}, holdout{};
   Ship refitted;                                     ///< baseline refitted, without effects
   Ship improved;                                     ///< with the effects found
   std::vector<InstrumentEstimate> instruments{};     ///< told from none, beside the effects
@@ -169,8 +169,8 @@ struct Diagnosis {
   std::vector<ForceBudget> budget{};
   std::optional<Discrepancy> discrepancy{};  ///< nothing where no run tells a yaw rate
   std::optional<MovedPart> moved{};          ///< nothing where moving coefficients hardly helps, or no part alone does
-  double process_noise;                      ///< scale of what stays unexplained; 1 is ordinary
-  double refitted_process_noise;             ///< the same without any effect
+  double process_noise = 0.0;                ///< scale of what stays unexplained; 1 is ordinary
+  double refitted_process_noise = 0.0;       ///< the same without any effect
   double runs_in_waves = 0.0;                ///< share of the runs used, where instruments are as on board
   double prior_inflation =
       1.0;  ///< factor on what the ship file or the reference runs say the parameters of the baseline are known to
