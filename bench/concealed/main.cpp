@@ -16,9 +16,12 @@ namespace {
 using namespace swayaw;
 using namespace swayaw::concealed;
 
+/// @param ship  kind or structure of the ships of the cases that are made; all of the plan where it is empty
 void make(const std::filesystem::path& folder, const std::string& plan, std::size_t count, std::uint64_t seed,
-          unsigned jobs) {
-  const auto plans = plan_named(plan, count, seed);
+          std::string_view ship, unsigned jobs) {
+  auto plans = plan_named(plan, count, seed);
+  if (!ship.empty()) std::erase_if(plans, [&](const CasePlan& p) { return p.ship_kind != ship; });
+  if (plans.empty()) throw std::domain_error(fmt::format("no case of this plan has a ship of the kind \"{}\"", ship));
   in_parallel(plans.size(), jobs, [&](std::size_t i) { write_case(made(plans[i]), folder); });
   fmt::print("{} cases in {}\n", plans.size(), folder.string());
 }
@@ -96,6 +99,7 @@ int main(int argc, char** argv) {
   std::string plan = "all";
   std::size_t count = 0;
   std::uint64_t seed = 1;
+  std::string ship;
   unsigned jobs = 1;
   auto* maker = app.add_subcommand("make", "writes cases");
   maker->add_option("folder", folder)->required();
@@ -103,6 +107,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   maker->add_option("--count", count, "cases, 0 for as many as the plan has")->capture_default_str();
   maker->add_option("--seed", seed)->capture_default_str();
+  maker->add_option("--ship", ship, "only the cases of the plan whose ship is of this kind or structure");
   maker->add_option("--jobs", jobs, "cases at a time")->capture_default_str();
   ScoreOptions options;
   auto* scorer = app.add_subcommand(
@@ -119,7 +124,7 @@ int main(int argc, char** argv) {
   auto* ships = app.add_subcommand("ships", "how the true ships sail");
   CLI11_PARSE(app, argc, argv);
   try {
-    if (*maker) make(folder, plan, count, seed, jobs);
+    if (*maker) make(folder, plan, count, seed, ship, jobs);
     if (*scorer) {
       if (options.lines.empty()) options.lines = folder / "score.jsonl";
       score(folder, options, tell);

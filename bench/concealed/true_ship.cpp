@@ -63,6 +63,13 @@ Force taylor_hull(const TrueShip& s, const TaylorTerms& c, double v, double r) {
           unit * s.L * (c.N_vvv * a * a * a + c.N_vvr * a * a * b + c.N_vrr * a * b * b + c.N_rrr * b * b * b)};
 }
 
+/// Quadratic terms with the size of v or rL.
+Force modulus_hull(const TrueShip& s, const ModulusTerms& c, double v, double r) {
+  const double unit = 0.5 * rho * s.L * s.d, a = v, b = r * s.L, size_a = std::abs(a), size_b = std::abs(b);
+  return {0.0, unit * (c.Y_vv * size_a * a + c.Y_vr * size_a * b + c.Y_rv * size_b * a + c.Y_rr * size_b * b),
+          unit * s.L * (c.N_vv * size_a * a + c.N_vr * size_a * b + c.N_rv * size_b * a + c.N_rr * size_b * b)};
+}
+
 /// ½ρLdU² (Y_φ, L N_φ) sin φ
 Force heeled(const TrueShip& s, const States& q, double Y_phi, double N_phi) {
   const double dynamic = 0.5 * rho * s.L * s.d * (square(q[State::u]) + square(q[State::v])),
@@ -87,6 +94,7 @@ Force hull(const TrueShip& s, const Concealment& h, const States& q) {
               Force{dynamic * surge - R, 0.0, 0.0};
   if (h.cross_flow != 0.0) sum = sum + cross_flow(s, h.cross_flow, 0.1, v, r, 0.02 * u);
   if (s.taylor) sum = sum + (1.0 + 2.0 * x * x * x) * taylor_hull(s, *s.taylor, v, r);
+  if (s.modulus) sum = sum + (1.0 + 2.0 * x * x * x) * modulus_hull(s, *s.modulus, v, r);
   if (s.GM > 0.0) sum = sum + heeled(s, q, s.Y_phi, s.N_phi);
   if (h.fouled_side != 0.0) sum = sum + cross_flow(s, h.fouled_side, 0.0, v, r, 0.02 * u, true);
   if (h.memory_share != 0.0) {
@@ -558,15 +566,36 @@ TrueShip podded_ship() {
   return s;
 }
 
+/// A supply vessel with two propellers and flap rudders, whose hull follows quadratic terms.
+TrueShip modulus_ship() {
+  TrueShip s = training();
+  s.kind = "modulus";
+  s.L = 75.0, s.B = 16.5, s.d = 5.6, s.C_B = 0.70, s.x_G = -0.010, s.k_zz = 0.26, s.U_0 = 6.9;
+  s.A_front = 260.0, s.A_lateral = 780.0;
+  s.D = 3.0, s.y_P = 3.9, s.A_R = 5.2, s.H_R = 3.1, s.f_alpha = 2.9, s.softness = 1.8;
+  s.w_0 = 0.14, s.wake_gain = 1.10, s.wake_sides = 0.0, s.gamma = 0.60, s.gamma_sides = 0.0, s.R_0 = 0.024;
+  s.C_D = 0.0, s.Y_v = -0.30, s.Y_r = 0.060, s.N_v = -0.100, s.N_r = -0.055;
+  s.modulus = {.Y_vv = -0.95,
+               .Y_vr = 0.12,
+               .Y_rv = -0.38,
+               .Y_rr = 0.02,
+               .N_vv = 0.02,
+               .N_vr = -0.13,
+               .N_rv = -0.045,
+               .N_rr = -0.035};
+  return s;
+}
+
 TrueShip usual(std::string_view kind) {
-  constexpr std::array<std::pair<std::string_view, TrueShip (*)()>, 8> fleet{{{"tanker", tanker},
+  constexpr std::array<std::pair<std::string_view, TrueShip (*)()>, 9> fleet{{{"tanker", tanker},
                                                                               {"container", container},
                                                                               {"training", training},
                                                                               {"cross_flow", cross_flow_ship},
                                                                               {"polynomial", polynomial_ship},
                                                                               {"rolling", rolling_ship},
                                                                               {"twin_screw", twin_screw_ship},
-                                                                              {"podded", podded_ship}}};
+                                                                              {"podded", podded_ship},
+                                                                              {"modulus", modulus_ship}}};
   const auto* ship = std::ranges::find(fleet, kind, [](const auto& entry) { return entry.first; });
   if (ship == fleet.end()) throw std::domain_error("no kind of ship \"" + std::string(kind) + "\"");
   return ship->second();
@@ -574,8 +603,8 @@ TrueShip usual(std::string_view kind) {
 
 }  // namespace
 
-std::array<std::string_view, 5> ship_structures() {
-  return {"cross_flow", "polynomial", "rolling", "twin_screw", "podded"};
+std::array<std::string_view, 6> ship_structures() {
+  return {"cross_flow", "polynomial", "rolling", "twin_screw", "podded", "modulus"};
 }
 
 std::array<std::string_view, 3> ship_kinds() { return {"tanker", "container", "training"}; }

@@ -12,7 +12,7 @@
 /// Ships that are not built like the models of swayaw: their forces are computed here and nowhere else.
 ///
 ///     hull        linear in (v, r) with the forward speed u, and drag of a cross flow that separates gradually, strip
-///                 by strip; or the cubic terms of a Taylor polynomial
+///                 by strip; or the cubic terms of a Taylor polynomial; or quadratic terms with the size of v and r
 ///     flow        straightened with a factor that passes smoothly from side to side and saturates
 ///     rudder      normal force f_alpha a tanh(alpha/a): softens long before it stalls; or a Taylor polynomial; or a
 ///                 pod that turns its thrust; one or two of them, each behind a propeller of its own
@@ -32,6 +32,15 @@ namespace swayaw::concealed {
 struct TaylorTerms {
   double Y_vvv, Y_vvr, Y_vrr, Y_rrr, N_vvv, N_vvr, N_vrr, N_rrr;
   double X_dd, X_vd, Y_d, Y_ddd, Y_vvd, Y_vdd, N_d, N_ddd, N_vvd, N_vdd;
+};
+
+/// Second-order terms of sway and yaw in v and rL, odd by the size of one of them:
+///
+///     Y = ½ρLd (Y_vv |v|v + Y_vr |v|rL + Y_rv |rL|v + Y_rr |rL|rL);  N alike, over another L
+///
+/// Source: [Fossen2011]
+struct ModulusTerms {
+  double Y_vv, Y_vr, Y_rv, Y_rr, N_vv, N_vr, N_rv, N_rr;
 };
 
 /// Hull primes refer to ½ρLd and to the forward speed, ½ρLdu(Y_v v + Y_r L r), added masses to ½ρL²d and ½ρL⁴d, lengths
@@ -62,10 +71,11 @@ struct TrueShip {
                 ///< of the propeller's torque
 
   // what only some have
-  std::optional<TaylorTerms> taylor = {};  ///< in place of cross flow and of a rudder in a flow
-  double stall = 0.0;                      ///< angle of attack at which the rudder stalls [rad], 0 for never
-  double y_P = 0.0;                        ///< two propellers and rudders at ± that [m], 0 for one on the centre line
-  bool pods = false;                       ///< the propellers turn with the rudder angle
+  std::optional<TaylorTerms> taylor = {};    ///< in place of cross flow and of a rudder in a flow
+  std::optional<ModulusTerms> modulus = {};  ///< in place of cross flow
+  double stall = 0.0;                        ///< angle of attack at which the rudder stalls [rad], 0 for never
+  double y_P = 0.0;   ///< two propellers and rudders at ± that [m], 0 for one on the centre line
+  bool pods = false;  ///< the propellers turn with the rudder angle
   double GM = 0.0, Y_phi = 0.0, N_phi = 0.0;  ///< heels; force ½ρLdU² Y_phi sin φ, moment over another L
 
   int screws() const { return y_P > 0.0 ? 2 : 1; }
@@ -78,8 +88,8 @@ std::array<std::string_view, 3> ship_kinds();
 
 /// Ships of other structures: "cross_flow", a full ship whose cross flow separates at once and whose rudder stalls;
 /// "polynomial", a Taylor polynomial of third order; "rolling", a container ship that heels; "twin_screw", with two
-/// rudders that stall; "podded".
-std::array<std::string_view, 5> ship_structures();
+/// rudders that stall; "podded"; "modulus", a supply vessel with terms of second order.
+std::array<std::string_view, 6> ship_structures();
 
 /// A ship of that kind or structure with parameters that vary by a few per cent with the seed.
 /// @throws std::domain_error  for a kind that there is not
