@@ -85,16 +85,16 @@ Force hull(const TrueShip& s, const Concealment& h, const States& q) {
                    (1.0 + h.resistance) * (1.0 + 0.45 * x * x);
   const double surge = (s.X_vv + h.X_vv) * v_prime * v_prime * square(u / U) + (s.X_vr + h.X_vr) * v_prime * r_prime +
                        (s.X_rr + h.X_rr) * r_prime * r_prime;
+  const double under_keel = 1.0 + 2.0 * x * x * x;  // of the drag across, in shallow water
   // cubic terms that level off
   const double level = 1.0 / (1.0 + v_prime * v_prime + 0.25 * r_prime * r_prime),
                vvr = level * v_prime * v_prime * r_prime, vrr = level * v_prime * r_prime * r_prime;
   const Force cubic{0.0, dynamic * (h.Y_vvr * vvr + h.Y_vrr * vrr), dynamic * s.L * (h.N_vvr * vvr + h.N_vrr * vrr)};
-  Force sum = linear_damping(s, h, u, v, r) +
-              cross_flow(s, s.C_D * (1.0 + 2.0 * x * x * x), s.taper, v, r, s.onset * u) + cubic +
+  Force sum = linear_damping(s, h, u, v, r) + cross_flow(s, s.C_D * under_keel, s.taper, v, r, s.onset * u) + cubic +
               Force{dynamic * surge - R, 0.0, 0.0};
   if (h.cross_flow != 0.0) sum = sum + cross_flow(s, h.cross_flow, 0.1, v, r, 0.02 * u);
-  if (s.taylor) sum = sum + (1.0 + 2.0 * x * x * x) * taylor_hull(s, *s.taylor, v, r);
-  if (s.modulus) sum = sum + (1.0 + 2.0 * x * x * x) * modulus_hull(s, *s.modulus, v, r);
+  if (s.taylor) sum = sum + under_keel * taylor_hull(s, *s.taylor, v, r);
+  if (s.modulus) sum = sum + under_keel * modulus_hull(s, *s.modulus, v, r);
   if (s.GM > 0.0) sum = sum + heeled(s, q, s.Y_phi, s.N_phi);
   if (h.fouled_side != 0.0) sum = sum + cross_flow(s, h.fouled_side, 0.0, v, r, 0.02 * u, true);
   if (h.memory_share != 0.0) {

@@ -162,18 +162,13 @@ void put_as_form(std::span<FittedCandidate> tried, const Trial& trial, const Fit
       t.as_form = true;
 }
 
-/// Where the coordinates of an effect that was accepted begin in the point of the search.
-Eigen::Index place_in_search(const Trial& trial, const Search& s, std::size_t accepted) {
-  return place_in_point(trial, s.hypothesis(), accepted);
-}
-
 /// Whether an effect is too small to matter beside all that was found with it: what was told when it was found may be
 /// told no longer, and be no more than ordinary, beside what was found after it. Terms that were tried with it and
 /// dropped are as uncertain as they were.
 bool is_trace(const Trial& trial, const Search& s, std::size_t i, std::span<const Recording> runs,
               std::span<const Recording> holdout) {
   const auto& accepted = s.accepted[i];
-  const auto size = std::ssize(accepted.form->coordinates), from = place_in_search(trial, s, i);
+  const auto size = std::ssize(accepted.form->coordinates), from = place_of_accepted(s, i);
   Point widening = Point::Ones(size);
   if (!accepted.widening.empty()) widening = Eigen::Map<const Point>(accepted.widening.data(), size);
   const Eigen::MatrixXd covariance =
@@ -188,9 +183,9 @@ bool is_trace(const Trial& trial, const Search& s, std::size_t i, std::span<cons
 /// of the five that were hidden four gained 24 or more alone as well, and one 296 beside them; three that were not
 /// there gained 9.5 at most and 15 to 27.
 /// @param beside_one  whether one of those accepted before it stands
-bool is_supported(const Trial& trial, const Search& s, std::size_t i, bool beside_one, double needed) {
+bool is_supported(const Search& s, std::size_t i, bool beside_one, double needed) {
   const auto& accepted = s.accepted[i];
-  const auto* own = s.now.point.data() + place_in_search(trial, s, i);
+  const auto* own = s.now.point.data() + place_of_accepted(s, i);
   if (is_at_its_end(*accepted.form, {own, accepted.form->coordinates.size()})) return false;
   return i == 0 || beside_one || is_told_by_itself(s, accepted, needed);
 }
@@ -204,7 +199,7 @@ struct StandingEffect {
 
 /// As the search found it, with when it acted.
 FoundEffect found_in_search(const Trial& trial, const Search& s, std::size_t i, double needed) {
-  auto found = found_effect(trial, s.accepted[i], s.now, place_in_search(trial, s, i));
+  auto found = found_effect(trial, s.accepted[i], s.now, place_of_accepted(s, i));
   if (!found.onset) {
     const auto active = active_time(trial, s, i, needed);
     found.onset = active.onset, found.end = active.end;
@@ -252,8 +247,7 @@ Kept put_effects(Diagnosis& d, const Trial& trial, HeldOutRuns& held_out, const 
   for (std::size_t i = 0; i < s.accepted.size(); ++i) {
     const auto& accepted = s.accepted[i];
     auto found = found_in_search(trial, s, i, needed);
-    const bool trace = is_trace(trial, s, i, runs, holdout),
-               supported = is_supported(trial, s, i, !standing.empty(), needed),
+    const bool trace = is_trace(trial, s, i, runs, holdout), supported = is_supported(s, i, !standing.empty(), needed),
                stands = !trace && supported && is_more_than_hull(i, found.effect);
     if (stands || (trace && supported)) kept.with_traces.push_back(i);
     if (stands) {

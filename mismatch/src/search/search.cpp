@@ -257,7 +257,7 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
 
 /// The present point with other coordinates, or none, where those of an effect that was accepted are.
 Point with_coordinates(const Search& s, std::size_t accepted, std::span<const double> coordinates) {
-  const auto from = place_in_point(s.trial, s.hypothesis(), accepted);
+  const auto from = place_of_accepted(s, accepted);
   const auto rest = s.now.point.size() - from - std::ssize(s.accepted[accepted].form->coordinates);
   Point result(from + std::ssize(coordinates) + rest);
   result << s.now.point.head(from), Eigen::Map<const Point>(coordinates.data(), std::ssize(coordinates)),
@@ -495,6 +495,10 @@ Hypothesis Search::hypothesis(std::size_t count) const {
   Hypothesis result;
   for (std::size_t i = 0; i < count; ++i) result.push_back(accepted[i].form);
   return result;
+}
+
+Eigen::Index place_of_accepted(const Search& s, std::size_t accepted) {
+  return place_in_point(s.trial, s.hypothesis(), accepted);
 }
 
 Ship without_accepted(Ship ship, const Search& s, std::size_t accepted) {

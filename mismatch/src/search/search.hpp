@@ -120,6 +120,9 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
 /// rudder found no name, 6.9 to 17.
 inline constexpr double unexplained_scale = 5.0;
 
+/// Where the coordinates of an effect that was accepted begin in the point of the search.
+Eigen::Index place_of_accepted(const Search& s, std::size_t accepted);
+
 /// A ship of this search without one of the effects that were accepted, which are the last of hers.
 Ship without_accepted(Ship ship, const Search& s, std::size_t accepted);
 
