@@ -207,7 +207,7 @@ TEST_CASE("what reference runs tell of instruments and gear makes small errors o
           "[bench][on_board][limit]") {
   for (const auto& [structure, form, planned, severity, seed, key, near] :
        {SeenCase{"rolling", FileForm::mmg, "steering_gear_lag", Severity::strong, 0xf8a0476df4bf29b9, "lag_s", 0.5},
-        SeenCase{"twin_screw", FileForm::abkowitz, "roll_coupling", Severity::moderate, 0x954d6a0cf38be6df, "scale",
+        SeenCase{"twin_screw", FileForm::abkowitz, "log_scale", Severity::moderate, 0x954d6a0cf38be6df, "scale",
                  0.005}}) {
     const auto c = made(on_board_plan(structure, form, {{planned, severity}}, seed));
     REQUIRE(c.labels.size() == 1);

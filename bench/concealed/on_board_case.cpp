@@ -62,7 +62,8 @@ Programme programme_by_chance(RandomSource& random) {
   return p;
 }
 
-constexpr std::uint64_t train_part = 1, holdout_part = 2, reference_part = 3;
+// of seeds
+constexpr std::uint64_t train_part = 1, holdout_part = 2, reference_part = 3, in_its_place = 4;
 
 /// How a run is wanted: as the ship brings it home; without losses of the fixes, so that replays can be begun anywhere;
 /// or without any error but what is hidden.
@@ -163,13 +164,16 @@ std::optional<Trial> sized(const Scene& scene, const Day& day, const std::vector
   return best.detectability >= least ? std::optional(best) : std::nullopt;
 }
 
-/// The effect that was planned or, where it cannot be as detectable as its severity asks, one of the next of the list;
-/// a moderate one where three cannot be strong.
+/// The effect that was planned or, where it cannot be as detectable as its severity asks, another by chance; a moderate
+/// one where three cannot be strong.
 Trial hide(const Scene& scene, const Day& day, const std::vector<Manoeuvre>& runs, const std::string& planned,
            Severity severity, const std::vector<Label>& others, RandomSource& random) {
   const auto list = planned.starts_with("unknown") ? on_board_unknown_kinds() : on_board_kinds();
   std::vector<std::string_view> kinds(list.begin(), list.end());
-  std::rotate(kinds.begin(), std::ranges::find(kinds, planned), kinds.end());
+  std::iter_swap(kinds.begin(), std::ranges::find(kinds, planned));
+  RandomSource others_by_chance(seed_of(scene.board, in_its_place));
+  for (std::size_t left = kinds.size() - 1; left > 1; --left)
+    std::swap(kinds[1 + others_by_chance.below(left)], kinds[left]);
   std::erase_if(kinds, [&](std::string_view kind) {
     return !makes_sense(scene, kind) || std::ranges::count(others, kind, &Label::effect) > 0;
   });
