@@ -115,6 +115,13 @@ struct Trials {
 Search search(const Trials& exact, const std::function<Trials()>& on_board, std::span<const EffectForm> forms,
               const DiagnosisOptions& options, const std::function<bool(std::string_view)>& goes_on);
 
+/// Once more from the baseline alone, beside the same form and instruments.
+/// @param unused  as in the first search
+/// @param forms   those that are tried now
+/// @throws Refusal  where the model cannot follow the runs
+Search searched_anew(const Search& s, const Trial& unused, std::span<const EffectForm> forms,
+                     const DiagnosisOptions& options, const std::function<bool(std::string_view)>& goes_on);
+
 /// Of the process noise beside an inexact form, from which on something is missing, named or not, if replays show it.
 /// Of simulated ships of another structure with nothing hidden it was 0.3 to 2.8; where a tug, a bank, a wind or a weak
 /// rudder found no name, 6.9 to 17.
