@@ -10,8 +10,8 @@
 using namespace swayaw;
 using namespace swayaw::concealed;
 
-// A stall gained less, but runs held out bore it out better, and it was no more than an error of form; the answer was
-// "nothing missing" beside a rudder with a probability of 0.92.
+// A stall, which runs held out bore out better, was found in place of the rudder and was no more than an error of form:
+// both were told that nothing is missing.
 TEST_CASE("a weak rudder that stands behind an error of form is found", "[bench][on_board]") {
   for (const auto& [structure, seed] :
        {std::pair{"modulus", 0x0a929d6aae151fbcull}, std::pair{"rolling", 0xd7d653f54793be32ull}}) {

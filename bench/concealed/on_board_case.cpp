@@ -62,7 +62,7 @@ Programme programme_by_chance(RandomSource& random) {
   return p;
 }
 
-// of seeds
+// what draws by a seed of its own: three parts of a case, and what is hidden in the place of what was planned
 constexpr std::uint64_t train_part = 1, holdout_part = 2, reference_part = 3, in_its_place = 4;
 
 /// How a run is wanted: as the ship brings it home; without losses of the fixes, so that replays can be begun anywhere;

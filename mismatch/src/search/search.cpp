@@ -560,8 +560,7 @@ Search search(const Trials& exact, const std::function<Trials()>& on_board, std:
 
 Search searched_anew(const Search& s, const Trial& unused, std::span<const EffectForm> forms,
                      const DiagnosisOptions& options, const std::function<bool(std::string_view)>& goes_on) {
-  return named(with_baseline(s.usual, s.on_board ? Noise::on_board() : Noise{}, s.null), unused, forms, options,
-               goes_on);
+  return named(with_baseline(s.usual, Noise::on_board(), s.null), unused, forms, options, goes_on);
 }
 
 }  // namespace swayaw::mismatch::detail

@@ -115,7 +115,8 @@ struct Trials {
 Search search(const Trials& exact, const std::function<Trials()>& on_board, std::span<const EffectForm> forms,
               const DiagnosisOptions& options, const std::function<bool(std::string_view)>& goes_on);
 
-/// Once more from the baseline alone, beside the same form and instruments.
+/// Once more from the baseline alone, where a form and instruments are taken for inexact.
+/// @param s       the first search
 /// @param unused  as in the first search
 /// @param forms   those that are tried now
 /// @throws Refusal  where the model cannot follow the runs
