@@ -241,7 +241,7 @@ Kept put_effects(Diagnosis& d, const Trial& trial, HeldOutRuns& held_out, const 
   const auto is_more_than_hull = [&](std::size_t i, const Effect& effect) {
     if (!comes_late(effect)) return false;
     if (!asks_for_form(trial, s, i)) return true;
-    return s.on_board ? is_more_than_form(trial, s, i, without[i], d.budget, alone, runs, holdout)
+    return s.on_board ? is_more_than_form(trial, s, i, without[i], held_out, d.budget, alone, runs, holdout)
                       : is_more_than_polynomial(trial, s, without[i], runs, holdout);
   };
   for (std::size_t i = 0; i < s.accepted.size(); ++i) {

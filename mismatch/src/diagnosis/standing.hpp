@@ -52,8 +52,8 @@ double whole_worth(HeldOutRuns& held_out, const Search& s, const Standing& witho
 /// @param budget   with all effects
 /// @param alone    the coefficients alone refitted
 bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, const Standing& without,
-                       std::span<const ForceBudget> budget, const ShipInRun& alone, std::span<const Recording> runs,
-                       std::span<const Recording> holdout);
+                       HeldOutRuns& held_out, std::span<const ForceBudget> budget, const ShipInRun& alone,
+                       std::span<const Recording> runs, std::span<const Recording> holdout);
 
 /// Whether a force changes no replay by more than a hundredth of the variation when it is taken away and nothing else:
 /// then it matters to nobody. Of 1,000 simulated ships with nothing hidden seven had a rudder that stalls in its last
