@@ -47,10 +47,11 @@ double whole_worth(HeldOutRuns& held_out, const Search& s, const Standing& witho
 /// Whether an effect that follows the motion is more than a form that is wrong by a few per cent: without it, all else
 /// fitted once more, replays of all runs err by more, and those of runs that were not used do not err less with the
 /// coefficients alone; or the form is larger than any and with it is not, or she cannot sail them at all; or it is
-/// late, and the evidence tells that clearly.
-/// @param without  all else, fitted once more
-/// @param budget   with all effects
-/// @param alone    the coefficients alone refitted
+/// late, and the evidence with what runs held out gain tells that clearly.
+/// @param without   all else, fitted once more
+/// @param held_out  runs beside all that was accepted
+/// @param budget    with all effects
+/// @param alone     the coefficients alone refitted
 bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, const Standing& without,
                        HeldOutRuns& held_out, std::span<const ForceBudget> budget, const ShipInRun& alone,
                        std::span<const Recording> runs, std::span<const Recording> holdout);
