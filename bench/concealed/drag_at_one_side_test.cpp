@@ -1,10 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "catch.hpp"
-#include "concealed_case.hpp"
+#include "first_effect.hpp"
 #include "on_board_case.hpp"
-#include "swayaw/mismatch/diagnose.hpp"
 
 /// What drags at one side of a ship as on board, and what only looks as if it did.
 using namespace swayaw;
@@ -17,16 +15,11 @@ TEST_CASE("weed at one bow is no more resistance but something unknown on that s
                                               std::tuple{"rolling", FileForm::mmg, 0x0655bfc46a4dcacaull}}) {
     const auto c = made(on_board_plan(structure, form, {{"unknown_kelp", Severity::strong}}, seed));
     REQUIRE(!c.reference.empty());
-    const auto d = diagnose(c.ship, c.train, c.reference, c.holdout);
+    const auto d = diagnosed(c);
     INFO(structure << ": " << d.words);
-    CHECK(d.verdict == DiagnosisVerdict::unexplained);
-    REQUIRE(!d.effects.empty());
-    const auto& found = d.effects.front();
-    CHECK(id_of(found.effect) == "unknown");
-    const auto place = std::ranges::find(found.parameters, "drag_y_m", &ParameterEstimate::key);
-    REQUIRE(place != found.parameters.end());
+    const auto& place = told(checked_first(d, DiagnosisVerdict::unexplained, "unknown"), "drag_y_m");
     REQUIRE(c.labels.front().parameters.size() == 1);
-    CHECK(std::abs(place->value - c.labels.front().parameters.front().value) < 3.5 * place->standard_error);
+    CHECK(std::abs(place.value - c.labels.front().parameters.front().value) < 3.5 * place.standard_error);
   }
 }
 
@@ -37,7 +30,7 @@ TEST_CASE("more resistance and an offset of the rudder are no drag at one side",
                          {{"added_resistance", Severity::strong}, {"rudder_offset", Severity::moderate}}, 0x7530ec71));
   REQUIRE(c.labels.size() == 2);
   REQUIRE(!c.reference.empty());
-  const auto d = diagnose(c.ship, c.train, c.reference, c.holdout);
+  const auto d = diagnosed(c);
   INFO(d.words);
   REQUIRE(!d.candidates.empty());
   CHECK(d.candidates.front().effect == "unknown");

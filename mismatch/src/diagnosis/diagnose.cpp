@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "../missing_force/budget.hpp"
@@ -238,10 +239,15 @@ Kept put_effects(Diagnosis& d, const Trial& trial, HeldOutRuns& held_out, const 
     const bool decides_order = s.on_board && without.size() > 1 && !s.accepted[i].trace;
     if (decides_order || asks_for_form(trial, s, i)) without[i] = refitted_without(s, i);
   });
+  std::vector<std::optional<double>> in_all(s.accepted.size());  // worked out once, where it is asked for
+  const auto worth_in_all = [&](std::size_t i) {
+    if (!in_all[i]) in_all[i] = whole_worth(held_out, s, without[i]);
+    return *in_all[i];
+  };
   const auto is_more_than_hull = [&](std::size_t i, const Effect& effect) {
     if (!comes_late(effect)) return false;
     if (!asks_for_form(trial, s, i)) return true;
-    return s.on_board ? is_more_than_form(trial, s, i, without[i], held_out, d.budget, alone, runs, holdout)
+    return s.on_board ? is_more_than_form(trial, s, i, without[i], worth_in_all, d.budget, alone, runs, holdout)
                       : is_more_than_polynomial(trial, s, without[i], runs, holdout);
   };
   for (std::size_t i = 0; i < s.accepted.size(); ++i) {
@@ -252,7 +258,7 @@ Kept put_effects(Diagnosis& d, const Trial& trial, HeldOutRuns& held_out, const 
     if (stands || (trace && supported)) kept.with_traces.push_back(i);
     if (stands) {
       kept.standing.push_back(i);
-      standing.push_back({s.on_board ? whole_worth(held_out, s, without[i]) : 0.0, &accepted, std::move(found)});
+      standing.push_back({s.on_board ? worth_in_all(i) : 0.0, &accepted, std::move(found)});
       continue;
     }
     if (supported) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));

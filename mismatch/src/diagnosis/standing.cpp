@@ -100,12 +100,13 @@ double whole_worth(HeldOutRuns& held_out, const Search& s, const Standing& witho
 }
 
 bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, const Standing& without,
-                       HeldOutRuns& held_out, std::span<const ForceBudget> budget, const ShipInRun& alone,
-                       std::span<const Recording> runs, std::span<const Recording> holdout) try {
+                       const std::function<double(std::size_t)>& in_all, std::span<const ForceBudget> budget,
+                       const ShipInRun& alone, std::span<const Recording> runs,
+                       std::span<const Recording> holdout) try {
   constexpr double a_few_per_cent = 0.03;  // of the variation of a quantity
   if (without.fit.point.size() == 0) return true;
   const auto& effect = s.accepted[accepted].effect;
-  if (follows(effect) == Follows::past && whole_worth(held_out, s, without) > clearly_late) return true;
+  if (follows(effect) == Follows::past && in_all(accepted) > clearly_late) return true;
   if (trial.calibrated && is_of_hard_manoeuvres(effect) && worth(s, without) > clearly_changed) return true;
   if (!has_large_form(budget) && has_large_form(budget_of(trial, without.effects, without.fit))) return true;
   const auto with_all = ships_at(trial, s.hypothesis(), s.now.point);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "../search/held_out.hpp"
@@ -48,13 +49,13 @@ double whole_worth(HeldOutRuns& held_out, const Search& s, const Standing& witho
 /// fitted once more, replays of all runs err by more, and those of runs that were not used do not err less with the
 /// coefficients alone; or the form is larger than any and with it is not, or she cannot sail them at all; or it is
 /// late, and the evidence with what runs held out gain tells that clearly.
-/// @param without   all else, fitted once more
-/// @param held_out  runs beside all that was accepted
-/// @param budget    with all effects
-/// @param alone     the coefficients alone refitted
+/// @param without  all else, fitted once more
+/// @param in_all   `whole_worth` of an accepted effect, asked of one that is late alone
+/// @param budget   with all effects
+/// @param alone    the coefficients alone refitted
 bool is_more_than_form(const Trial& trial, const Search& s, std::size_t accepted, const Standing& without,
-                       HeldOutRuns& held_out, std::span<const ForceBudget> budget, const ShipInRun& alone,
-                       std::span<const Recording> runs, std::span<const Recording> holdout);
+                       const std::function<double(std::size_t)>& in_all, std::span<const ForceBudget> budget,
+                       const ShipInRun& alone, std::span<const Recording> runs, std::span<const Recording> holdout);
 
 /// Whether a force changes no replay by more than a hundredth of the variation when it is taken away and nothing else:
 /// then it matters to nobody. Of 1,000 simulated ships with nothing hidden seven had a rudder that stalls in its last

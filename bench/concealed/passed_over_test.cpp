@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "first_effect.hpp"
+#include "on_board_case.hpp"
+
+/// Effects that had been passed over: something that is no more than an error in the form of a ship's forces, or a
+/// trace, had stood before them, and the answer was that nothing is missing.
+using namespace swayaw;
+using namespace swayaw::concealed;
+
+namespace {
+
+/// A case as on board in which this effect is hidden, not another in its place.
+ConcealedCase with_hidden(std::string_view structure, FileForm form, const std::string& effect, Severity severity,
+                          std::uint64_t seed) {
+  auto c = made(on_board_plan(structure, form, {{effect, severity}}, seed));
+  REQUIRE(c.labels.size() == 1);
+  REQUIRE(c.labels.front().effect == effect);
+  return c;
+}
+
+/// That what is hidden in a case comes first, and a parameter of it this far off at most.
+void check_found(const ConcealedCase& c, const Diagnosis& d, std::string_view key, double most) {
+  const auto& label = c.labels.front();
+  const auto& found = checked_first(d, DiagnosisVerdict::missing_physics, label.effect);
+  const auto truth = std::ranges::find(label.parameters, key, &LabelNumber::key);
+  REQUIRE(truth != label.parameters.end());
+  CHECK(std::abs(told(found, key).value - truth->value) < most);
+}
+
+}  // namespace
+
+// A stall, which runs held out bore out better, was found in place of the rudder and was no more than an error of form.
+TEST_CASE("a weak rudder that stands behind an error of form is found", "[bench][on_board]") {
+  for (const auto& [structure, seed] :
+       {std::pair{"modulus", 0x0a929d6aae151fbcull}, std::pair{"rolling", 0xd7d653f54793be32ull}}) {
+    const auto c = with_hidden(structure, FileForm::pi, "rudder_effectiveness", Severity::strong, seed);
+    REQUIRE(!c.reference.empty());
+    const auto d = diagnosed(c);
+    INFO(structure << ": " << d.words);
+    check_found(c, d, "factor", 0.06);
+    CHECK(d.effects.front().parameters.size() == 1);
+    CHECK(std::ranges::count(d.as_form, "a rudder that stalls") == 1);
+    const auto stall = std::ranges::find(d.candidates, "rudder_stall", &Candidate::effect);
+    REQUIRE(stall != d.candidates.end());
+    CHECK(stall->as_form);
+  }
+}
+
+// It gains 81 in the runs used, which alone may be the form of her forces, and 67 in those held out.
+TEST_CASE("a force that follows the motion late is told by runs that were not used, too", "[bench][on_board]") {
+  const auto c = with_hidden("podded", FileForm::abkowitz, "fluid_memory", Severity::strong, 0x4596f8b633b2deb5ull);
+  REQUIRE(c.reference.empty());
+  const auto d = diagnosed(c);
+  INFO(d.words);
+  check_found(c, d, "share", 0.15);
+}
+
+// Other linear derivatives of the hull, a few per cent of them, follow a part of what a slower shaft does.
+TEST_CASE("a force of one number is told before a trace of several that follows it", "[bench][on_board]") {
+  const auto c = with_hidden("modulus", FileForm::mmg, "shaft_speed_drop", Severity::moderate, 0x20715bb390f02faeull);
+  REQUIRE(!c.reference.empty());
+  const auto d = diagnosed(c);
+  INFO(d.words);
+  check_found(c, d, "relative_drop", 0.05);
+}
