@@ -441,6 +441,7 @@ Diagnosis diagnose_clean(const Ship& ship, const Runs& runs, const DiagnosisOpti
   d.verdict = verdict_of(d, s.on_board);
   if (!s.on_board && d.process_noise > ordinary_scale)
     for (auto& e : d.effects) e.probability *= 0.5;
+  put_wind_beside_waves(d, ship);
   goes_on("where, and what next");
   put_where_and_next(d, s, forms, runs.used, needed);
   attempt(d, "the linear view", [&] { d.linear = linear_view(d.refitted, runs.used); });

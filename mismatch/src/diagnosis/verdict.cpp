@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "replay_errors.hpp"
+#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 
 namespace swayaw::inline mismatch::detail {
 namespace {
@@ -54,6 +55,22 @@ bool is_unexplained(const Diagnosis& d) {
 }  // namespace
 
 bool is_nameless(const FoundEffect& e) { return std::holds_alternative<UnknownForce<double>>(e.effect); }
+
+bool may_be_a_wind(const Ship& ship, const Effect& effect) {
+  return follows(effect) == Follows::earth && place_of(effect) == EffectPlace::force &&
+         !feels_wind(ship.surroundings.windage);
+}
+
+void put_wind_beside_waves(Diagnosis& d, const Ship& ship) {
+  constexpr double one_of_two = 0.5;
+  for (auto& e : d.effects) {
+    if (!may_be_a_wind(ship, e.effect)) continue;
+    e.probability *= one_of_two;
+    e.indistinguishable_from.emplace_back(SteadyWind<>::id);
+    const auto candidate = std::ranges::find(d.candidates, id_of(e.effect), &Candidate::effect);
+    if (candidate != d.candidates.end()) candidate->probability *= one_of_two;
+  }
+}
 
 bool is_in_waves(const Diagnosis& d) {
   constexpr double half = 0.5;

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "../missing_force/budget.hpp"
-#include "swayaw/nonlinear/surroundings/windage_sources.hpp"
 #include "verdict.hpp"
 #include "words.hpp"
 
@@ -144,15 +143,6 @@ std::string discrepancy_words(const Diagnosis& d) {
   return words + ". ";
 }
 
-/// Whether what was found pushes from one side of the earth as a wind does, and no wind could be tried, since the file
-/// does not tell what the ship shows it. Of R/V Gunnerus without windage waves were found in a sheltered fjord.
-bool may_be_a_wind(const Diagnosis& d) {
-  if (feels_wind(d.refitted.surroundings.windage)) return false;
-  return std::ranges::any_of(d.effects, [](const FoundEffect& e) {
-    return follows(e.effect) == Follows::earth && place_of(e.effect) == EffectPlace::force;
-  });
-}
-
 }  // namespace
 
 std::string_view phrase(std::string_view id) { return text_of(make_effect(id)).phrase; }
@@ -161,7 +151,7 @@ std::string words_of(const Diagnosis& d) {
   auto words = discrepancy_words(d) + verdict_words(d);
   if (is_in_waves(d))
     words += " Waves move the ship: a force that follows nothing else may be theirs, and is not counted.";
-  if (may_be_a_wind(d))
+  if (std::ranges::any_of(d.effects, [&](const FoundEffect& e) { return may_be_a_wind(d.refitted, e.effect); }))
     words += " The force of waves may be that of a wind, which was not tried: give areas above water in [windage].";
   return d.prior_inflation > 1.0
              ? fmt::format("{} The baseline's numbers are known {:.0f} times less well than was said.", words,
