@@ -2,8 +2,8 @@
 # those that fail. (A process for each case would be ten times as many.)
 find_package(Catch2 REQUIRED)
 
-# Ends what hangs. The longest test takes 2 minutes on two quiet processors and 3.5 beside others; a machine that is a third as
-# fast is still one to test on. Without optimisation, and with sanitizers, ten times as long.
+# Seconds after which a test hangs. The longest takes 2 minutes on two quiet processors and 3.5 beside others, where a machine
+# may be a third as fast; without optimisation, and with sanitizers, ten times as long.
 set(SWAYAW_TEST_TIMEOUT 900)
 if(SWAYAW_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
   set(SWAYAW_TEST_TIMEOUT 3000)

@@ -23,6 +23,22 @@ TEST_CASE("weed at one bow is no more resistance but something unknown on that s
   }
 }
 
+// A file in Abkowitz form has no resistance that could be larger. Nothing was told.
+TEST_CASE("a drag is told where the file has no resistance, its side or not", "[bench][on_board][limit]") {
+  const auto c = made(
+      on_board_plan("cross_flow", FileForm::abkowitz, {{"unknown_kelp", Severity::moderate}}, 0x2006312fb132ae5full));
+  REQUIRE(c.labels.front().effect == "unknown_kelp");
+  REQUIRE(!c.reference.empty());
+  const auto d = diagnosed(c);
+  INFO(d.words);
+  const auto& found = checked_first(d, DiagnosisVerdict::unexplained, "unknown");
+  const auto& drag = told(found, "drag");
+  CHECK(drag.value > 5.0 * drag.standard_error);
+  const auto& place = told(found, "drag_y_m");
+  CHECK(std::abs(place.value) < 2.0 * place.standard_error);
+  CHECK(d.words.find("on which side is not told") != std::string::npos);
+}
+
 // A drag at one side explained these runs better than either alone.
 TEST_CASE("more resistance and an offset of the rudder are no drag at one side", "[bench][on_board][limit]") {
   const auto c =

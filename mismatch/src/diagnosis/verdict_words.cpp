@@ -32,14 +32,15 @@ std::string push_words(const UnknownForce<double>& push) {
                      when, std::abs(lever), lever > 0.0 ? "before" : "behind");
 }
 
-/// ", as a drag that grows with the square of the speed, 14 ± 3 m to starboard of the centreline"
+/// ", as a drag that grows with the square of the speed, 14 ± 3 m to starboard of the centreline: look for weed, a line
+/// or damage on that side"; the side where it is told.
 std::string drag_words(std::span<const ParameterEstimate> parameters) {
-  std::string words = ", as a drag that grows with the square of the speed";
+  const std::string words = ", as a drag that grows with the square of the speed";
   const auto place = std::ranges::find(parameters, "drag_y_m", &ParameterEstimate::key);
-  if (place != parameters.end())
-    words += fmt::format(", {:.2g} ± {:.1g} m to {} of the centreline", std::abs(place->value), place->standard_error,
-                         place->value > 0.0 ? "starboard" : "port");
-  return words + ": look for weed, a line or damage on that side";
+  if (place == parameters.end() || std::abs(place->value) < 2.0 * place->standard_error)
+    return words + ", on which side is not told: look for fouling, weed, a line or damage";
+  return fmt::format("{}, {:.2g} ± {:.1g} m to {} of the centreline: look for weed, a line or damage on that side",
+                     words, std::abs(place->value), place->standard_error, place->value > 0.0 ? "starboard" : "port");
 }
 
 /// What acts that has no name, in words: a push by its time, else its place, what it goes with, and the terms of its
