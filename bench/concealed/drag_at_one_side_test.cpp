@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "first_effect.hpp"
-#include "on_board_case.hpp"
 
 /// What drags at one side of a ship as on board, and what only looks as if it did.
 using namespace swayaw;
@@ -13,7 +12,7 @@ using namespace swayaw::concealed;
 TEST_CASE("weed at one bow is no more resistance but something unknown on that side", "[bench][on_board][limit]") {
   for (const auto& [structure, form, seed] : {std::tuple{"twin_screw", FileForm::mmg, 0x9abe662f8d0ecfbaull},
                                               std::tuple{"rolling", FileForm::mmg, 0x0655bfc46a4dcacaull}}) {
-    const auto c = made(on_board_plan(structure, form, {{"unknown_kelp", Severity::strong}}, seed));
+    const auto c = with_hidden(structure, form, "unknown_kelp", Severity::strong, seed);
     REQUIRE(!c.reference.empty());
     const auto d = diagnosed(c);
     INFO(structure << ": " << d.words);
@@ -25,9 +24,8 @@ TEST_CASE("weed at one bow is no more resistance but something unknown on that s
 
 // A file in Abkowitz form has no resistance that could be larger. Nothing was told.
 TEST_CASE("a drag is told where the file has no resistance, its side or not", "[bench][on_board][limit]") {
-  const auto c = made(
-      on_board_plan("cross_flow", FileForm::abkowitz, {{"unknown_kelp", Severity::moderate}}, 0x2006312fb132ae5full));
-  REQUIRE(c.labels.front().effect == "unknown_kelp");
+  const auto c =
+      with_hidden("cross_flow", FileForm::abkowitz, "unknown_kelp", Severity::moderate, 0x2006312fb132ae5full);
   REQUIRE(!c.reference.empty());
   const auto d = diagnosed(c);
   INFO(d.words);

@@ -1,11 +1,8 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <string>
 #include <utility>
 
 #include "first_effect.hpp"
-#include "on_board_case.hpp"
 
 /// Effects that had been passed over: something that is no more than an error in the form of a ship's forces, or a
 /// trace, had stood before them, and the answer was that nothing is missing.
@@ -13,15 +10,6 @@ using namespace swayaw;
 using namespace swayaw::concealed;
 
 namespace {
-
-/// A case as on board in which this effect is hidden, not another in its place.
-ConcealedCase with_hidden(std::string_view structure, FileForm form, const std::string& effect, Severity severity,
-                          std::uint64_t seed) {
-  auto c = made(on_board_plan(structure, form, {{effect, severity}}, seed));
-  REQUIRE(c.labels.size() == 1);
-  REQUIRE(c.labels.front().effect == effect);
-  return c;
-}
 
 /// That what is hidden in a case comes first, and a parameter of it this far off at most.
 void check_found(const ConcealedCase& c, const Diagnosis& d, std::string_view key, double most) {

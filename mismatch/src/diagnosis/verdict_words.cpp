@@ -36,8 +36,9 @@ std::string push_words(const UnknownForce<double>& push) {
 /// or damage on that side"; the side where it is told.
 std::string drag_words(std::span<const ParameterEstimate> parameters) {
   const std::string words = ", as a drag that grows with the square of the speed";
+  constexpr double told = 2.0;  // standard errors from the centreline: 95 %
   const auto place = std::ranges::find(parameters, "drag_y_m", &ParameterEstimate::key);
-  if (place == parameters.end() || std::abs(place->value) < 2.0 * place->standard_error)
+  if (place == parameters.end() || std::abs(place->value) < told * place->standard_error)
     return words + ", on which side is not told: look for fouling, weed, a line or damage";
   return fmt::format("{}, {:.2g} ± {:.1g} m to {} of the centreline: look for weed, a line or damage on that side",
                      words, std::abs(place->value), place->standard_error, place->value > 0.0 ? "starboard" : "port");
