@@ -7,6 +7,17 @@
 using namespace swayaw;
 using namespace swayaw::concealed;
 
+namespace {
+
+/// How far from the centreline it is told to hang.
+void check_place(const ConcealedCase& c, const FoundEffect& found) {
+  const auto& place = told(found, "drag_y_m");
+  REQUIRE(c.labels.front().parameters.size() == 1);
+  CHECK(std::abs(place.value - c.labels.front().parameters.front().value) < 3.5 * place.standard_error);
+}
+
+}  // namespace
+
 // Weed grows with U^1.3, on a ship of another structure; reference runs tell how she was without it. Both cases were
 // told more resistance.
 TEST_CASE("weed at one bow is no more resistance but something unknown on that side", "[bench][on_board][limit]") {
@@ -16,9 +27,21 @@ TEST_CASE("weed at one bow is no more resistance but something unknown on that s
     REQUIRE(!c.reference.empty());
     const auto d = diagnosed(c);
     INFO(structure << ": " << d.words);
-    const auto& place = told(checked_first(d, DiagnosisVerdict::unexplained, "unknown"), "drag_y_m");
-    REQUIRE(c.labels.front().parameters.size() == 1);
-    CHECK(std::abs(place.value - c.labels.front().parameters.front().value) < 3.5 * place.standard_error);
+    check_place(c, checked_first(d, DiagnosisVerdict::unexplained, "unknown"));
+  }
+}
+
+// Without a recorded shaft speed it is what carries her at the speed with which a run begins, weed and all. As long as
+// it was what would carry her without, a drag made things worse, and the weed was told as more resistance.
+TEST_CASE("weed at one bow is told where no shaft speed is recorded", "[bench][on_board][limit]") {
+  for (const auto& [form, severity, seed] : {std::tuple{FileForm::mmg, Severity::moderate, 0x4d1beb25ab5b6b33ull},
+                                             std::tuple{FileForm::pi, Severity::strong, 0x725d929f89122f3eull}}) {
+    const auto c = with_hidden("twin_screw", form, "unknown_kelp", severity, seed);
+    REQUIRE(!c.reference.empty());
+    REQUIRE(std::ranges::none_of(c.train, [](const Recording& run) { return run.has(Channel::rev); }));
+    const auto d = diagnosed(c);
+    INFO(d.words);
+    check_place(c, checked_first(d, DiagnosisVerdict::unexplained, "unknown"));
   }
 }
 

@@ -347,6 +347,7 @@ She is a value: `with_values` and `with_effect` give another ship. Two ships are
       [](const Ship& ship, Maybe speed) { return self_propulsion(ship, speed.value_or(service_speed(ship))); },
       py::arg("ship"), py::arg("speed") = py::none(),
       "Rudder amidships and the shaft speed, or thrust, that carries her straight ahead at that speed [m/s]."
+      " What of her effects drags on her all the time, on every heading, is carried, too."
       "\n\nship: of any nonlinear model. speed: the service speed unless given. Raises Refusal if she cannot propel "
       "herself at it.");
 }

@@ -4467,7 +4467,7 @@ def selected(points: List[CaptivePoint], selection: CaptiveSelection) -> List[Ca
     points: of `read_captive`. selection: a CaptiveSelection."""
 
 def self_propulsion(ship: Ship, speed: Optional[float] = ...) -> Controls:
-    """Rudder amidships and the shaft speed, or thrust, that carries her straight ahead at that speed [m/s].
+    """Rudder amidships and the shaft speed, or thrust, that carries her straight ahead at that speed [m/s]. What of her effects drags on her all the time, on every heading, is carried, too.
     
     ship: of any nonlinear model. speed: the service speed unless given. Raises Refusal if she cannot propel herself at it."""
 

@@ -585,6 +585,37 @@ TEST_CASE("a heeling ship in a long turn comes to the steady motion of her effec
   CHECK(turn.run[Channel::phi].back() > 0.0);
 }
 
+TEMPLATE_TEST_CASE("what drags on a ship all the time is carried by her propulsion", "[nonlinear][second-route]",
+                   MmgShip<double>, PiShip<double>, PuShip<double>) {
+  const auto model = sailing_ship<TestType>();
+  Ship bare;
+  bare.model = model;
+  const double L = model.particulars.L;
+  RandomModels random(79);
+  for (int i = 0; i < 20; ++i) {
+    const double U = random.uniform(0.5, 1.0) * model.particulars.U_0;
+    const UnknownForce<double> weed{.drag = random.uniform(1e-4, 1e-3), .drag_y = random.uniform(-0.1, 0.1) * L};
+    const auto ship = with_effect(bare, weed);
+    const auto carried = self_propulsion(ship, U), alone = self_propulsion(bare, U);
+    const auto a = force_breakdown(ship, {0.0, 0.0, 0.0, {U, 0.0, 0.0}}, carried).acceleration;
+    CHECK_THAT(a.u, WithinAbs(0.0, 1e-13 * U * U / L));
+    CHECK(carried.rev + carried.thrust.port > alone.rev + alone.thrust.port);
+    CHECK(propulsion(ship, U, {}, {}).rev == carried.rev);
+    CHECK(propulsion(ship, U, {}, {}).thrust.port == carried.thrust.port);
+    if constexpr (std::is_same_v<TestType, MmgShip<double>>) {
+      const double increase = weed.drag * L / (model.particulars.d * model.hull.R_0);
+      CHECK_THAT(self_propulsion(with_effect(bare, AddedResistance<>{increase}), U).rev, WithinRel(carried.rev, 1e-13));
+    }
+    // a tug, or what goes with the heading, finds her propulsion as it was
+    for (const auto& other : {UnknownForce<double>{.X_0 = -1e-3, .onset = 10.0, .end = 60.0},
+                              UnknownForce<double>{.X_cos = -1e-3}, UnknownForce<double>{.Y_0 = 1e-3, .N_0 = 1e-4}}) {
+      const auto beside = self_propulsion(with_effect(bare, other), U);
+      CHECK(beside.rev == alone.rev);
+      CHECK(beside.thrust.port == alone.thrust.port);
+    }
+  }
+}
+
 TEST_CASE("the parts of a linearized ship with effects add up to differences of her acceleration",
           "[nonlinear][second-route]") {
   const auto ship =

@@ -1,5 +1,7 @@
 #include "manoeuvre_run.hpp"
 
+#include "../steady/acting_propulsion.hpp"
+
 #include <algorithm>
 #include <array>
 #include <span>
@@ -30,15 +32,32 @@ void fill_motion(Recording& run, const std::vector<Sample>& samples, const Curre
 
 }  // namespace
 
-template <class Model>
-Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest) {
+namespace {
+
+/// @param propulsion(speed)  at the approach speed
+template <class Model, class Propulsion>
+Plan plan_of(const Model& ship, const ManoeuvreOptions& options, double longest, Propulsion&& propulsion) {
   const double speed = require_positive(options.speed.value_or(ship.particulars.U_0), "approach speed [m/s]");
   const double time_unit = ship.particulars.L / speed;
   const double end = require_positive(options.duration.value_or(longest * time_unit), "duration [s]");
   const double step = require_positive(options.step.value_or(round_down(0.02 * time_unit)), "step [s]");
-  const auto controls = propulsion(ship, speed, options.rev, options.thrust);
+  const auto controls = propulsion(speed);
   require_valid({speed, 0.0, 0.0}, controls, ship.particulars.L);
   return {speed, controls, end, options.sampled ? sample_times(step, end) : std::vector<double>{}};
+}
+
+}  // namespace
+
+template <class Model>
+Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest) {
+  return plan_of(ship, options, longest,
+                 [&](double speed) { return propulsion(ship, speed, options.rev, options.thrust); });
+}
+
+template <class Model>
+Plan plan(const ActingShip<Model>& ship, const ManoeuvreOptions& options, double longest) {
+  return plan_of(ship.model, options, longest,
+                 [&](double speed) { return acting_propulsion(ship, speed, options.rev, options.thrust); });
 }
 
 std::optional<double> way_made(const std::vector<Sample>& samples, const Sample& last, double until) {
@@ -79,9 +98,13 @@ Recording recording_of(const std::vector<Sample>& samples, const ActingShip<Mode
 }
 
 template Plan plan(const MmgShip<double>&, const ManoeuvreOptions&, double);
+template Plan plan(const ActingShip<MmgShip<double>>&, const ManoeuvreOptions&, double);
 template Plan plan(const PiShip<double>&, const ManoeuvreOptions&, double);
+template Plan plan(const ActingShip<PiShip<double>>&, const ManoeuvreOptions&, double);
 template Plan plan(const PuShip<double>&, const ManoeuvreOptions&, double);
+template Plan plan(const ActingShip<PuShip<double>>&, const ManoeuvreOptions&, double);
 template Plan plan(const AbkowitzShip<double>&, const ManoeuvreOptions&, double);
+template Plan plan(const ActingShip<AbkowitzShip<double>>&, const ManoeuvreOptions&, double);
 template Recording recording_of(const std::vector<Sample>&, const ActingShip<MmgShip<double>>&);
 template Recording recording_of(const std::vector<Sample>&, const ActingShip<PiShip<double>>&);
 template Recording recording_of(const std::vector<Sample>&, const ActingShip<PuShip<double>>&);

@@ -34,6 +34,8 @@ struct Plan {
 /// @param longest  duration in ship lengths at approach speed, unless the options give one
 template <class Model>
 Plan plan(const Model& ship, const ManoeuvreOptions& options, double longest);
+template <class Model>
+Plan plan(const ActingShip<Model>& ship, const ManoeuvreOptions& options, double longest);
 
 /// Samples for which room is made at once, 2 MB. Only what is written takes memory; a list that grows would be moved
 /// again and again, and glibc would give its pages back to the system after each manoeuvre and take them anew for the
@@ -63,9 +65,13 @@ template <class Model>
 Recording recording_of(const std::vector<Sample>& samples, const ActingShip<Model>& acting);
 
 extern template Plan plan(const MmgShip<double>&, const ManoeuvreOptions&, double);
+extern template Plan plan(const ActingShip<MmgShip<double>>&, const ManoeuvreOptions&, double);
 extern template Plan plan(const PiShip<double>&, const ManoeuvreOptions&, double);
+extern template Plan plan(const ActingShip<PiShip<double>>&, const ManoeuvreOptions&, double);
 extern template Plan plan(const PuShip<double>&, const ManoeuvreOptions&, double);
+extern template Plan plan(const ActingShip<PuShip<double>>&, const ManoeuvreOptions&, double);
 extern template Plan plan(const AbkowitzShip<double>&, const ManoeuvreOptions&, double);
+extern template Plan plan(const ActingShip<AbkowitzShip<double>>&, const ManoeuvreOptions&, double);
 extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<MmgShip<double>>&);
 extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<PiShip<double>>&);
 extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<PuShip<double>>&);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "../steady/acting_propulsion.hpp"
 #include "manoeuvre_run.hpp"
 #include "settle.hpp"
 #include "swayaw/linear/indices.hpp"
@@ -59,7 +60,7 @@ PullOutSide run_pull_out(const Ship& ship, const ActingShip<Model>& acting, cons
   ManoeuvreOptions whole = options;
   whole.duration.reset();
   whole.sampled = true;
-  const Plan planned = plan(model, whole, 2.0 * settling.longest);
+  const Plan planned = plan(acting, whole, 2.0 * settling.longest);
   const double U = planned.speed;
   const auto& propulsion = planned.propulsion;
   const auto& times = planned.times;
@@ -97,7 +98,7 @@ PullOut pull_out(const Ship& ship, const PullOutOrder& order, const ManoeuvreOpt
     const double speed = options.speed.value_or(model.particulars.U_0);
     return PullOut{.sides = {from(Side::port), from(Side::starboard)},
                    .approach_speed = speed,
-                   .propulsion = propulsion(model, speed, options.rev, options.thrust)};
+                   .propulsion = acting_propulsion(acting, speed, options.rev, options.thrust)};
   };
   return visit_acting(ship, both);
 }

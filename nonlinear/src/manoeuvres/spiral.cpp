@@ -44,7 +44,7 @@ Spiral run_spiral(const ActingShip<Model>& acting, const SpiralOrder& order, con
   ManoeuvreOptions whole = options;
   whole.duration.reset();
   if (!whole.step) whole.step = round_down(0.2 * model.particulars.L / options.speed.value_or(model.particulars.U_0));
-  const Plan planned = plan(model, whole, order.settling.longest * 2.0 * static_cast<double>(angles.size()));
+  const Plan planned = plan(acting, whole, order.settling.longest * 2.0 * static_cast<double>(angles.size()));
   const double U = planned.speed;
   const auto& propulsion = planned.propulsion;
   const auto& times = planned.times;

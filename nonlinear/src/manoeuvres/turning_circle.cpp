@@ -44,7 +44,7 @@ void measure_steady_turn(const Ship& ship, TurningCircle& circle, const Sample& 
 template <class Model>
 TurningCircle run_circle(const Ship& ship, const ActingShip<Model>& acting, const TurnOrder& order,
                          const ManoeuvreOptions& options) {
-  const Plan planned = plan(acting.model, options, 100.0);
+  const Plan planned = plan(acting, options, 100.0);
   const auto made = approaching(acting, planned, options);
   ShipStepper& stepper = *made;
   stepper.order(rudder_sign(order.side) * order.rudder);

@@ -32,7 +32,7 @@ void give_orders(ShipStepper& stepper, WilliamsonTurn& result, const WilliamsonO
 template <class Model>
 WilliamsonTurn run_williamson(const ActingShip<Model>& acting, const WilliamsonOrder& order,
                               const ManoeuvreOptions& options) {
-  const Plan planned = plan(acting.model, options, 100.0);
+  const Plan planned = plan(acting, options, 100.0);
   const auto made = approaching(acting, planned, options);
   ShipStepper& stepper = *made;
   WilliamsonTurn result{.shifted = {},

@@ -17,7 +17,7 @@ bool reverse(ShipStepper& stepper, Zigzag& zigzag, const ZigzagOrder& order, dou
 
 template <class Model>
 Zigzag run_zigzag(const ActingShip<Model>& acting, const ZigzagOrder& order, const ManoeuvreOptions& options) {
-  const Plan planned = plan(acting.model, options, 200.0);
+  const Plan planned = plan(acting, options, 200.0);
   const auto made = approaching(acting, planned, options);
   ShipStepper& stepper = *made;
   stepper.order(rudder_sign(order.first) * order.rudder);

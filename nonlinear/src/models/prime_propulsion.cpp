@@ -18,11 +18,11 @@ Controls<S> controls_at(const Ship& ship, const S& drive) {
   return {.delta = S(0.0), .thrust = {half, half}, .by_thrust = true};
 }
 
-/// Without drag of the rudders, T = −X_H/(1 − t), and a shaft speed near it.
+/// Without drag of the rudders, T = −(X_H + push)/(1 − t), and a shaft speed near it.
 template <PrimeShip Ship>
-double first_guess(const Ship& ship, const PlanarMotion<double>& ahead) {
+double first_guess(const Ship& ship, const PlanarMotion<double>& ahead, double push) {
   const auto& p = ship.propeller;
-  const double T = -hull_force(ship, ahead).X / (1.0 - p.t_P);
+  const double T = -(hull_force(ship, ahead).X + push) / (1.0 - p.t_P);
   if (!takes_shaft_speed(ship)) return T;
   // k_0 (nD)² + k_1 V_A nD + k_2 V_A² = T/(ρD²), T of one propeller; the larger root
   const double V_A = ahead.u * (1.0 - p.w_f), half = 0.5 * p.k_1 * V_A;
@@ -32,14 +32,14 @@ double first_guess(const Ship& ship, const PlanarMotion<double>& ahead) {
 
 /// Newton's method with the exact derivative.
 template <template <class> class Model>
-Controls<double> balanced(const Model<double>& model, double speed) {
+Controls<double> balanced(const Model<double>& model, double speed, double push) {
   using D = Dual<1>;
   require_positive(speed, "speed [m/s]");
   const auto ship = cast<D>(model);
   const PlanarMotion<D> ahead{D(speed), D(0.0), D(0.0)};
-  double drive = first_guess(model, {speed, 0.0, 0.0});
+  double drive = first_guess(model, {speed, 0.0, 0.0}, push);
   for (int i = 0; i < 30 && drive > 0.0; ++i) {
-    const D X = forces(ship, ahead, controls_at(model, D(drive, 0))).total().X;
+    const D X = forces(ship, ahead, controls_at(model, D(drive, 0))).total().X + push;
     const double change = X.a / X.v[0];
     drive -= change;
     if (std::abs(change) <= 1e-15 * std::abs(drive)) return controls_at(model, drive);
@@ -49,7 +49,11 @@ Controls<double> balanced(const Model<double>& model, double speed) {
 
 }  // namespace
 
-Controls<double> self_propulsion(const PiShip<double>& ship, double speed) { return balanced(ship, speed); }
-Controls<double> self_propulsion(const PuShip<double>& ship, double speed) { return balanced(ship, speed); }
+Controls<double> self_propulsion(const PiShip<double>& ship, double speed, double push) {
+  return balanced(ship, speed, push);
+}
+Controls<double> self_propulsion(const PuShip<double>& ship, double speed, double push) {
+  return balanced(ship, speed, push);
+}
 
 }  // namespace swayaw::nonlinear

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "acting_propulsion.hpp"
 #include "small_matrices.hpp"
 #include "steady_balance.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -35,11 +36,11 @@ std::optional<SteadyMotion> newton(const SteadyEquations& equations, double delt
 
 }  // namespace
 
-double self_propulsion_rev(const MmgShip<double>& ship, double speed) {
+double self_propulsion_rev(const MmgShip<double>& ship, double speed, double push) {
   require_positive(speed, "speed [m/s]");
   const auto& p = ship.propeller;
   const double resistance =
-      0.5 * ship.water.rho * ship.particulars.L * ship.particulars.d * speed * speed * ship.hull.R_0;
+      0.5 * ship.water.rho * ship.particulars.L * ship.particulars.d * speed * speed * ship.hull.R_0 - push;
   const double u_P = (1.0 - p.w_P0) * speed;
   const double needed = resistance / ((1.0 - p.t_P) * ship.water.rho * p.D * p.D);  // k_0 (nD)² + k_1 u_P nD + k_2 u_P²
   const double half = 0.5 * p.k_1 * u_P;
@@ -50,12 +51,12 @@ double self_propulsion_rev(const MmgShip<double>& ship, double speed) {
   return (-half + std::sqrt(discriminant)) / (p.k_0 * p.D);
 }
 
-Controls<double> self_propulsion(const MmgShip<double>& ship, double speed) {
-  return {.delta = 0.0, .rev = self_propulsion_rev(ship, speed)};
+Controls<double> self_propulsion(const MmgShip<double>& ship, double speed, double push) {
+  return {.delta = 0.0, .rev = self_propulsion_rev(ship, speed, push)};
 }
 
 /// The polynomial holds the propulsion of its own speed and knows no other.
-Controls<double> self_propulsion(const AbkowitzShip<double>& ship, double speed) {
+Controls<double> self_propulsion(const AbkowitzShip<double>& ship, double speed, double) {
   require_positive(speed, "speed [m/s]");
   const double U_0 = ship.particulars.U_0;
   if (std::abs(speed - U_0) <= 1e-6 * U_0) return {.delta = 0.0};
@@ -64,7 +65,7 @@ Controls<double> self_propulsion(const AbkowitzShip<double>& ship, double speed)
 }
 
 Controls<double> self_propulsion(const Ship& ship, double speed) {
-  return visit_acting(ship, [&](const auto& acting) { return self_propulsion(acting.model, speed); });
+  return visit_acting(ship, [&](const auto& acting) { return acting_propulsion(acting, speed); });
 }
 
 bool takes_shaft_speed(const MmgShip<double>&) { return true; }
@@ -93,9 +94,31 @@ Controls<double> propulsion(const ShipModel& model, double speed, const std::opt
 
 Controls<double> propulsion(const Ship& ship, double speed, const std::optional<double>& rev,
                             const std::optional<double>& thrust) {
-  return visit_acting(ship,
-                      [&](const auto& acting) { return propulsion(ShipModel(acting.model), speed, rev, thrust); });
+  return visit_acting(ship, [&](const auto& acting) { return acting_propulsion(acting, speed, rev, thrust); });
 }
+
+template <class Model>
+Controls<double> detail::acting_propulsion(const ActingShip<Model>& acting, double speed,
+                                           const std::optional<double>& rev, const std::optional<double>& thrust) {
+  const auto alone = propulsion(ShipModel(acting.model), speed, rev, thrust);
+  if (rev || thrust) return alone;
+  auto lasting = without_heading(acting.added);
+  for_each_acting(acting.added, [&](auto i, const auto& e) {
+    if (!never_steady(e).empty()) lasting.acting &= ~(std::uint32_t{1} << i.value);
+  });
+  const ShipState<double> ahead{0.0, 0.0, 0.0, {speed, 0.0, 0.0}};
+  const double push = added_force(acting.model, lasting, ahead, Hidden<double>{}, alone).X;
+  return push == 0.0 ? alone : self_propulsion(acting.model, speed, push);
+}
+
+template Controls<double> detail::acting_propulsion(const ActingShip<MmgShip<double>>&, double,
+                                                    const std::optional<double>&, const std::optional<double>&);
+template Controls<double> detail::acting_propulsion(const ActingShip<PiShip<double>>&, double,
+                                                    const std::optional<double>&, const std::optional<double>&);
+template Controls<double> detail::acting_propulsion(const ActingShip<PuShip<double>>&, double,
+                                                    const std::optional<double>&, const std::optional<double>&);
+template Controls<double> detail::acting_propulsion(const ActingShip<AbkowitzShip<double>>&, double,
+                                                    const std::optional<double>&, const std::optional<double>&);
 
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,
                                           const PlanarMotion<double>& guess) {

@@ -10,17 +10,22 @@ namespace swayaw::inline nonlinear {
 
 /// Shaft speed at which thrust carries the ship straight ahead at that speed [1/s].
 ///
-///     (1 − t_P) ρ D² (k_0 n²D² + k_1 nD u_P + k_2 u_P²) = ½ρLdU² R_0',   u_P = (1 − w_P0) U
+///     (1 − t_P) ρ D² (k_0 n²D² + k_1 nD u_P + k_2 u_P²) = ½ρLdU² R_0' − push,   u_P = (1 − w_P0) U
 ///
+/// @param push  of whatever else acts on her, positive ahead [N]
 /// @throws std::domain_error  if the speed is not positive
 /// @throws Refusal            if no shaft speed balances the resistance
-double self_propulsion_rev(const MmgShip<double>& ship, double speed);
+double self_propulsion_rev(const MmgShip<double>& ship, double speed, double push = 0.0);
 
 /// Rudder amidships and what carries the ship straight ahead at that speed: a shaft speed, or for a model that knows
 /// only thrust, a thrust.
+/// @param push  as above; the polynomial of an Abkowitz ship holds its own propulsion, whatever else acts
 /// @throws as self_propulsion_rev does
-Controls<double> self_propulsion(const MmgShip<double>& ship, double speed);
-Controls<double> self_propulsion(const AbkowitzShip<double>& ship, double speed);
+Controls<double> self_propulsion(const MmgShip<double>& ship, double speed, double push = 0.0);
+Controls<double> self_propulsion(const AbkowitzShip<double>& ship, double speed, double push = 0.0);
+
+/// The same for a ship with her effects: what hangs on her and drags, all the time and on every heading, is carried
+/// too.
 Controls<double> self_propulsion(const Ship& ship, double speed);
 
 /// Whether the model computes its thrust from the shaft speed.

@@ -12,8 +12,8 @@ namespace swayaw::inline nonlinear {
 ///
 /// @throws std::domain_error  if the speed is not positive
 /// @throws Refusal            if nothing balances the resistance
-Controls<double> self_propulsion(const PiShip<double>& ship, double speed);
-Controls<double> self_propulsion(const PuShip<double>& ship, double speed);
+Controls<double> self_propulsion(const PiShip<double>& ship, double speed, double push = 0.0);
+Controls<double> self_propulsion(const PuShip<double>& ship, double speed, double push = 0.0);
 
 /// Whether the propeller has an open-water curve.
 inline bool takes_shaft_speed(const PiShip<double>& ship) { return ship.propeller.has_open_water_curve(); }
