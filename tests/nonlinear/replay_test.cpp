@@ -2,11 +2,13 @@
 
 #include <catch.hpp>
 
+#include "random_effects.hpp"
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
+#include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw {
@@ -338,6 +340,42 @@ TEST_CASE("states at several times are those at each", "[nonlinear][second-route
   auto longer = run;
   std::ranges::fill(longer.fill(Channel::speed_through_water).subspan(300), missing);
   CHECK(RecordedControls(ship, longer).constant().rev == self_propulsion(ship, U).rev);
+}
+
+TEST_CASE("without a shaft speed a run begins settled in wind and waves", "[nonlinear][second-route]") {
+  const auto bare = test::with_areas(test::mmg(test::kvlcc2_l7()));
+  const double U = service_speed(bare), L = length(bare);
+  auto run = without(zigzag_run(bare, 0.1), {Channel::rev, Channel::thrust});
+  const double turned = GENERATE(-2.0, 0.0, 0.7, 3.0);
+  for (double& psi : run.channels[index_of(Channel::psi)]) psi += turned;
+  const auto calm = RecordedControls(bare, run).constant();
+  CHECK_THAT(calm.rev, WithinRel(self_propulsion(bare, U).rev, 1e-6));
+  for (const Effect& effect : {Effect(SteadyWind<>{5.0 * U, 0.5}), Effect(WaveDrift<>{.from = 0.5, .force = 2.0}),
+                               Effect(UnknownForce<>{.drag = 5e-4}), Effect(UnknownForce<>{.X_cos = -5e-4})}) {
+    INFO(id_of(effect) << " " << turned);
+    const auto ship = with_effect(bare, effect);
+    const auto controls = RecordedControls(ship, run).constant();
+    CHECK(std::abs(controls.rev - calm.rev) > 1e-4 * calm.rev);
+    const auto a = force_breakdown(ship, {0.0, 0.0, turned, {U, 0.0, 0.0}}, with_rudder(controls, 0.0)).acceleration;
+    CHECK_THAT(a.u, WithinAbs(0.0, 1e-6 * U * U / L));
+  }
+  // what comes later finds her as she was
+  for (const Effect& effect : {Effect(UnknownForce<>{.X_0 = -1e-3, .onset = 10.0, .end = 60.0}),
+                               Effect(Gust<>{.speed = 5.0, .onset = 20.0, .end = 40.0})})
+    CHECK(RecordedControls(with_effect(bare, effect), run).constant().rev == calm.rev);
+}
+
+TEST_CASE("without a shaft speed an engine that slows is set to what it slows from", "[nonlinear][second-route]") {
+  const Ship bare = test::kvlcc2_l7();
+  const double slow = 0.8 * service_speed(bare);
+  const auto run = without(
+      zigzag(bare, {.rudder = radians(10), .heading = radians(10)}, {.speed = slow, .duration = 60.0, .step = 0.1}).run,
+      {Channel::rev, Channel::thrust});
+  const auto tired = with_effect(bare, ShaftSpeedDrop<>{0.3});
+  const auto controls = RecordedControls(tired, run).constant();
+  CHECK_THAT(controls.rev * (1.0 - 0.3 * 0.2), WithinRel(self_propulsion(bare, slow).rev, 1e-6));
+  const auto a = force_breakdown(tired, {0.0, 0.0, 0.0, {slow, 0.0, 0.0}}, controls).acceleration;
+  CHECK_THAT(a.u, WithinAbs(0.0, 1e-6 * slow * slow / length(bare)));
 }
 
 TEST_CASE("what carries another ship from the start of a run is what her own controls have",

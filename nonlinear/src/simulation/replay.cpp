@@ -6,6 +6,7 @@
 #include "../instruments/local_fit.hpp"
 #include "../instruments/track_velocity.hpp"
 #include "../manoeuvres/manoeuvre_run.hpp"
+#include "../steady/acting_propulsion.hpp"
 #include "swayaw/core/detail/over_ground.hpp"
 #include "swayaw/nonlinear/effects/acting_in_wind.hpp"
 #include "swayaw/nonlinear/models/validity.hpp"
@@ -299,8 +300,15 @@ bool RecordedControls::Start::is_of(const Ship& ship, double begin) const {
 }
 
 Controls<double> RecordedControls::propulsion_of(const Ship& ship, const Recording& run) const {
-  const bool known = start_ && start_->is_of(ship, run.time.front());
-  return self_propulsion(in_depth(ship, depth_).value_or(ship), known ? start_->speed : Start(ship, run).speed);
+  const double begin = run.time.front();
+  const bool known = start_ && start_->is_of(ship, begin);
+  const double speed = known ? start_->speed : Start(ship, run).speed;
+  const auto headings = run[Channel::psi];
+  const auto first = std::ranges::find_if(headings, [](double psi) { return !std::isnan(psi); });
+  const double psi = first == headings.end() ? 0.0 : *first - instruments_of(ship)[Channel::psi].bias;
+  return visit_acting(in_depth(ship, depth_).value_or(ship), [&](const auto& acting) {
+    return settled_propulsion(in_wind(acting, wind_).at(begin), speed, psi);
+  });
 }
 
 std::optional<double> RecordedControls::shaft_astern(double from, double to) const {

@@ -111,6 +111,23 @@ Controls<double> detail::acting_propulsion(const ActingShip<Model>& acting, doub
   return push == 0.0 ? alone : self_propulsion(acting.model, speed, push);
 }
 
+template <class Model>
+Controls<double> detail::settled_propulsion(const ActingShip<Model>& acting, double speed, double psi) {
+  const auto alone = acting_propulsion(acting, speed);
+  const ShipState<double> ahead{0.0, 0.0, psi, {speed, 0.0, 0.0}};
+  double push = added_force(acting.model, acting.added, ahead, Hidden<double>{}, alone).X;
+  if (acting.surroundings.windy) push += wind_load(acting.surroundings, ahead).X;
+  auto carrying = alone;
+  if (push != 0.0) try {
+      carrying = self_propulsion(acting.model, speed, push);
+    } catch (const Refusal&) {  // no thrust is as small
+    }
+  // an engine that slows at that speed is set to what it slows from
+  const double kept = driven(acting.added, ahead.motion, Controls<double>{.delta = 0.0, .rev = 1.0}).rev;
+  if (kept > 0.0) carrying.rev /= kept;
+  return carrying;
+}
+
 template Controls<double> detail::acting_propulsion(const ActingShip<MmgShip<double>>&, double,
                                                     const std::optional<double>&, const std::optional<double>&);
 template Controls<double> detail::acting_propulsion(const ActingShip<PiShip<double>>&, double,
@@ -119,6 +136,10 @@ template Controls<double> detail::acting_propulsion(const ActingShip<PuShip<doub
                                                     const std::optional<double>&, const std::optional<double>&);
 template Controls<double> detail::acting_propulsion(const ActingShip<AbkowitzShip<double>>&, double,
                                                     const std::optional<double>&, const std::optional<double>&);
+template Controls<double> detail::settled_propulsion(const ActingShip<MmgShip<double>>&, double, double);
+template Controls<double> detail::settled_propulsion(const ActingShip<PiShip<double>>&, double, double);
+template Controls<double> detail::settled_propulsion(const ActingShip<PuShip<double>>&, double, double);
+template Controls<double> detail::settled_propulsion(const ActingShip<AbkowitzShip<double>>&, double, double);
 
 std::optional<SteadyMotion> steady_motion(const Ship& ship, const Controls<double>& controls,
                                           const PlanarMotion<double>& guess) {

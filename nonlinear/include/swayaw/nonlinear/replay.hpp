@@ -73,7 +73,8 @@ class RecordedControls {
   /// When the recorded shaft turns astern first between two times, if it does.
   std::optional<double> shaft_astern(double from, double to) const;
 
-  /// What carries a ship at the speed with which the run starts, where nothing else tells her propulsion.
+  /// What carries a ship at the speed with which the run starts, where nothing else tells her propulsion. The run is
+  /// taken to begin settled: all that acts on her then is carried, wind and waves, too.
   /// @param run  that the controls are of
   Controls<double> propulsion_of(const Ship& ship, const Recording& run) const;
 
