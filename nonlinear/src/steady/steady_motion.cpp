@@ -113,15 +113,16 @@ Controls<double> detail::acting_propulsion(const ActingShip<Model>& acting, doub
 
 template <class Model>
 Controls<double> detail::settled_propulsion(const ActingShip<Model>& acting, double speed, double psi) {
-  const auto alone = acting_propulsion(acting, speed);
+  const auto calm = self_propulsion(acting.model, speed);
   const ShipState<double> ahead{0.0, 0.0, psi, {speed, 0.0, 0.0}};
-  double push = added_force(acting.model, acting.added, ahead, Hidden<double>{}, alone).X;
+  double push = added_force(acting.model, acting.added, ahead, Hidden<double>{}, calm).X;
   if (acting.surroundings.windy) push += wind_load(acting.surroundings, ahead).X;
-  auto carrying = alone;
-  if (push != 0.0) try {
-      carrying = self_propulsion(acting.model, speed, push);
-    } catch (const Refusal&) {  // no thrust is as small
-    }
+  auto carrying = calm;
+  try {
+    if (push != 0.0) carrying = self_propulsion(acting.model, speed, push);
+  } catch (const Refusal&) {  // no thrust is as small
+    carrying = acting_propulsion(acting, speed);
+  }
   // an engine that slows at that speed is set to what it slows from
   const double kept = driven(acting.added, ahead.motion, Controls<double>{.delta = 0.0, .rev = 1.0}).rev;
   if (kept > 0.0) carrying.rev /= kept;

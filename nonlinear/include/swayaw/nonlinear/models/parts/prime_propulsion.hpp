@@ -8,8 +8,9 @@ namespace swayaw::inline nonlinear {
 /// Rudder amidships and what carries the ship straight ahead at that speed: the shaft speed where the propeller has an
 /// open-water curve, else the thrust, equal on both sides.
 ///
-///     X_H + X_R + (1 − t) T = 0   at v = r = delta = 0; the drag X_R of the rudders depends on the thrust
+///     X_H + X_R + (1 − t) T + push = 0   at v = r = delta = 0; the drag X_R of the rudders depends on the thrust
 ///
+/// @param push  of whatever else acts on her, positive ahead [N]
 /// @throws std::domain_error  if the speed is not positive
 /// @throws Refusal            if nothing balances the resistance
 Controls<double> self_propulsion(const PiShip<double>& ship, double speed, double push = 0.0);
