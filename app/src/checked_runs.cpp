@@ -4,7 +4,7 @@
 #include <string>
 
 #include "input.hpp"
-#include "measured_surroundings.hpp"
+#include "recorded_inputs.hpp"
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
 #include "terminal.hpp"

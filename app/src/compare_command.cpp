@@ -1,13 +1,14 @@
 #include "swayaw/mismatch/compare.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "checked_runs.hpp"
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
-#include "measured_surroundings.hpp"
 #include "page_writing.hpp"
+#include "recorded_inputs.hpp"
 #include "sentences.hpp"
 #include "swayaw/app/report.hpp"
 #include "swayaw/core/angle.hpp"
@@ -134,8 +135,15 @@ double leading_error(const Comparison& c) {
   return (yaw == c.errors.end() ? c.errors.front() : *yaw).normalised();
 }
 
+/// What drives the simulation of a run, in words.
+std::string drivers_of(const Ship& ship, const CompareArguments& a, const Recording& run) {
+  return shaft_named(a.shaft) == Shaft::recorded ? drivers(ship, run)
+                                                 : "the recorded rudder and her own self-propulsion";
+}
+
 /// Heading and track of the run in which the ship is furthest off, recorded and simulated.
-PagePicture picture_of_worst(const Ship& ship, const Comparison& c, const UserUnits& units) {
+/// @param by  what drove the simulation, in words
+PagePicture picture_of_worst(const Ship& ship, const Comparison& c, const std::string& by, const UserUnits& units) {
   const Stroke recorded{.colour = ink::heading, .width = 2.4},
       simulated{.colour = ink::yaw, .width = 2.0, .dashed = true};
   Plot plot{.title = c.recorded.name, .panels = {}};
@@ -155,7 +163,7 @@ PagePicture picture_of_worst(const Ship& ship, const Comparison& c, const UserUn
       fmt::format("Recorded and simulated heading over time and track of {}. Simulated from start to end "
                   "the {} errs by {}.",
                   c.recorded.name, in_words(name_of(e.quantity)), units_of(e.quantity, e.open_loop_rms, units)),
-      "Simulated from the recorded start to the end with the recorded rudder and shaft speed, never restarted.", units);
+      fmt::format("Simulated from the recorded start to the end with {}, never restarted.", by), units);
 }
 
 PageTable errors_table(const std::vector<Comparison>& comparisons, double window) {
@@ -200,11 +208,16 @@ std::string place_words(const Comparison& c, const UserUnits& units) {
   return words;
 }
 
-std::vector<std::string> assumed_of(const CompareArguments& a, const std::vector<Comparison>& comparisons) {
-  std::vector<std::string> lines{fmt::format("Ship file {}.", a.ship.string()),
-                                 fmt::format("The recorded rudder and {} drive the simulation.",
-                                             a.shaft == "recorded" ? "shaft speed or thrust, where they were recorded,"
-                                                                   : "her own self-propulsion")};
+/// Names of runs in a sentence.
+constexpr std::size_t most_runs_named = 4;
+
+std::vector<std::string> assumed_of(const Ship& ship, const CompareArguments& a,
+                                    const std::vector<Comparison>& comparisons) {
+  std::vector<std::string> lines{fmt::format("Ship file {}.", a.ship.string())};
+  std::map<std::string, std::vector<std::string>> runs_by_drivers;
+  for (const auto& c : comparisons) runs_by_drivers[drivers_of(ship, a, c.recorded)].push_back(c.recorded.name);
+  for (const auto& [by, runs] : runs_by_drivers)
+    lines.push_back(fmt::format("Simulated with {}: {}.", by, listed(runs, most_runs_named)));
   const auto any = [&](Channel channel) {
     return std::ranges::any_of(comparisons, [&](const Comparison& c) { return c.recorded.has(channel); });
   };
@@ -227,9 +240,9 @@ Page first_screen(const Ship& ship, const CompareArguments& a, const std::vector
                       {"Where is it worst?", place_words(worst, units)},
                       {"Why, and what next?",
                        "swayaw diagnose, with the same ship and runs, says what the model leaves out"}},
-          .picture = picture_of_worst(ship, worst, units),
+          .picture = picture_of_worst(ship, worst, drivers_of(ship, a, worst.recorded), units),
           .table = errors_table(comparisons, a.window_lengths),
-          .assumed = assumed_of(a, comparisons)};
+          .assumed = assumed_of(ship, a, comparisons)};
 }
 
 void write_report(const Json& document, const Ship& ship, const CompareArguments& a,
@@ -380,11 +393,9 @@ void compare(const CompareArguments& a) {
   auto runs = checked_runs(a.runs, a.reading);
   for (auto& run : runs) run = with_way_ahead(ship, std::move(run));
   tell_in_vain(ship, runs);
+  if (options.replay.shaft == Shaft::recorded) tell_propulsion(ship, runs);
   std::vector<Comparison> comparisons;
-  for (const auto& run : runs) {
-    tell_shaft(run, options.replay.shaft);
-    comparisons.push_back(swayaw::compare(ship, run, options));
-  }
+  for (const auto& run : runs) comparisons.push_back(swayaw::compare(ship, run, options));
   const Json document = document_of(ship, a, comparisons);
   if (a.report.wanted()) write_report(document, ship, a, comparisons);
   if (a.json) print_document(document);

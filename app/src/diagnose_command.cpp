@@ -6,8 +6,8 @@
 #include "effect_words.hpp"
 #include "input.hpp"
 #include "json.hpp"
-#include "measured_surroundings.hpp"
 #include "progress.hpp"
+#include "recorded_inputs.hpp"
 #include "run_selection.hpp"
 #include "sentences.hpp"
 #include "swayaw/core/version.hpp"
@@ -173,6 +173,7 @@ Json document_of(const Diagnosis& d) {
           {"fit", {{"train", runs_json(d.train)}, {"holdout", runs_json(d.holdout)}}},
           {"next_manoeuvre", advice_json(d.next)},
           {"detectable", detectable_json(d.detectable)},
+          {"assumed", d.assumed},
           {"set_aside", Json::array()},
           {"not_written", Json::array()},
           {"troubles", d.troubles}};
@@ -292,7 +293,8 @@ void print_diagnosis(const Ship& ship, const Diagnosis& d, const Json& document,
   print_runs("runs used", d.train);
   print_runs("runs held out", d.holdout);
   for (const auto& line : document["not_written"]) say("{}\n", line.get<std::string>());
-  for (const auto& line : d.troubles) say("{}\n", line);
+  for (const auto* lines : {&d.assumed, &d.troubles})
+    for (const auto& line : *lines) say("{}\n", capital(line));
 }
 
 // ---------------------------------------------------------------- how long it takes
@@ -338,6 +340,7 @@ void diagnose(const DiagnoseArguments& a) {
              holdout = sailable(ship, checked_runs(a.holdout, a.reading), aside);
   for (const auto& some : {runs, reference, holdout}) tell_in_vain(ship, some);
   auto diagnosis = swayaw::diagnose(ship, runs, reference, holdout, options);
+  for (const auto& words : diagnosis.assumed) say_aside("swayaw: {}\n", words);
   for (const auto& trouble : diagnosis.troubles) say_aside("swayaw: {}\n", trouble);
   const auto kept = writable(diagnosis.improved, ship);
   std::vector<std::string> unsaved;

@@ -8,6 +8,7 @@
 
 #include "effect_words.hpp"
 #include "page_writing.hpp"
+#include "recorded_inputs.hpp"
 #include "rose.hpp"
 #include "sentences.hpp"
 #include "swayaw/core/angle.hpp"
@@ -313,8 +314,10 @@ std::optional<PagePicture> picture_of_proof(const Ship& ship, const Diagnosis& d
       std::move(plot),
       fmt::format("{} over time and track of {}: recorded, simulated by the model as given, and {}.",
                   yaw ? "Yaw rate" : "Heading", p->run, name),
-      "The run that gains most, simulated from the recorded start to the end with the recorded rudder and shaft "
-      "speed; the others are in the table and further down.",
+      fmt::format(
+          "The run that gains most, simulated from the recorded start to the end with {}; the others are in the "
+          "table and further down.",
+          drivers(ship, p->recorded)),
       units);
 }
 
@@ -328,6 +331,7 @@ std::vector<std::string> assumed_of(const Diagnosis& d, const DiagnoseArguments&
   lines.push_back(a.reading.ignored.wind                                 ? "The measured wind was left out, as asked."
                   : std::ranges::any_of(d.train_pictures, measured_wind) ? "The measured wind acts on the ship."
                                                                          : "No wind was measured in these runs.");
+  for (const auto& words : d.assumed) lines.push_back(capital(words) + ".");
   lines.push_back(a.reading.no_check ? "Instruments were not checked, as asked."
                                      : "Instruments were checked first; ordinary errors of them are allowed for.");
   for (const auto& i : d.instruments)

@@ -12,6 +12,7 @@
 #include "json.hpp"
 #include "page_writing.hpp"
 #include "progress.hpp"
+#include "recorded_inputs.hpp"
 #include "run_selection.hpp"
 #include "swayaw/core/run_remark.hpp"
 #include "swayaw/core/version.hpp"
@@ -147,6 +148,7 @@ void fleet(const FleetArguments& a) {
   require_folder(a.report.file);
   const Ship ship = load_nonlinear_ship(a.ship);
   auto recordings = checked_runs(a.runs, a.reading);
+  tell_propulsion(ship, recordings);
   std::vector<FleetRun> runs;
   std::vector<SetAside> aside;
   for (std::size_t i = 0; i < recordings.size(); ++i) {

@@ -9,9 +9,9 @@
 #include "identify_page.hpp"
 #include "input.hpp"
 #include "json.hpp"
-#include "measured_surroundings.hpp"
 #include "page_writing.hpp"
 #include "progress.hpp"
+#include "recorded_inputs.hpp"
 #include "run_selection.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/trajectory_fit.hpp"
@@ -73,7 +73,7 @@ Question question_of(const IdentifyArguments& a) {
   require_some(q.runs, q.aside);
   q.holdout = sailable(q.ship, std::move(q.holdout), q.aside);
   for (auto* runs : {&q.runs, &q.holdout}) {
-    tell_in_vain(q.ship, *runs);
+    tell_in_vain(q.ship, *runs), tell_propulsion(q.ship, *runs);
     for (auto& run : *runs) run = with_depth_in_coefficients(q.ship, std::move(run));
   }
   return q;

@@ -9,6 +9,7 @@
 #include "sentences.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/mismatch/compare.hpp"
+#include "swayaw/nonlinear/replay.hpp"
 #include "user_units.hpp"
 
 namespace swayaw::app {
@@ -234,6 +235,8 @@ std::vector<std::string> assumed_of(const Question& q, const IdentifyArguments& 
               : "Nothing is known of the coefficients beforehand.",
       a.reading.no_check ? "Instruments were not checked, as asked." : "Instruments were checked first (swayaw check).",
       "Standard errors hold if the model is right; what it lacks is not in them."};
+  for (const auto* runs : {&q.runs, &q.holdout})
+    if (const auto words = assumed_propulsion(q.ship, *runs); !words.empty()) lines.push_back(capital(words) + ".");
   for (const auto& [run, why] : q.aside) lines.push_back(fmt::format("Set aside: {}, {}.", run, why));
   return lines;
 }

@@ -110,13 +110,4 @@ inline Shaft shaft_named(std::string_view name) {
   return name == "recorded" ? Shaft::recorded : Shaft::self_propulsion;
 }
 
-/// Says once on stderr where the shaft speed comes from when the run does not tell it.
-inline void tell_shaft(const Recording& run, Shaft shaft) {
-  if (shaft == Shaft::recorded && !run.has(Channel::rev))
-    say_aside(
-        "swayaw: {}: no shaft speed recorded; the run is taken to begin settled, at the model's self-propulsion "
-        "point\n",
-        run.name);
-}
-
 }  // namespace swayaw::app

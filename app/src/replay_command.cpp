@@ -3,7 +3,7 @@
 #include "commands.hpp"
 #include "input.hpp"
 #include "json.hpp"
-#include "measured_surroundings.hpp"
+#include "recorded_inputs.hpp"
 #include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
 #include "terminal.hpp"
@@ -15,7 +15,7 @@ void replay(const ReplayArguments& a) {
   const Recording run = without(load_run(a.run, a.rudder_positive), a.ignored);
   tell_in_vain(ship, {&run, 1});
   const Shaft shaft = shaft_named(a.shaft);
-  tell_shaft(run, shaft);
+  if (shaft == Shaft::recorded) tell_propulsion(ship, {&run, 1});
   Recording simulated = swayaw::replay(ship, run, {.shaft = shaft});
   if (a.forces) add_forces(simulated, ship);
   write_recording(simulated, a.out);

@@ -38,6 +38,7 @@ void add_diagnosis_result(py::module_& m) {
       .field<&Diagnosis::detectable>("detectable", "Smallest sizes that these runs would have shown.")
       .field<&Diagnosis::train_pictures>("train_pictures", "If asked for.")
       .field<&Diagnosis::holdout_pictures>("holdout_pictures", "If asked for.")
+      .field<&Diagnosis::assumed>("assumed", "In place of what the runs do not tell, in words.")
       .field<&Diagnosis::troubles>("troubles", "Steps that failed, in words.");
 }
 

@@ -38,6 +38,16 @@ void add_replay(py::module_& m) {
       "at the recorded starting speed. Raises Refusal if the run does not tell rudder or speed."
       "\n\nship: who sails. run: a recording. shaft: \"recorded\" or \"self_propulsion\". tolerance: error of an "
       "integration step.");
+  m.def("tells_propulsion", &tells_propulsion, py::arg("ship"), py::arg("run"),
+        "Whether a run tells what propels the ship: her shaft speed, where her model takes one, or a thrust. The "
+        "polynomial of an Abkowitz ship holds her propulsion."
+        "\n\nship: who sails. run: a recording.");
+  m.def(
+      "assumed_propulsion",
+      [](const Ship& ship, const std::vector<Recording>& runs) { return assumed_propulsion(ship, runs); },
+      py::arg("ship"), py::arg("runs"),
+      "What is assumed of those runs that do not tell what propels her, in words; empty where all do."
+      "\n\nship: who sails. runs: recordings.");
   m.def("recorded_state", &recorded_state, py::arg("ship"), py::arg("run"), py::arg("time"), Unlocked(),
         "Recorded state of the ship through the water at a time [s]."
         "\n\nship: whose instruments and length count. run: a recording. time: within it. Raises Refusal if the run "

@@ -552,6 +552,9 @@ class Diagnosis:
     def as_form(self) -> List[str]:
         """Effects that an error in the form of her forces explains as well."""
     @property
+    def assumed(self) -> List[str]:
+        """In place of what the runs do not tell, in words."""
+    @property
     def budget(self) -> List[ForceBudget]:
         """Shares by what they follow."""
     @property
@@ -3933,6 +3936,11 @@ class ZigzagView:
     def loop_area(self) -> float:
         """∮ beta d(r') over one period; NaN without sway velocity."""
 
+def assumed_propulsion(ship: Ship, runs: List[Recording]) -> str:
+    """What is assumed of those runs that do not tell what propels her, in words; empty where all do.
+    
+    ship: who sails. runs: recordings."""
+
 def bandwidth(transfer: SwayYawTransfer, of: str) -> Optional[float]:
     """Frequency [radians per ship length] above which the gain stays below 1/√2 of the static one; None for the heading, a neutral ship and a gain of 0.
     
@@ -4552,6 +4560,11 @@ def t3_map(indices: SteeringIndices, rudder: float, heading: float, rate: float,
     """Loop measures of the limit cycle for every pair of T3b and T3w, the other indices held.
     
     indices: of the ship. rudder, heading [rad]; rate in rad per ship length. T3b, T3w: arrays of the map. threads: 0 for one on each core. Raises ValueError if T1 T2, Kb or Kw is 0, or an angle or the rate is not positive."""
+
+def tells_propulsion(ship: Ship, run: Recording) -> bool:
+    """Whether a run tells what propels the ship: her shaft speed, where her model takes one, or a thrust. The polynomial of an Abkowitz ship holds her propulsion.
+    
+    ship: who sails. run: a recording."""
 
 @overload
 def time_constants(transfer: SwayYawTransfer) -> Optional[TimeConstants]: ...

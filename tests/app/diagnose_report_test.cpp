@@ -89,6 +89,35 @@ TEST_CASE("diagnose writes a page with what its plots show: numbers of the docum
   }
 }
 
+TEST_CASE("diagnose says which runs tell no shaft speed, and what is taken in its place", "[app]") {
+  const Scratch scratch;
+  Recording bare = zigzag(with_effect(test::kvlcc2_l7(), RudderOffset<double>{.offset = radians(2)}),
+                          {.rudder = radians(10), .heading = radians(10)}, {.duration = 100.0, .step = 0.5})
+                       .run;
+  write_recording(bare, scratch / "told.csv");
+  for (const auto channel : {Channel::rev, Channel::thrust}) bare.channels[index_of(channel)].clear();
+  write_recording(bare, scratch / "bare.csv");
+  const auto page_with = [&](const std::string& name) {
+    const auto file = (scratch / "page.html").string();
+    const auto outcome =
+        run(scratch, "diagnose " + ship_path + " " + (scratch / name).string() + " --json --report " + file);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    const auto page = read_text(file);
+    return std::tuple(test::json_of(outcome.out).at("assumed"), outcome.err,
+                      page.substr(page.find("<div class=\"first\">"), 200'000));
+  };
+  const auto [assumed, err, page] = page_with("bare.csv");
+  REQUIRE(assumed.size() == 1);
+  for (const auto& words : {assumed[0].get<std::string>(), err, page})
+    CHECK_THAT(words, ContainsSubstring("o shaft speed recorded (rev_rpm; nor a thrust, thrust_kN) in bare.csv"));
+  CHECK_THAT(page, ContainsSubstring("the shaft speed that carries her settled at the start"));
+  const auto [nothing, silent, told] = page_with("told.csv");
+  CHECK(nothing.empty());
+  CHECK_THAT(silent + told, !ContainsSubstring("o shaft speed recorded"));
+  CHECK_THAT(told, ContainsSubstring("with the recorded rudder and shaft speed"));
+}
+
 TEST_CASE("a report to a folder that does not exist is refused before the work begins", "[app][refusal]") {
   const Scratch scratch;
   const auto file = (scratch / "no/such.html").string();

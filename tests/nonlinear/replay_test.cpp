@@ -9,6 +9,7 @@
 #include "swayaw/nonlinear/effects/acting_ship.hpp"
 #include "swayaw/nonlinear/manoeuvre.hpp"
 #include "swayaw/nonlinear/models/force_breakdown.hpp"
+#include "swayaw/nonlinear/published_ships.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
 namespace swayaw {
@@ -376,6 +377,26 @@ TEST_CASE("without a shaft speed an engine that slows is set to what it slows fr
   CHECK_THAT(controls.rev * (1.0 - 0.3 * 0.2), WithinRel(self_propulsion(bare, slow).rev, 1e-6));
   const auto a = force_breakdown(tired, {0.0, 0.0, 0.0, {slow, 0.0, 0.0}}, controls).acceleration;
   CHECK_THAT(a.u, WithinAbs(0.0, 1e-6 * slow * slow / length(bare)));
+}
+
+TEST_CASE("runs that tell no propulsion are named, unless the model needs none or takes what they tell",
+          "[nonlinear]") {
+  const Ship ship = test::kvlcc2_l7();
+  auto whole = zigzag_run(ship, 0.5);
+  whole.name = "whole.csv";
+  auto by_thrust = without(whole, {Channel::rev}), bare = without(whole, {Channel::rev, Channel::thrust});
+  bare.name = "bare.csv";
+  CHECK(tells_propulsion(ship, whole));
+  CHECK(tells_propulsion(ship, by_thrust));
+  CHECK_FALSE(tells_propulsion(ship, bare));
+  CHECK(assumed_propulsion(ship, std::vector{whole, by_thrust}).empty());
+  CHECK_THAT(assumed_propulsion(ship, std::vector{whole, bare}),
+             ContainsSubstring("no shaft speed recorded") && ContainsSubstring("in bare.csv: the run is"));
+  CHECK_THAT(assumed_propulsion(ship, std::vector(7, bare)), ContainsSubstring("and 3 more: these runs are"));
+  CHECK(tells_propulsion(published_ship("mariner"), bare));  // a polynomial
+  const Ship towed = published_ship("wpcc_pi");              // a model that takes a thrust, no shaft speed
+  CHECK_FALSE(tells_propulsion(towed, without(whole, {Channel::thrust})));
+  CHECK_THAT(assumed_propulsion(towed, std::vector{bare}), ContainsSubstring("no thrust recorded"));
 }
 
 TEST_CASE("what carries another ship from the start of a run is what her own controls have",

@@ -25,12 +25,6 @@ bool comparable(const ShipNumbers& a, const ShipNumbers& b, double step) {
   return true;
 }
 
-/// Whether recorded propulsion alone tells it, whatever the ship.
-bool propulsion_is_recorded(const Ship& ship, const Recording& run) {
-  return (run.has(Channel::rev) && takes_shaft_speed(ship)) || run.has(Channel::thrust) ||
-         std::holds_alternative<AbkowitzShip<double>>(ship.model);
-}
-
 std::optional<ShipNumbers> numbers_if_any(const std::optional<Ship>& ship) {
   if (!ship) return std::nullopt;
   try {
@@ -74,7 +68,7 @@ RunControls::RunControls(const Ship& ship, const Recording& run, const Recording
       wind_speed_record(instruments_of(ship)[Channel::wind_speed]),
       wind_from_record(instruments_of(ship)[Channel::wind_from]),
       rudder_recorded(run.has(Channel::delta)),
-      propulsion_recorded(propulsion_is_recorded(ship, run)),
+      propulsion_recorded(tells_propulsion(ship, run)),
       lateness(how_late) {
   auto times = run.time;
   for (double& t : times) t -= lateness;

@@ -20,6 +20,7 @@
 #include "swayaw/core/parallel.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/identification/data_compatibility.hpp"
+#include "swayaw/nonlinear/replay.hpp"
 #include "verdict.hpp"
 #include "verdict_words.hpp"
 
@@ -470,7 +471,10 @@ Diagnosis diagnose(const Ship& ship, std::span<const Recording> runs, std::span<
   if (runs.empty()) throw Refusal("there is no run to diagnose");
   const auto used = all_without_outliers(runs), calibrating = all_without_outliers(reference),
              unused = all_without_outliers(holdout);
-  return diagnose_clean(ship, {used, calibrating, unused, recorded_channels(used, motion_channels())}, options);
+  auto d = diagnose_clean(ship, {used, calibrating, unused, recorded_channels(used, motion_channels())}, options);
+  for (const auto& some : {runs, reference, holdout})
+    if (auto words = assumed_propulsion(ship, some); !words.empty()) d.assumed.push_back(std::move(words));
+  return d;
 }
 
 }  // namespace swayaw::mismatch

@@ -1,5 +1,8 @@
 #include "swayaw/nonlinear/replay.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -272,6 +275,28 @@ const Recording& within_reach(const Recording& run, const Ship& ship) {
 }
 
 }  // namespace
+
+bool tells_propulsion(const Ship& ship, const Recording& run) {
+  return (run.has(Channel::rev) && takes_shaft_speed(ship)) || run.has(Channel::thrust) ||
+         std::holds_alternative<AbkowitzShip<double>>(ship.model);
+}
+
+std::string assumed_propulsion(const Ship& ship, std::span<const Recording> runs) {
+  std::vector<std::string_view> silent;
+  for (const auto& run : runs)
+    if (!tells_propulsion(ship, run)) silent.push_back(run.name);
+  if (silent.empty()) return {};
+  constexpr std::size_t most_named = 4;
+  const auto named = std::span(silent).first(std::min(most_named, silent.size()));
+  const auto others = silent.size() - named.size();
+  const bool by_shaft = takes_shaft_speed(ship);
+  return fmt::format(
+      "no {} recorded ({}) in {}{}: {} taken to begin settled, and what carries her there drives her to the end; it is "
+      "needed where she still gathers or loses way",
+      by_shaft ? "shaft speed" : "thrust", by_shaft ? "rev_rpm; nor a thrust, thrust_kN" : "thrust_kN",
+      fmt::join(named, ", "), others > 0 ? fmt::format(" and {} more", others) : "",
+      silent.size() == 1 ? "the run is" : "these runs are");
+}
 
 RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const ReplayOptions& options)
     : rudder_(rudder_of(ship, within_reach(run, ship))), wind_(recorded_wind(ship, run)), depth_(recorded_depth(run)) {

@@ -177,6 +177,7 @@ struct Diagnosis {
   std::optional<Advice> next{};
   std::vector<DetectableSize> detectable{};
   std::vector<RunPicture> train_pictures{}, holdout_pictures{};  ///< if asked for
+  std::vector<std::string> assumed{};                            ///< in place of what the runs do not tell, in words
   std::vector<std::string> troubles{};  ///< steps that failed, in words; everything else is as found
 };
 

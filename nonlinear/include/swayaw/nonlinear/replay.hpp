@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 #include "swayaw/core/motion.hpp"
 #include "swayaw/core/recording.hpp"
@@ -22,6 +23,13 @@ struct ReplayOptions {
   Shaft shaft = Shaft::recorded;
   double tolerance = 1e-8;
 };
+
+/// Whether a run tells what propels the ship: her shaft speed, where her model takes one, or a thrust. The polynomial
+/// of an Abkowitz ship holds her propulsion.
+bool tells_propulsion(const Ship& ship, const Recording& run);
+
+/// What is assumed of those runs that do not tell it, in words for the user; empty where all do.
+std::string assumed_propulsion(const Ship& ship, std::span<const Recording> runs);
 
 /// Recorded state at a time, of the ship through the water, from least-squares parabolas through the samples within
 /// 0.25 L/U of it, or at the start of the run from straight lines through the samples before the rudder moves, within
