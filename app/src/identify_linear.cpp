@@ -8,6 +8,7 @@
 #include "input.hpp"
 #include "json.hpp"
 #include "page_writing.hpp"
+#include "swayaw/core/followed_order.hpp"
 #include "swayaw/core/version.hpp"
 #include "swayaw/identification/linear_fit.hpp"
 #include "terminal.hpp"
@@ -100,7 +101,8 @@ void identify_linear(const IdentifyArguments& a) {
   const auto p = particulars_of(load_ship(a.ship));
   if (!a.holdout.empty())
     say_aside("swayaw: --holdout has no use with --model linear, whose standard errors hold by themselves\n");
-  const auto runs = checked_runs(a.runs, a.reading);
+  auto runs = checked_runs(a.runs, a.reading);
+  for (auto& run : runs) run = with_followed_order(std::move(run), p.gear);
   for (const auto& run : runs)
     if (run.has(Channel::wind_speed))
       say_aside("swayaw: {}: the measured wind is not used: a linear ship has no place for it\n", run.name);

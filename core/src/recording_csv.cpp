@@ -107,7 +107,8 @@ class RecordingParser {
     const auto name = name_in(cell);
     if (name.empty()) fail(cell, "a column has no name");
     if (found(name)) fail(cell, fmt::format("column {} appears twice", shown(name)));
-    const auto known = column_named(name);
+    auto known = column_named(name);
+    if (known && known->channel == Channel::delta && convention_.rudder_is_order) known->channel = Channel::delta_order;
     if (const auto* rival = known ? source_of(known->channel) : nullptr)
       fail(cell, fmt::format("{} and {} both give the same quantity", rival->name, name));
     columns_.push_back({.name = name, .place = column_of(cell), .known = known});
@@ -237,6 +238,13 @@ class RecordingParser {
     for (const Channel rudder : {Channel::delta, Channel::delta_order})
       for (double& angle : recording_.channels[index_of(rudder)]) angle *= convention_.rudder_sign;
     if (convention_.reference_x != 0.0) move_to_midship();
+    if (convention_.ordered_rev) take_ordered_rev(*convention_.ordered_rev);
+  }
+
+  /// The shaft turns as it was ordered, unless a column says how it did.
+  void take_ordered_rev(double rev) {
+    if (recording_.has(Channel::rev)) recording_.facts.remarks.push_back({"ordered_rev_s", fmt::format("{}", rev)});
+    else std::ranges::fill(recording_.fill(Channel::rev), rev);
   }
 
   void store(Reading& column) {

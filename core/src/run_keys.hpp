@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -25,11 +26,13 @@ using namespace detail;
 struct Convention {
   double rudder_sign = 1.0;                     ///< inside sign of a recorded positive angle
   double reference_x = 0.0;                     ///< reported point forward of midship [m]
+  bool rudder_is_order = false;                 ///< what stands in the column of the actual angle
+  std::optional<double> ordered_rev = {};       ///< shaft speed where no column has it [1/s]
   std::vector<std::string> extra_columns = {};  ///< that the file itself says are none of a recording's
 };
 
-inline constexpr std::array<std::string_view, 5> run_keys{"rudder_positive", "reference_x_m", "water_depth_m",
-                                                          "execute_s", "manoeuvre"};
+inline constexpr std::array<std::string_view, 7> run_keys{
+    "rudder_positive", "reference_x_m", "water_depth_m", "execute_s", "manoeuvre", "order_recorded", "ordered_rev_s"};
 
 /// A TOML text on one line.
 inline std::string in_quotes(const std::string& text) {
@@ -86,6 +89,8 @@ class RunKeyReader {
     else if (key == "reference_x_m") convention_.reference_x = number(key, value);
     else if (key == "water_depth_m") facts_.water_depth = positive_number(key, value);
     else if (key == "execute_s") facts_.execute = number(key, value);
+    else if (key == "order_recorded") convention_.rudder_is_order = truth(key, value);
+    else if (key == "ordered_rev_s") convention_.ordered_rev = number(key, value);
     else facts_.manoeuvre = text(key, value);
     return true;
   }
@@ -130,6 +135,11 @@ class RunKeyReader {
     const double found = number(key, value);
     if (found > 0.0) return found;
     throw FileError(at(value), fmt::format("{} must be positive, got {}", key, found));
+  }
+
+  bool truth(std::string_view key, const toml::node& value) {
+    if (const auto found = value.value_exact<bool>()) return *found;
+    throw FileError(at(value), fmt::format("{} must be true or false", key));
   }
 
   std::string text(std::string_view key, const toml::node& value) {

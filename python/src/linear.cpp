@@ -1,6 +1,7 @@
 #include "module.hpp"
 #include "record.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/followed_order.hpp"
 #include "swayaw/core/steering_gear.hpp"
 #include "swayaw/linear/dimensional.hpp"
 #include "swayaw/linear/indices.hpp"
@@ -269,6 +270,10 @@ void add_linear_ship(py::module_& m) {
       .field<&Gear::max_angle>("max_angle", "[rad]")
       .optional<&Gear::lag>("lag", "T [s], 0 for a rudder that keeps its rate until it arrives.")
       .optional<&Gear::dead_band>("dead_band", "[rad], 0 for none.");
+  m.def("with_followed_order", &with_followed_order, py::arg("run"), py::arg("gear"),
+        "A run that tells the ordered rudder angle alone, with that of a rudder that follows it, as fit_linear needs; "
+        "any other run as it is."
+        "\n\nrun: a recording. gear: SteeringGear.");
   py::class_<LinearShip>(m, "LinearShip", "A ship in linear motion.")
       .def(
           py::init([](std::string name, double length, double service_speed, const LinearForm& form,

@@ -4667,6 +4667,11 @@ def williamson_turn(ship: Ship, rudder: float = ..., heading: float = ..., befor
     
     rudder, heading, before: angles, positive. tolerance: error of an integration step."""
 
+def with_followed_order(run: Recording, gear: SteeringGear) -> Recording:
+    """A run that tells the ordered rudder angle alone, with that of a rudder that follows it, as fit_linear needs; any other run as it is.
+    
+    run: a recording. gear: SteeringGear."""
+
 def with_forces(run: Recording, ship: Ship) -> Recording:
     """The run with forces by part as extra columns X_hull_N, Y_hull_N, N_hull_N_m, …
     

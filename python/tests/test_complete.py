@@ -83,6 +83,7 @@ OTHERWISE = {
     "estimated_mmg_ship": "estimate_ship",
     "feels_wind": "Ship.feels_wind",
     "fit": "map_fit",
+    "followed_order": "with_followed_order",
     "group_of": "Recording.group",
     "grouped": "check_groups",
     "has_complex_poles": "SwayYawCoefficients.complex_poles",

@@ -103,6 +103,31 @@ TEST_CASE("identify fits the linear equations to recorded drift", "[app]") {
   CHECK(run(scratch, "indices " + out).code == 0);
 }
 
+TEST_CASE("identify fits the same linear equations to the rudder that was ordered", "[app][second-route]") {
+  const Scratch scratch;
+  const auto truth = published_ship("kvlcc2_l7");
+  auto sailed = zigzag(truth, {.rudder = radians(10), .heading = radians(10)}, {.duration = 150.0, .step = 0.1}).run;
+  const auto yaw = [&](const Recording& recording) {
+    write_recording(recording, scratch / "run.csv");
+    const auto json = document("identify " + (scratch / "run.csv").string() +
+                               " --ship kvlcc2_l7 --model linear --out " + (scratch / "linear.toml").string());
+    return json["coefficients"];
+  };
+  const auto by_angle = yaw(sailed);
+  const auto delta = sailed[Channel::delta];
+  auto order = sailed.fill(Channel::delta_order);
+  for (std::size_t i = 1; i < order.size(); ++i)  // where it goes, and where it went last once it is there
+    order[i] =
+        std::abs(delta[i] - delta[i - 1]) < 1e-9 ? order[i - 1] : std::copysign(radians(10), delta[i] - delta[i - 1]);
+  sailed.channels[index_of(Channel::delta)].clear();
+  const auto by_order = yaw(sailed);
+  for (std::size_t i = 0; i < 6; ++i) {
+    INFO(by_angle[i].dump());
+    CHECK(std::abs(by_order[i]["value"].get<double>() - by_angle[i]["value"].get<double>()) <
+          by_angle[i]["standard_error"].get<double>());
+  }
+}
+
 // The rudder of the example recordings has 0.82 of its lift, and their hull 1.05 of its resistance.
 TEST_CASE("identify finds on trajectories what no force equation tells", "[app]") {
   const Scratch scratch;

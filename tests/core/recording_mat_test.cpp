@@ -64,7 +64,7 @@ TEST_CASE("variables are read as the columns and run keys of a text are", "[core
 
 TEST_CASE("run keys keep their kind, and names become those of MATLAB", "[core][round-trip]") {
   const auto run = recording_of(
-      "# manoeuvre = \"zigzag 10/10\"\n# order_recorded = true\n# draughts_m = [10.5, 11]\n# day = 2020-07-31\n"
+      "# manoeuvre = \"zigzag 10/10\"\n# loaded = true\n# draughts_m = [10.5, 11]\n# day = 2020-07-31\n"
       "# extra_columns = [\"Größe [t]\", \"mast\"]\n"
       "time_s,psi_rad,delta_rad,Größe [t],mast\n0,0,0,1.5,up\n1,0,0,,down\n");
   const test::Scratch scratch;
@@ -72,7 +72,7 @@ TEST_CASE("run keys keep their kind, and names become those of MATLAB", "[core][
   const auto back = read_recording(scratch / "run.mat");
   CHECK(back.warnings.empty());
   CHECK(recording_text(back.recording) ==
-        "# rudder_positive = \"port\"\n# manoeuvre = \"zigzag 10/10\"\n# order_recorded = true\n"
+        "# rudder_positive = \"port\"\n# manoeuvre = \"zigzag 10/10\"\n# loaded = true\n"
         "# draughts_m = [10.5, 11]\n# day = \"2020-07-31\"\n# extra_columns = [\"Gr__e__t_\", \"mast\"]\n"
         "time_s,psi_rad,delta_rad,Gr__e__t_,mast\n0,0,0,1.5,up\n1,0,0,,down\n");
 }

@@ -122,6 +122,28 @@ TEST_CASE("run keys tell the facts of the run", "[core]") {
   CHECK(run.facts.remarks.empty());
 }
 
+TEST_CASE("a rudder column that holds the order is read as the order", "[core]") {
+  const std::string rows = "time_s,psi_rad,delta_deg\n0,0,10\n1,0,-10\n";
+  const auto order = recording_of("# order_recorded = true\n# rudder_positive = \"starboard\"\n" + rows);
+  CHECK_FALSE(order.has(Channel::delta));
+  CHECK_THAT(order[Channel::delta_order][0], WithinRel(radians(-10.0), 1e-15));
+  CHECK(recording_text(order).find("order_recorded") == std::string::npos);  // the name of the column tells it
+  CHECK(recording_of(recording_text(order))[Channel::delta_order][1] == order[Channel::delta_order][1]);
+  CHECK(recording_of("# order_recorded = false\n" + rows).has(Channel::delta));
+}
+
+TEST_CASE("an ordered shaft speed stands where no column has the shaft speed", "[core]") {
+  const auto run = recording_of("# ordered_rev_s = 1.5\ntime_s,psi_rad,delta_rad\n0,0,0\n1,0,0\n");
+  CHECK(std::ranges::equal(run[Channel::rev], std::array{1.5, 1.5}));
+  const auto empty = recording_of("# ordered_rev_s = 1.5\ntime_s,psi_rad,delta_rad,rev_rpm\n0,0,0,\n1,0,0,\n");
+  CHECK(std::ranges::equal(empty[Channel::rev], std::array{1.5, 1.5}));
+  const std::string both = "# ordered_rev_s = 1.5\ntime_s,psi_rad,delta_rad,rev_s\n0,0,0,1.25\n1,0,0,\n";
+  const auto recorded = recording_of(both);
+  CHECK(recorded[Channel::rev][0] == 1.25);
+  CHECK(std::isnan(recorded[Channel::rev][1]));
+  CHECK(recording_text(recorded) == "# rudder_positive = \"port\"\n" + both);
+}
+
 TEST_CASE("a run without keys has unknown facts and the rudder positive to port", "[core]") {
   const auto run = recording_of("time_s,psi_rad,delta_rad\n0,0,0.1\n");
   CHECK(run.facts.manoeuvre.empty());

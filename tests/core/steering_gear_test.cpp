@@ -6,6 +6,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "swayaw/core/followed_order.hpp"
 
 namespace swayaw {
 namespace {
@@ -61,6 +62,35 @@ TEST_CASE("a change within the dead band moves nothing, a larger one stops short
   CHECK(RudderMotion<>::ordered(gear, 0.0, 0.1, 0.119).at(50.0) == 0.1);
   CHECK(RudderMotion<>::ordered(gear, 0.0, 0.1, 0.3).at(50.0) == Approx(0.28));
   CHECK(RudderMotion<>::ordered(gear, 0.0, 0.1, -0.3).at(50.0) == Approx(-0.28));
+}
+
+TEST_CASE("a rudder of which the order was recorded follows it as the steering gear's equation says",
+          "[core][second-route]") {
+  std::mt19937_64 engine(5);
+  for (const auto& gear : {SteeringGear<double>{.rate = 0.05, .max_angle = 0.6, .lag = 0.0, .dead_band = 0.0},
+                           SteeringGear<double>{.rate = 0.08, .max_angle = 0.6, .lag = 1.5, .dead_band = 0.01}}) {
+    Recording run;
+    for (int i = 0; i < 200; ++i) run.time.push_back(0.5 * i);
+    auto orders = run.fill(Channel::delta_order);
+    for (std::size_t i = 0; i < orders.size(); ++i)
+      orders[i] = i % 40 == 0 ? std::uniform_real_distribution(-0.5, 0.5)(engine) : orders[i - 1];
+    orders[77] = missing;
+    const auto followed = with_followed_order(run, gear);
+    double angle = orders[0];
+    constexpr int substeps = 2000;
+    for (std::size_t i = 1; i < orders.size(); ++i) {
+      // the order between two samples is that of the second
+      const double order = std::isnan(orders[i]) ? orders[i + 1] : orders[i];
+      for (int k = 0; k < substeps; ++k) {
+        const double dt = 0.5 / substeps, step = rate_of(gear, angle, order) * dt;
+        angle += std::abs(step) > std::abs(order - angle) ? order - angle : step;
+      }
+      if (std::isnan(orders[i])) CHECK(std::isnan(followed[Channel::delta][i]));
+      else CHECK_THAT(followed[Channel::delta][i], WithinAbs(angle, 1e-4));
+    }
+    std::ranges::fill(run.fill(Channel::delta), 0.1);
+    CHECK(std::ranges::equal(with_followed_order(run, gear)[Channel::delta], run[Channel::delta]));
+  }
 }
 
 }  // namespace

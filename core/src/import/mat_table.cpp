@@ -82,7 +82,10 @@ class MatReader {
     const auto text = text_of(&variable);
     const auto numbers = text.empty() ? numbers_of(variable) : std::vector<double>{};
     if (text.empty() && numbers.size() != 1) return false;
-    facts_ += fmt::format("# {} = {}\n", name, text.empty() ? fmt::format("{}", numbers.front()) : in_quotes(text));
+    facts_ += fmt::format("# {} = {}\n", name,
+                          !text.empty()        ? in_quotes(text)
+                          : variable.isLogical ? (numbers.front() != 0.0 ? "true" : "false")
+                                               : fmt::format("{}", numbers.front()));
     return true;
   }
 

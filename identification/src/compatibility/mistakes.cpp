@@ -184,15 +184,11 @@ void check_speed(const Recording& run, std::vector<InstrumentError>& found) {
   }
 }
 
-bool is_said_to_be_order(const Recording& run) {
-  return std::ranges::any_of(run.facts.remarks, [](const RunRemark& r) { return r.key == "order_recorded"; });
-}
-
 /// A rudder that is there in one sample would have to move at many times the rate at which the ship turns: steering
 /// gears of ships and models move at two to six times her largest yaw rate.
 void check_order(const Recording& run, std::vector<InstrumentError>& found) {
   constexpr double impossible = 10.0, step_of_order = 4.0 * degree;
-  if (!run.has(Channel::delta) || is_said_to_be_order(run)) return;
+  if (!run.has(Channel::delta)) return;
   const auto delta = filled(run, Channel::delta);
   const double turning = hard_yaw_rate(run);
   double in_jumps = 0.0, all = 0.0, fastest = 0.0;

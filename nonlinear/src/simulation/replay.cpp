@@ -11,6 +11,7 @@
 #include "../manoeuvres/manoeuvre_run.hpp"
 #include "../steady/acting_propulsion.hpp"
 #include "swayaw/core/detail/over_ground.hpp"
+#include "swayaw/core/followed_order.hpp"
 #include "swayaw/nonlinear/effects/acting_in_wind.hpp"
 #include "swayaw/nonlinear/models/validity.hpp"
 
@@ -214,13 +215,7 @@ Interpolant rudder_of(const Ship& ship, const Recording& run) {
   Recording followed;
   followed.name = run.name;
   followed.time.assign(order.times().begin(), order.times().end());
-  auto angle = followed.fill(Channel::delta);
-  angle[0] = order.values()[0];
-  for (std::size_t i = 1; i < angle.size(); ++i) {
-    const auto motion =
-        RudderMotion<>::ordered(steering_gear(ship), followed.time[i - 1], angle[i - 1], order.values()[i]);
-    angle[i] = motion.at(followed.time[i]);
-  }
+  followed.channels[index_of(Channel::delta)] = followed_order(steering_gear(ship), order.times(), order.values());
   return Interpolant(followed, Channel::delta);
 }
 
@@ -291,11 +286,11 @@ std::string assumed_propulsion(const Ship& ship, std::span<const Recording> runs
   const auto others = silent.size() - named.size();
   const bool by_shaft = takes_shaft_speed(ship);
   return fmt::format(
-      "no {} recorded ({}) in {}{}: {} taken to begin settled, and what carries her there drives her to the end; it is "
-      "needed where she still gathers or loses way",
-      by_shaft ? "shaft speed" : "thrust", by_shaft ? "rev_rpm; nor a thrust, thrust_kN" : "thrust_kN",
-      fmt::join(named, ", "), others > 0 ? fmt::format(" and {} more", others) : "",
-      silent.size() == 1 ? "the run is" : "these runs are");
+      "no {} recorded in {}{}: {} taken to begin settled, and what carries her there drives her to the end; where she "
+      "still gathers or loses way, {}",
+      by_shaft ? "shaft speed" : "thrust", fmt::join(named, ", "),
+      others > 0 ? fmt::format(" and {} more", others) : "", silent.size() == 1 ? "the run is" : "these runs are",
+      by_shaft ? "rev_rpm or thrust_kN is needed, or ordered_rev_s above the columns" : "thrust_kN is needed");
 }
 
 RecordedControls::RecordedControls(const Ship& ship, const Recording& run, const ReplayOptions& options)
