@@ -52,6 +52,24 @@ TEST_CASE("a heading that is off the track on all courses is told, a stream on o
   CHECK(std::abs(*both - radians(4.0)) < across);
 }
 
+// A run that is thinned, as those of instruments on board, hardly has a sample with both.
+TEST_CASE("headings between the fixes tell the same as headings at them", "[mismatch][second-route]") {
+  const double error = radians(3.6);
+  std::vector<PreparedRun> thinned;
+  for (const auto& run : runs_on({.compass = error})) {
+    auto lean = std::make_shared<Recording>(*run.run);
+    for (std::size_t i = 0; i < lean->samples(); ++i) {
+      const bool fix = i % 6 == 0, heading = i % 6 == 3;
+      if (!fix) lean->fill(Channel::x)[i] = lean->fill(Channel::y)[i] = missing;
+      if (!heading) lean->fill(Channel::psi)[i] = missing;
+    }
+    thinned.push_back({.run = std::move(lean)});
+  }
+  const auto off = heading_off_track(thinned, time_unit);
+  REQUIRE(off);
+  CHECK(std::abs(*off - error) < radians(0.5));
+}
+
 TEST_CASE("without positions, or on one course alone, nothing is told of the heading", "[mismatch][limit]") {
   CHECK_FALSE(heading_off_track(runs_on({}), 1e4));
   CHECK_FALSE(heading_off_track(std::vector{run_on(0.0, {.compass = 0.1})}, time_unit));  // or a stream across

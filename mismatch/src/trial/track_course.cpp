@@ -10,14 +10,14 @@
 namespace swayaw::inline mismatch::detail {
 namespace {
 
-/// Samples in which all three were measured.
+/// Fixes while a heading was known.
 std::vector<std::size_t> fixes_of(const Recording& run) {
   std::vector<std::size_t> fixes;
   for (const auto channel : {Channel::x, Channel::y, Channel::psi})
     if (!run.has(channel)) return fixes;
-  const auto x = run[Channel::x], y = run[Channel::y], psi = run[Channel::psi];
+  const auto x = run[Channel::x], y = run[Channel::y];
   for (std::size_t i = 0; i < run.samples(); ++i)
-    if (std::isfinite(x[i] + y[i] + psi[i])) fixes.push_back(i);
+    if (std::isfinite(x[i] + y[i])) fixes.push_back(i);
   return fixes;
 }
 
@@ -36,13 +36,17 @@ void add_stretches(const Recording& run, double time_unit, std::vector<Stretch>&
     const auto first = std::ranges::lower_bound(fixes, run.time[fixes[from]] + span, {}, time);
     return static_cast<std::size_t>(first - fixes.begin());
   };
-  const auto x = run[Channel::x], y = run[Channel::y], psi = run[Channel::psi];
+  if (fixes.empty()) return;
+  // runs that were thinned tell positions at other times than headings
+  const auto headings = Interpolant(run, Channel::psi);
+  const auto psi = [&](std::size_t k) { return headings(run.time[fixes[k]]); };
+  const auto x = run[Channel::x], y = run[Channel::y];
   for (std::size_t from = 0; from < fixes.size(); from = after(from, 0.5 * time_unit)) {
     const auto to = after(from, time_unit);
     if (to == fixes.size()) return;
-    double low = psi[fixes[from]], high = low, sum = 0.0;
+    double low = psi(from), high = low, sum = 0.0;
     for (auto k = from; k <= to; ++k) {
-      const double heading = psi[fixes[k]];
+      const double heading = psi(k);
       low = std::min(low, heading), high = std::max(high, heading), sum += heading;
     }
     const double north = x[fixes[to]] - x[fixes[from]], east = y[fixes[to]] - y[fixes[from]];
