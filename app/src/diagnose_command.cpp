@@ -35,6 +35,7 @@ Json effect_json(const FoundEffect& e) {
   Json parameters = parameters_json(e.parameters);
   if (const auto* channel = channel_of(e.effect))
     parameters["channel"] = {{"value", short_name(*channel)}, {"standard_error", nullptr}};
+  if (!e.depends_on.empty()) parameters["depends_on"] = {{"value", e.depends_on}, {"standard_error", nullptr}};
   Json json{{"effect", id_of(e.effect)},           {"probability", number(e.probability)},
             {"onset_s", number(e.onset)},          {"end_s", number(e.end)},
             {"parameters", std::move(parameters)}, {"indistinguishable_from", e.indistinguishable_from}};
@@ -275,9 +276,10 @@ void print_diagnosis(const Ship& ship, const Diagnosis& d, const Json& document,
   print_budget(d.budget);
   print_effects(d.effects, units);
   print_surroundings(d.surroundings, units);
-  if (!d.instruments.empty()) say("\ninstruments, allowed for\n");
+  const auto allowed_for = [](const InstrumentEstimate& i) { return !i.is_effect; };
+  if (std::ranges::any_of(d.instruments, allowed_for)) say("\ninstruments, allowed for\n");
   for (const auto& i : d.instruments)
-    say("  {:<10}{:<14}{} {}\n", i.channel, i.error, with_error(i.value, i.standard_error), i.unit);
+    if (allowed_for(i)) say("  {:<10}{:<14}{} {}\n", i.channel, i.error, with_error(i.value, i.standard_error), i.unit);
   print_places(d);
   if (const auto words = words_of(d.linear); !words.empty()) say("\n{}\n", words);
   if (!d.shifts.empty()) say("\nnumbers of the model beyond two of their deviations\n");

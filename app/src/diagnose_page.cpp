@@ -335,8 +335,9 @@ std::vector<std::string> assumed_of(const Diagnosis& d, const DiagnoseArguments&
   lines.push_back(a.reading.no_check ? "Instruments were not checked, as asked."
                                      : "Instruments were checked first; ordinary errors of them are allowed for.");
   for (const auto& i : d.instruments)
-    lines.push_back(fmt::format("Allowed for: {} of {}, {}{}{}.", i.error, i.channel,
-                                with_error(i.value, i.standard_error), i.unit.empty() ? "" : " ", i.unit));
+    if (!i.is_effect)
+      lines.push_back(fmt::format("Allowed for: {} of {}, {}{}{}.", i.error, i.channel,
+                                  with_error(i.value, i.standard_error), i.unit.empty() ? "" : " ", i.unit));
   return lines;
 }
 

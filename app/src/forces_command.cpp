@@ -54,6 +54,8 @@ Controls<double> controls_of(const Ship& ship, const Numbers& n) {
   const bool one = n.contains("thrust"), each = n.contains("thrust_port") || n.contains("thrust_starboard"),
              rev = n.contains("rev");
   if (one + each + rev > 1) throw Refusal("--state: give one of rev, thrust, and thrust_port with thrust_starboard");
+  if (each && !(n.contains("thrust_port") && n.contains("thrust_starboard")))
+    throw Refusal("--state: thrust_port and thrust_starboard go together");
   const auto given = [](bool there) { return there ? std::optional(0.0) : std::nullopt; };
   require_drive(ship.model, given(rev), given(one || each));
   if (rev) return {.delta = delta, .rev = value_of_key(n, "rev")};

@@ -228,6 +228,8 @@ FileEffect effect_of(const ShipText& text, const toml::table& table) {
   if (!table.contains("kind")) text.fail(table, "kind is missing in [[effect]]");
   FileEffect effect{.kind = {}, .numbers = {}, .line = place.line, .column = place.column, .channel = {}};
   for (auto&& [key, node] : table) {
+    const auto where = node.source().begin;
+    effect.values.push_back({std::string(key.str()), where.line, where.column});
     const auto word = node.value_exact<std::string>();
     const auto number = node.is_number() ? node.value<double>() : std::nullopt;
     if (key == "kind" && word) effect.kind = *word;
@@ -291,6 +293,11 @@ std::vector<FileEffect> PartsReader::effects() const {
 
 void PartsReader::fail(const FileEffect& effect, std::string_view what) const {
   throw FileError({document_->file, effect.line, effect.column}, what);
+}
+
+void PartsReader::fail(const FileEffect& effect, std::string_view key, std::string_view what) const {
+  const auto value = std::ranges::find(effect.values, key, &FileEffect::Place::key);
+  throw FileError({document_->file, value->line, value->column}, what);
 }
 
 void PartsReader::fail(std::string_view table, std::string_view key, std::string_view what) const {

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "import/nmea_sentence.hpp"
 #include "swayaw/core/detail/csv_text.hpp"
 #include "swayaw/core/detail/toml_depth.hpp"
 #include "swayaw/core/recording.hpp"
@@ -31,8 +32,9 @@ struct Convention {
   std::vector<std::string> extra_columns = {};  ///< that the file itself says are none of a recording's
 };
 
-inline constexpr std::array<std::string_view, 7> run_keys{
-    "rudder_positive", "reference_x_m", "water_depth_m", "execute_s", "manoeuvre", "order_recorded", "ordered_rev_s"};
+inline constexpr std::array<std::string_view, 9> run_keys{"rudder_positive", "reference_x_m", "water_depth_m",
+                                                          "execute_s",       "manoeuvre",     "order_recorded",
+                                                          "ordered_rev_s",   "group",         "start_utc"};
 
 /// A TOML text on one line.
 inline std::string in_quotes(const std::string& text) {
@@ -91,7 +93,8 @@ class RunKeyReader {
     else if (key == "execute_s") facts_.execute = number(key, value);
     else if (key == "order_recorded") convention_.rudder_is_order = truth(key, value);
     else if (key == "ordered_rev_s") convention_.ordered_rev = number(key, value);
-    else facts_.manoeuvre = text(key, value);
+    else if (key == "manoeuvre") facts_.manoeuvre = text(key, value);
+    else facts_.remarks.push_back({std::string(key), in_quotes(key == "group" ? text(key, value) : instant(value))});
     return true;
   }
 
@@ -145,6 +148,16 @@ class RunKeyReader {
   std::string text(std::string_view key, const toml::node& value) {
     if (const auto found = value.value_exact<std::string>()) return *found;
     throw FileError(at(value), fmt::format("{} must be a text in quotes", key));
+  }
+
+  /// A date with a time, in quotes or as TOML has them.
+  std::string instant(const toml::node& value) {
+    std::ostringstream written;
+    if (const auto found = value.value_exact<std::string>()) written << *found;
+    else if (const auto* stamp = value.as_date_time()) written << stamp->get();
+    const auto stamp = time_stamp_in(written.str());
+    if (stamp && stamp->kind == TimeStamp::Kind::instant) return written.str();
+    throw FileError(at(value), "start_utc must be a date and a time, like \"2026-03-04T09:30:00Z\"");
   }
 
   FilePlace at(std::size_t column) const { return {file_, line_number_, column_ + column - 1}; }

@@ -17,7 +17,8 @@ void add_findings(py::module_& m) {
       .field<&FoundEffect::onset>("onset", "[s]")
       .field<&FoundEffect::end>("end", "[s]")
       .field<&FoundEffect::parameters>("parameters", "With standard errors.")
-      .field<&FoundEffect::indistinguishable_from>("indistinguishable_from", "Effects that explain the runs as well.");
+      .field<&FoundEffect::indistinguishable_from>("indistinguishable_from", "Effects that explain the runs as well.")
+      .field<&FoundEffect::depends_on>("depends_on", "Of what has no name, what it goes with, in words.");
   Record<SurroundingsEstimate>(m, "SurroundingsEstimate", "Wind or stream in a part of the runs.")
       .field<&SurroundingsEstimate::scope>("scope", "A group, a run, or \"all\".")
       .field<&SurroundingsEstimate::runs>("runs", "Their names.")
@@ -58,10 +59,11 @@ void add_findings(py::module_& m) {
       .field<&MovedPart::rudder_force>("rudder_force", "Of a rudder: its moment over that as given.");
   Record<InstrumentEstimate>(m, "InstrumentEstimate", "An error of an instrument found beside everything else.")
       .field<&InstrumentEstimate::channel>("channel", "\"r\", \"x\" for both coordinates of a position.")
-      .field<&InstrumentEstimate::error>("error", "zero, scale or delay.")
+      .field<&InstrumentEstimate::error>("error", "zero, scale, delay, axes, lever_arm_x or lever_arm_y.")
       .field<&InstrumentEstimate::value>("value", "In `unit`.")
       .field<&InstrumentEstimate::standard_error>("standard_error", "In `unit`.")
-      .field<&InstrumentEstimate::unit>("unit", "");
+      .field<&InstrumentEstimate::unit>("unit", "")
+      .field<&InstrumentEstimate::is_effect>("is_effect", "Large enough to stand among the effects, too.");
   Record<Discrepancy>(m, "Discrepancy", "Error of the yaw rate over its variation, mean of all runs.")
       .field<&Discrepancy::given>("given", "Of the ship as given.")
       .field<&Discrepancy::refitted>("refitted", "Refitted.")

@@ -988,6 +988,9 @@ class FoundEffect:
     def _asdict(self) -> Dict[str, Any]: ...
     def _replace(self, **values: Any) -> FoundEffect: ...
     @property
+    def depends_on(self) -> str:
+        """Of what has no name, what it goes with, in words."""
+    @property
     def effect(self) -> Effect:
         """In the mean of the runs, where it differs."""
     @property
@@ -1213,7 +1216,10 @@ class InstrumentEstimate:
         """\"r", "x" for both coordinates of a position."""
     @property
     def error(self) -> str:
-        """zero, scale or delay."""
+        """zero, scale, delay, axes, lever_arm_x or lever_arm_y."""
+    @property
+    def is_effect(self) -> bool:
+        """Large enough to stand among the effects, too."""
     @property
     def standard_error(self) -> float:
         """In `unit`."""

@@ -102,7 +102,7 @@ def from_dataframe(
     execute = facts.get("execute_s") if execute is None else execute
     water_depth = facts.get("water_depth_m") if water_depth is None else water_depth
     remarks = {k: v for k, v in facts.items() if k not in ("name", "manoeuvre", "execute_s", "water_depth_m")}
-    if remarks.pop("order_recorded", False):
+    if remarks.pop("order_recorded", False) in (True, "true"):
         frame = frame.rename(columns={"delta_rad": "delta_order_rad", "delta_deg": "delta_order_deg"})
     if "ordered_rev_s" in remarks and not {"rev_s", "rev_rpm"} & set(frame.columns):
         frame = frame.assign(rev_s=float(remarks.pop("ordered_rev_s")))

@@ -28,7 +28,8 @@ TEST_CASE("forces by part add up to the total", "[app]") {
     for (const auto& [name, part] : found.at("parts").items()) sum += part.at(axis).get<double>();
     CHECK(sum == Approx(found.at("total").at(axis).get<double>()).epsilon(1e-13));
   }
-  CHECK(found.at("parts").size() == 3);
+  CHECK(found.at("parts").size() == 4);
+  CHECK(found.at("parts").contains("rudder_hull_interaction"));
   CHECK(found.at("acceleration").at("r") != 0.0);
 }
 
@@ -51,6 +52,7 @@ TEST_CASE("a state that makes no sense is refused in words", "[app][refusal]") {
   CHECK_THAT(forces("u=1,v=fast"), ContainsSubstring("v must be a number, got \"fast\""));
   CHECK_THAT(forces("u=1,u=2"), ContainsSubstring("u is given twice"));
   CHECK_THAT(forces("u=1,rev=3,thrust=4"), ContainsSubstring("give one of rev, thrust"));
+  CHECK_THAT(forces("u=1,thrust_port=3"), ContainsSubstring("thrust_port and thrust_starboard go together"));
   CHECK_THAT(forces("u=-1"), ContainsSubstring("way ahead, not for u = -1 m/s"));
 }
 

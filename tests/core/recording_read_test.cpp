@@ -7,6 +7,7 @@
 
 #include "recording_text.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/run_remark.hpp"
 
 /// Everything becomes SI, radians, rudder positive to port, midship.
 namespace swayaw {
@@ -158,6 +159,16 @@ TEST_CASE("a run key that is not understood is kept as written", "[core]") {
   CHECK(file.recording.facts.remarks[0].key == "facility");
   CHECK(file.recording.facts.remarks[0].value == "\"tank \\\"B\\\" = deep\"  # no. 3");
   CHECK(file.warnings.empty());
+}
+
+TEST_CASE("group and start_utc are values, without the comment behind them", "[core]") {
+  const auto run = recording_of(
+      "# group = \"trial of \\\"May\\\"\"  # second day\n# start_utc = 2026-03-04T09:30:00Z # by the receiver\n"
+      "time_s,psi_rad,delta_rad\n0,0,0\n");
+  CHECK(remark_of(run, "group") == "trial of \\\"May\\\"");
+  CHECK(start_utc(run) == 1772616600.0);
+  CHECK(start_utc(recording_of(recording_text(run))) == 1772616600.0);
+  CHECK(remark_of(recording_of(recording_text(run)), "group") == remark_of(run, "group"));
 }
 
 TEST_CASE("a line for human readers is not a run key", "[core]") {

@@ -92,6 +92,11 @@ TEST_CASE("an effect that is hidden is named, with its size", "[mismatch][round-
     const auto d = of(ship, GyroBias<double>{bias});
     finds(d, GyroBias<double>{});
     CHECK(std::abs(error_of(d, "bias_rad_s", bias)) < 3.5);
+    REQUIRE(d.instruments.size() == 1);
+    CHECK(d.instruments.front().channel == "r");
+    CHECK(d.instruments.front().error == "zero");
+    CHECK(d.instruments.front().value == d.effects.front().parameters.front().value);
+    CHECK(d.instruments.front().is_effect);
     CHECK(d.location.front().quantity == "yaw_rate");
   }
   SECTION("a rudder that stalls") {

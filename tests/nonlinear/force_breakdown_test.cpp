@@ -85,6 +85,30 @@ TEST_CASE("forces by part along a simulated run make the accelerations of its mo
   }
 }
 
+TEST_CASE("what the rudder makes the hull bear stands by itself, in MMG form as in PI form",
+          "[nonlinear][second-route]") {
+  for (const Ship& ship : {Ship(test::kvlcc2_l7()), test::with_areas(test::pi_ship("wpcc_pi"))}) {
+    const double U = service_speed(ship);
+    const auto split = force_breakdown(ship, {0.0, 0.0, 0.0, {U, 0.05 * U, -0.1 * U / length(ship)}},
+                                       with_rudder(self_propulsion(ship, U), radians(10)));
+    const auto part = [&](std::string_view name) {
+      return std::ranges::find(split.parts, name, &ForcePart<double>::name)->force;
+    };
+    const auto rudder = part("rudder"), induced = part("rudder_hull_interaction");
+    PlanarForce<double> sum{};
+    for (const auto& p : split.parts) sum = sum + p.force;
+    CHECK_THAT(sum.Y, WithinRel(split.total.Y, 1e-12));
+    CHECK_THAT(sum.N, WithinRel(split.total.N, 1e-12));
+    CHECK(induced.Y * rudder.Y > 0.0);
+    if (const auto* mmg = std::get_if<MmgShip<double>>(&ship.model)) {
+      const double L = length(ship);
+      CHECK_THAT(induced.Y, WithinRel(mmg->rudder.a_H * rudder.Y, 1e-12));
+      CHECK_THAT(induced.N, WithinRel(mmg->rudder.x_H * L * induced.Y, 1e-12));
+      CHECK_THAT(rudder.N, WithinRel(mmg->rudder.x_R * L * rudder.Y, 1e-12));
+    }
+  }
+}
+
 TEST_CASE("forces along a run in wind have the wind as a part", "[nonlinear][second-route]") {
   Ship ship = test::with_areas(test::mmg(test::kvlcc2_l7()));
   ship.surroundings.wind = {3.0, radians(60)};

@@ -8,6 +8,8 @@
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/refusal.hpp"
+#include "swayaw/nonlinear/manoeuvres/pull_out.hpp"
+#include "swayaw/nonlinear/manoeuvres/williamson_turn.hpp"
 #include "swayaw/nonlinear/models/mmg/mmg_forces.hpp"
 #include "swayaw/nonlinear/steady_motion.hpp"
 
@@ -180,6 +182,25 @@ TEST_CASE("the way made is the length of the track", "[nonlinear][second-route]"
     way += std::hypot(circle.run[Channel::x][i] - circle.run[Channel::x][i - 1],
                       circle.run[Channel::y][i] - circle.run[Channel::y][i - 1]);
   CHECK_THAT(circle.initial_turning.value(), WithinAbs(way, 0.02));
+}
+
+TEST_CASE("what is measured on samples does not depend on the step of those that are written",
+          "[nonlinear][second-route]") {
+  const Ship ship = test::kvlcc2_l7();
+  const auto circle = turning_circle(ship, {.rudder = radians(35)});
+  const auto pulled = pull_out(ship, {.rudder = radians(20)});
+  for (const double step : {0.05, 1.0, 20.0}) {
+    INFO(step);
+    CHECK(zigzag(ship, ten_ten, {.step = step}).initial_turning == zigzag(ship, ten_ten).initial_turning);
+    CHECK(turning_circle(ship, {.rudder = radians(35)}, {.step = step}).initial_turning == circle.initial_turning);
+    CHECK(williamson_turn(ship, {.rudder = radians(35)}, {.step = step}).way ==
+          williamson_turn(ship, {.rudder = radians(35)}).way);
+    const auto again = pull_out(ship, {.rudder = radians(20)}, {.step = step});
+    for (const auto side : {&Sides<PullOutSide>::port, &Sides<PullOutSide>::starboard}) {
+      CHECK((again.sides.*side).fall_time == (pulled.sides.*side).fall_time);
+      CHECK((again.sides.*side).decay_time == (pulled.sides.*side).decay_time);
+    }
+  }
 }
 
 TEST_CASE("a steady turn is in balance", "[nonlinear][limit]") {

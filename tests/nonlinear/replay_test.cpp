@@ -79,6 +79,21 @@ TEST_CASE("a track alone tells the speed at the start, even where the rudder mov
   CHECK_THAT(state.motion.v, WithinAbs(0.0, 0.01 * service_speed(ship)));
 }
 
+TEST_CASE("a run whose rudder moves at once begins at its first sample", "[nonlinear][limit]") {
+  const Ship ship = published_ship("kvlcc2");
+  for (const double step : {1.0, 5.0, 10.0}) {
+    const auto run =
+        zigzag(ship, {.rudder = radians(10), .heading = radians(10)}, {.duration = 600.0, .step = step}).run;
+    const auto start = recorded_state(ship, run, 0.0);
+    CHECK_THAT(start.x, WithinAbs(0.0, 1e-9));
+    CHECK_THAT(start.y, WithinAbs(0.0, 1e-9));
+    CHECK_THAT(start.motion.u, WithinAbs(run[Channel::u][0], 1e-9));
+    CHECK_THAT(start.motion.v, WithinAbs(0.0, 1e-9));
+    CHECK_THAT(start.motion.r, WithinAbs(0.0, 1e-12));
+    CHECK_THAT(replay(ship, run)[Channel::x].front(), WithinAbs(0.0, 1e-9));
+  }
+}
+
 TEST_CASE("samples a third of a ship length apart tell the speed at the start", "[nonlinear][regression]") {
   // 2026-11-21: one sample within a quarter of a ship length gave the speed 0
   const Ship ship = test::kvlcc2_l7();

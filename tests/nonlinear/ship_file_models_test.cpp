@@ -50,6 +50,13 @@ TEST_CASE("a PI ship needs one measure of its inertia in yaw, and one only", "[n
         "inertia_z_kg_m2 in [particulars] is about midship and must be larger than m x_G2");
 }
 
+TEST_CASE("a PI hull needs the slopes by drift and yaw, a PU rudder those by its angle", "[nonlinear][refusal]") {
+  for (const std::string key : {"Y_v", "N_v", "N_r"})
+    CHECK(refusal_of(text_of("wpcc_pi.toml", key + " =", "")) == key + " is missing in [hull]");
+  for (const std::string key : {"Y_delta", "N_delta"})
+    CHECK(refusal_of(text_of("wpcc_pu.toml", key + " =", "")) == key + " is missing in [rudder]");
+}
+
 TEST_CASE("a wake that changes with the flow needs its numbers", "[nonlinear][refusal]") {
   for (const std::string key : {"wake_C1", "wake_C2_positive", "wake_C2_negative"})
     CHECK(refusal_of(text_of("kvlcc2_pi.toml", key, "")) == "wake = \"mmg\" needs " + key + " in [propeller]");

@@ -338,19 +338,20 @@ TEST_CASE("an effect surrounds the ship or is refused in words", "[nonlinear][re
   const auto refusal = [](std::string_view lines) {
     return refusal_of(text_with_tail("\n[[effect]]\n" + std::string(lines)));
   };
-  CHECK(refusal("kind = \"kelp\"\n") == place(line, 1) + "effect kelp is not understood by this version");
+  CHECK(refusal("kind = \"kelp\"\n") == place(line + 1, 8) + "effect kelp is not understood by this version");
   CHECK(refusal("kind = \"stedy_current\"\n") ==
-        place(line, 1) + "effect stedy_current is not understood by this version; did you mean \"steady_current\"?");
+        place(line + 1, 8) +
+            "effect stedy_current is not understood by this version; did you mean \"steady_current\"?");
   CHECK(refusal("id = \"steady_current\"\n") == place(line, 1) + "kind is missing in [[effect]]");
   CHECK(refusal("kind = \"steady_current\"\ncurrent_speed = 1\n") ==
-        place(line, 1) + "current_speed is not a number of steady_current; did you mean \"current_speed_m_s\"?");
+        place(line + 2, 17) + "current_speed is not a number of steady_current; did you mean \"current_speed_m_s\"?");
   CHECK(refusal_of(text_with_tail("\n[effects]\nwind = 1\n")) ==
         place(line, 2) + "effects is not known; did you mean \"effect\"?");
   CHECK(refusal("current_to_rad = 1\n") == place(line, 1) + "kind is missing in [[effect]]");
   CHECK(refusal("kind = \"steady_current\"\ncurrent_to_rad = 1\n") ==
         place(line, 1) + "steady_current needs current_speed_m_s");
   CHECK(refusal("kind = \"steady_current\"\nspeed = 1\n") ==
-        place(line, 1) + "speed is not a number of steady_current");
+        place(line + 2, 9) + "speed is not a number of steady_current");
   CHECK(refusal("kind = \"steady_current\"\ncurrent_to_rad = \"north\"\n") ==
         place(line + 2, 18) + "current_to_rad in [[effect]] must be a number");
   const Ship ship = parse_ship(

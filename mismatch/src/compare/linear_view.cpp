@@ -63,7 +63,7 @@ std::optional<LinearView> view_of_run(const Ship& model, const Recording& run) t
   const double L = length(model), U = service_speed(model);
   const auto simulated = replay(model, run);
   double amplitude = 0.0;
-  for (const double delta : run[Channel::delta])
+  for (const double delta : run[run.has(Channel::delta) ? Channel::delta : Channel::delta_order])
     amplitude = std::max(amplitude, std::isfinite(delta) ? std::abs(delta) : 0.0);
   return LinearView{run.name, amplitude, view_of(run, path_of(motions_of(run, U), L), L),
                     view_of(simulated, path_of(motions_of(simulated, U), L), L)};

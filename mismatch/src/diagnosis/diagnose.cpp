@@ -349,6 +349,12 @@ void put_where_and_next(Diagnosis& d, const Search& s, std::span<const EffectFor
   attempt(d, "what to sail next", [&] { d.next = next_manoeuvre(s.trial, s); });
 }
 
+/// Whether an effect changes nothing: a trace may come out so.
+bool is_null(const Ship& ship, const Effect& effect) {
+  const auto parameters = parameters_of(ship, effect);
+  return !parameters.empty() && std::ranges::all_of(parameters, [](const Parameter& p) { return p.value == p.null; });
+}
+
 /// A search, and what is told of it first: which of its effects stand.
 struct Told {
   Search s;
@@ -426,6 +432,7 @@ Diagnosis diagnose_clean(const Ship& ship, const Runs& runs, const DiagnosisOpti
   if (std::ranges::count(d.shifts, "rudder", &BaselineShift::part) > 0)
     d.rudder_force = rudder_left(ship, model_at(trial, {}, fit.point));
   d.improved = model_at(trial, effects, fit.point);
+  std::erase_if(d.improved.effects, [&](const Effect& e) { return is_null(d.improved, e); });
   attempt(d, "how much wind would not have shown",
           [&] { put_untold_surroundings(d, trial, s, runs.used, forms, needed); });
   const auto improved = ships_at(trial, effects, fit.point);
@@ -446,7 +453,8 @@ Diagnosis diagnose_clean(const Ship& ship, const Runs& runs, const DiagnosisOpti
   goes_on("where, and what next");
   put_where_and_next(d, s, forms, runs.used, needed);
   attempt(d, "the linear view", [&] { d.linear = linear_view(d.refitted, runs.used); });
-  if (s.on_board) d.instruments = instruments_of(trial, s);
+  for (const auto& e : d.effects) std::ranges::move(instruments_in(e, ship), std::back_inserter(d.instruments));
+  if (s.on_board) std::ranges::move(instruments_of(trial, s), std::back_inserter(d.instruments));
   attempt(d, "what held-out runs gain", [&] { put_holdout_gains(d, trial, s, runs.holdout); });
   if (options.pictures && goes_on("drawing the runs"))
     attempt(d, "pictures of the runs", [&] {
@@ -454,6 +462,8 @@ Diagnosis diagnose_clean(const Ship& ship, const Runs& runs, const DiagnosisOpti
       d.train_pictures = run_pictures(ship, refitted, improved, runs.used, noise);
       d.holdout_pictures = run_pictures(ship, refitted, improved, runs.holdout, noise);
     });
+  for (auto& e : d.effects)
+    if (is_nameless(e)) e.depends_on = unknown_depends_on(d);
   d.words = words_of(d);
   return d;
 }

@@ -94,16 +94,19 @@ std::pair<std::string, std::string> error_and_unit(std::string_view key) {
   if (key == "bias_rad") return {"zero", "rad"};
   if (key == "angle_rad") return {"axes", "rad"};
   if (key == "delay_s") return {"delay", "s"};
+  if (key == "x_m") return {"lever_arm_x", "m"};
+  if (key == "y_m") return {"lever_arm_y", "m"};
   return {std::string(key), ""};
 }
 
 std::string_view channel_shown_wrong(const Effect& effect) {
   if (const auto* channel = channel_of(effect)) return short_name(*channel);
   const auto wrong = shown_wrong(effect);
-  return wrong == "yaw_rate"  ? short_name(Channel::r)
-         : wrong == "heading" ? short_name(Channel::psi)
-         : wrong == "drift"   ? short_name(Channel::v)
-                              : short_name(Channel::speed_through_water);
+  return wrong == "yaw_rate"   ? short_name(Channel::r)
+         : wrong == "heading"  ? short_name(Channel::psi)
+         : wrong == "drift"    ? short_name(Channel::v)
+         : wrong == "position" ? short_name(Channel::x)
+                               : short_name(Channel::speed_through_water);
 }
 
 bool is_measured(const Trial& trial, Channel channel) {
@@ -207,6 +210,19 @@ std::vector<InstrumentEstimate> instruments_of(const Trial& trial, const Search&
     if (!(std::abs(o.value) > 2.0 * o.standard_error)) continue;
     const auto [error, unit] = error_and_unit(o.key);
     told.push_back({std::string(channel_shown_wrong(o.effect)), error, o.value, o.standard_error, unit});
+  }
+  return told;
+}
+
+std::vector<InstrumentEstimate> instruments_in(const FoundEffect& found, const Ship& ship) {
+  std::vector<InstrumentEstimate> told;
+  if (place_of(found.effect) != EffectPlace::sensor) return told;
+  const auto parameters = parameters_of(ship, found.effect);
+  for (const auto& p : found.parameters) {
+    const double off = p.value - std::ranges::find(parameters, p.key, &Parameter::key)->null;
+    if (!(std::abs(off) > 2.0 * p.standard_error)) continue;
+    const auto [error, unit] = error_and_unit(p.key);
+    told.push_back({std::string(channel_shown_wrong(found.effect)), error, off, p.standard_error, unit, true});
   }
   return told;
 }

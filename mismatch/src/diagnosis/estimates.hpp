@@ -28,6 +28,9 @@ void put_untold_surroundings(Diagnosis& d, const Trial& trial, const Search& s, 
 /// Those of more than two standard errors.
 std::vector<InstrumentEstimate> instruments_of(const Trial& trial, const Search& s);
 
+/// Those that an effect which was found is.
+std::vector<InstrumentEstimate> instruments_in(const FoundEffect& found, const Ship& ship);
+
 std::vector<MismatchPlace> places_of(const Effect& sensor, std::span<const Recording> runs);
 
 }  // namespace swayaw::mismatch::detail

@@ -44,10 +44,10 @@ std::string drag_words(std::span<const ParameterEstimate> parameters) {
                      words, std::abs(place->value), place->standard_error, place->value > 0.0 ? "starboard" : "port");
 }
 
-/// What acts that has no name, in words: a push by its time, else its place, what it goes with, and the terms of its
-/// map if there is one.
-std::string unknown_words(const Diagnosis& d) {
-  std::string words = "Something real is missing that no known effect explains";
+/// What acts that has no name, in words that go on with "; " or ", ": a push by its time, else its place, what it goes
+/// with, and the terms of its map if there is one.
+std::string what_unknown_goes_with(const Diagnosis& d) {
+  std::string words;
   const auto place = std::ranges::max_element(d.location, {}, &MismatchPlace::share);
   if (place != d.location.end())
     words += fmt::format("; it acts on the {}", place->quantity == "yaw_moment"   ? "yaw moment"
@@ -65,6 +65,10 @@ std::string unknown_words(const Diagnosis& d) {
   std::vector<std::string> terms;
   for (const auto& p : unknown->parameters) terms.push_back(p.key);
   return words + fmt::format("; as a map it has the terms {}", listed(terms));
+}
+
+std::string unknown_words(const Diagnosis& d) {
+  return "Something real is missing that no known effect explains" + what_unknown_goes_with(d);
 }
 
 /// "added mass" of "added_mass".
@@ -146,6 +150,12 @@ std::string discrepancy_words(const Diagnosis& d) {
 }
 
 }  // namespace
+
+std::string unknown_depends_on(const Diagnosis& d) {
+  constexpr std::size_t joined = 2;  // letters
+  const auto words = what_unknown_goes_with(d);
+  return words.size() > joined ? words.substr(joined) : words;
+}
 
 std::string_view phrase(std::string_view id) { return text_of(make_effect(id)).phrase; }
 

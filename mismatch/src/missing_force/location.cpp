@@ -11,6 +11,7 @@
 #include "../compare/statistics.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/detail/matrices.hpp"
+#include "swayaw/core/followed_order.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/mismatch/run_picture.hpp"
 
@@ -45,13 +46,14 @@ std::optional<Traced> traced(const Ship& ship, const PreparedRun& prepared, cons
   const auto ordinary = process_noise(ship, {});
   const auto force = missing_force(ship, prepared, noise);
   const Interpolant psi(run, Channel::psi);
+  const auto rudder = with_followed_order(run, steering_gear(ship));
   Traced t{&run, run.time, {}, {}, {}, {}, {}, {}};
   for (std::size_t i = 0; i < force.size(); ++i) {
     const auto& m = force[i].motion;
     const double U = std::hypot(m.u, m.v);
     t.missing.push_back({force[i].acceleration.u / ordinary.u, force[i].acceleration.v / ordinary.v,
                          force[i].acceleration.r / ordinary.r});
-    t.delta.push_back(run.has(Channel::delta) ? run[Channel::delta][i] : 0.0);
+    t.delta.push_back(rudder[Channel::delta][i]);
     t.beta.push_back(std::atan2(-m.v, m.u));
     t.r_prime.push_back(m.r * L / U);
     t.U.push_back(U);

@@ -206,7 +206,8 @@ MotionSizes sizes_of(const Ship& ship, std::span<const Recording> runs) {
   for (const auto channel : {Channel::u, Channel::speed_through_water, Channel::speed_over_ground})
     if (s.u == 0.0) s.u = rms(channel, U, 1.0);
   s.r = rms(Channel::r, U / L, 0.0);
-  s.delta = rms(Channel::delta, 1.0, 0.0);
+  for (const auto channel : {Channel::delta, Channel::delta_order})
+    if (s.delta == 0.0) s.delta = rms(channel, 1.0, 0.0);
   s.u = std::max(s.u, 0.1), s.r = std::max(s.r, 0.1), s.delta = std::max(s.delta, 0.05);
   s.v = 0.4 * s.r;
   return s;

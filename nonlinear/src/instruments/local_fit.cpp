@@ -25,7 +25,9 @@ std::optional<ValueAndRate> local_fit(const Recording& run, Channel channel, dou
     ++count;
   }
   if (count == 0) return std::nullopt;
-  const int terms = std::min(degree + 1, std::max(1, count - 1));
+  // as many as the samples carry and one less, but two are joined: the start of a run whose rudder moves at once is the
+  // first of them, and not half a step further on
+  const int terms = std::min(degree + 1, count == 2 ? 2 : std::max(1, count - 1));
   for (int i = terms; i < 3; ++i) {
     A.row(i).setZero();
     A.col(i).setZero();

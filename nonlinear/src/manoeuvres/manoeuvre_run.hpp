@@ -56,6 +56,16 @@ std::unique_ptr<ShipStepper> approaching(const ActingShip<Model>& acting, const 
 
 inline Sample now(const ShipStepper& stepper) { return {stepper.time(), stepper.state(), stepper.controls()}; }
 
+/// Options of the same manoeuvre, for what is measured on samples: it does not depend on the step of those that are
+/// written.
+inline ManoeuvreOptions measuring(ManoeuvreOptions options, const std::optional<double>& duration) {
+  options.step.reset(), options.duration = duration, options.traced = false;
+  return options;
+}
+
+/// A little longer than until an event, so that it is reached.
+inline double just_after(double event) { return 1.01 * event; }
+
 /// Way made until a time, ∫ U dt by the trapezoidal rule over the samples and the one `last` after them [m]; nothing
 /// without samples.
 std::optional<double> way_made(const std::vector<Sample>& samples, const Sample& last, double until);

@@ -100,7 +100,14 @@ PullOut pull_out(const Ship& ship, const PullOutOrder& order, const ManoeuvreOpt
                    .approach_speed = speed,
                    .propulsion = acting_propulsion(acting, speed, options.rev, options.thrust)};
   };
-  return visit_acting(ship, both);
+  auto result = visit_acting(ship, both);
+  if (!options.step) return result;
+  const auto measured = pull_out(ship, order, measuring(options, options.duration));
+  for (const auto side : {&Sides<PullOutSide>::port, &Sides<PullOutSide>::starboard}) {
+    (result.sides.*side).fall_time = (measured.sides.*side).fall_time;
+    (result.sides.*side).decay_time = (measured.sides.*side).decay_time;
+  }
+  return result;
 }
 
 }  // namespace swayaw::nonlinear

@@ -64,6 +64,10 @@ TurningCircle run_circle(const Ship& ship, const ActingShip<Model>& acting, cons
 TurningCircle turning_circle(const Ship& ship, const TurnOrder& order, const ManoeuvreOptions& options) {
   require_rudder(order.rudder, steering_gear(ship));
   auto circle = visit_acting(ship, [&](const auto& acting) { return run_circle(ship, acting, order, options); });
+  if (options.step && options.sampled) {
+    const auto duration = circle.time_90 ? std::optional(just_after(*circle.time_90)) : options.duration;
+    circle.initial_turning = turning_circle(ship, order, measuring(options, duration)).initial_turning;
+  }
   circle.run.name = ship.name;
   circle.run.facts.execute = 0.0;
   circle.run.facts.manoeuvre = fmt::format("turn {:.6g} to {}", degrees(order.rudder), name_of(order.side));

@@ -64,6 +64,8 @@ WilliamsonTurn williamson_turn(const Ship& ship, const WilliamsonOrder& order, c
     throw std::domain_error(fmt::format("{:.6g} deg before the reciprocal heading is the approach heading or beyond",
                                         degrees(order.before)));
   auto result = visit_acting(ship, [&](const auto& acting) { return run_williamson(acting, order, options); });
+  if (options.step && options.sampled && result.reciprocal)
+    result.way = williamson_turn(ship, order, measuring(options, just_after(result.reciprocal->time))).way;
   result.run.name = ship.name;
   result.run.facts.execute = 0.0;
   result.run.facts.manoeuvre =

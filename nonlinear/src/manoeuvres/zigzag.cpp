@@ -48,6 +48,9 @@ Zigzag zigzag(const Ship& ship, const ZigzagOrder& order, const ManoeuvreOptions
   require_rudder(order.rudder, steering_gear(ship));
   require_positive(order.heading, "heading angle [rad]");
   auto result = visit_acting(ship, [&](const auto& acting) { return run_zigzag(acting, order, options); });
+  if (options.step && options.sampled && !result.reversals.empty())
+    result.initial_turning =
+        zigzag(ship, order, measuring(options, just_after(result.reversals.front().time))).initial_turning;
   result.run.name = ship.name;
   result.run.facts.execute = 0.0;
   result.run.facts.manoeuvre =

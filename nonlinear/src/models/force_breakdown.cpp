@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "force_parts.hpp"
 #include "swayaw/core/refusal.hpp"
 #include "swayaw/nonlinear/effects/acting_in_wind.hpp"
 #include "swayaw/nonlinear/instruments/instruments.hpp"
@@ -22,8 +23,8 @@ ForceBreakdown break_down(const ActingShip<Model>& acting, const Surroundings<do
                           const ShipState<double>& state, const Controls<double>& controls) {
   const auto& model = acting.model;
   const auto split = forces(model, state.motion, driven(acting.added, state.motion, controls));
-  ForceBreakdown result{.parts = {}, .total = split.total(), .acceleration = {}};
-  for (const auto& part : split.parts()) result.parts.push_back(part);
+  const auto parts = detail::force_parts(model, split);
+  ForceBreakdown result{.parts = {parts.begin(), parts.end()}, .total = split.total(), .acceleration = {}};
   if (around.windy) {
     result.parts.push_back({"wind", wind_load(around, state)});
     result.total = result.total + result.parts.back().force;

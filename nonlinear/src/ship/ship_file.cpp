@@ -88,7 +88,7 @@ void read_numbers(Effect& effect, const FileEffect& given, const PartsReader& fi
   for_each_parameter(effect, [&](const auto& p, double&) { keys.push_back(p.key); });
   for (const auto& number : given.numbers)
     if (const auto& key = number.first; std::ranges::count(keys, key) == 0)
-      file.fail(given,
+      file.fail(given, key,
                 fmt::format("{} is not a number of {}{}", key, given.kind, core::detail::did_you_mean(key, keys)));
   bool some = false;
   for_each_parameter(effect, [&](const auto& p, double& number) {
@@ -97,18 +97,18 @@ void read_numbers(Effect& effect, const FileEffect& given, const PartsReader& fi
     some = some || found != given.numbers.end();
     number = found == given.numbers.end() ? p.fallback : found->second;
     if (found != given.numbers.end() && !p.range.contains(number))
-      file.fail(given, fmt::format("{} in [[effect]] cannot be {}", p.key, number));
+      file.fail(given, p.key, fmt::format("{} in [[effect]] cannot be {}", p.key, number));
   });
   if (!some) file.fail(given, fmt::format("{} has no numbers", given.kind));
 }
 
 void read_channel(Effect& effect, const FileEffect& given, const PartsReader& file) {
   auto* place = channel_of(effect);
-  if (!place && !given.channel.empty()) file.fail(given, fmt::format("{} has no channel", given.kind));
+  if (!place && !given.channel.empty()) file.fail(given, "channel", fmt::format("{} has no channel", given.kind));
   if (!place) return;
   if (given.channel.empty()) file.fail(given, fmt::format("{} needs channel", given.kind));
   const auto channel = channel_named(given.channel);
-  if (!channel) file.fail(given, fmt::format("channel \"{}\" is not known", given.channel));
+  if (!channel) file.fail(given, "channel", fmt::format("channel \"{}\" is not known", given.channel));
   *place = *channel == Channel::y ? Channel::x : *channel;
 }
 
@@ -121,8 +121,9 @@ bool same_kind(const Effect& a, const Effect& b) {
 Effect read_effect(const FileEffect& given, const PartsReader& file) {
   auto effect = effect_named(given.kind);
   if (!effect)
-    file.fail(given, fmt::format("effect {} is not understood by this version{}", given.kind,
-                                 core::detail::did_you_mean(given.kind, effect_ids())));
+    file.fail(given, "kind",
+              fmt::format("effect {} is not understood by this version{}", given.kind,
+                          core::detail::did_you_mean(given.kind, effect_ids())));
   read_numbers(*effect, given, file);
   read_channel(*effect, given, file);
   return *effect;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "../models/force_parts.hpp"
 #include "swayaw/core/motion.hpp"
 #include "swayaw/nonlinear/effects/acting_effects.hpp"
 #include "swayaw/nonlinear/models/branch.hpp"
@@ -108,8 +109,8 @@ struct HeldForces {
 template <class Model>
 auto parts_of(const Model& model, const PlanarMotion<double>& m, const Controls<double>& c,
               const Branch<double, Model::branch_count>& branch) {
-  return HeldForces<std::tuple_size_v<decltype(forces(model, m, c, branch).parts())>>{
-      forces(model, m, c, branch).parts()};
+  const auto parts = force_parts(model, forces(model, m, c, branch));
+  return HeldForces<std::tuple_size_v<std::decay_t<decltype(parts)>>>{parts};
 }
 
 /// Out of the range.

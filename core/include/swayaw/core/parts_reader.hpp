@@ -59,11 +59,17 @@ struct FileKeys {
 
 /// An [[effect]] of a ship file.
 struct FileEffect {
+  struct Place {
+    std::string key;
+    std::size_t line, column;
+  };
+
   std::string kind;
   std::vector<std::pair<std::string, double>> numbers;
   std::size_t line;
   std::size_t column;
-  std::string channel{};  ///< name of a channel, where one is given
+  std::string channel{};        ///< name of a channel, where one is given
+  std::vector<Place> values{};  ///< where the value of each key stands
 };
 
 /// The parameters of a part that stands in that table.
@@ -138,6 +144,9 @@ class PartsReader {
 
   /// @throws FileError  at the place of the effect
   [[noreturn]] void fail(const FileEffect& effect, std::string_view what) const;
+
+  /// @throws FileError  at the value of that key of the effect, which it has
+  [[noreturn]] void fail(const FileEffect& effect, std::string_view key, std::string_view what) const;
 
   /// @throws FileError  with the place of the value; of the table where the key is not there, of the file where neither
   /// is

@@ -49,6 +49,7 @@ struct FoundEffect {
   std::optional<double> end;    ///< [s]
   std::vector<ParameterEstimate> parameters;
   std::vector<std::string> indistinguishable_from;  ///< effects that explain the runs as well
+  std::string depends_on{};                         ///< of what has no name, what it goes with, in words
 };
 
 /// Wind or stream in a part of the runs.
@@ -108,9 +109,10 @@ std::string rudder_force_words(double over_given);
 /// An error of an instrument that was found beside everything else, however small.
 struct InstrumentEstimate {
   std::string channel;  ///< "r", "x" for both coordinates of a position
-  std::string error;    ///< "zero", "scale", "delay", "axes"
+  std::string error;    ///< "zero", "scale", "delay", "axes", "lever_arm_x", "lever_arm_y"
   double value, standard_error;
   std::string unit;
+  bool is_effect = false;  ///< large enough to stand among the effects, too
 };
 
 /// Error of the yaw rate over its variation, mean of all runs.
@@ -164,7 +166,7 @@ struct Diagnosis {
   std::vector<RunErrors> train{}, holdout{};
   Ship refitted;                                     ///< baseline refitted, without effects
   Ship improved;                                     ///< with the effects found
-  std::vector<InstrumentEstimate> instruments{};     ///< told from none, beside the effects
+  std::vector<InstrumentEstimate> instruments{};     ///< told from none; those among the effects first
   std::vector<SurroundingsEstimate> surroundings{};  ///< where wind or stream was found
   std::vector<ForceBudget> budget{};
   std::optional<Discrepancy> discrepancy{};  ///< nothing where no run tells a yaw rate

@@ -10,8 +10,9 @@ namespace swayaw::inline nonlinear {
 
 /// Forces about midship, split by part, and what they do to the ship.
 struct ForceBreakdown {
-  std::vector<ForcePart<double>>
-      parts;  ///< hull, propeller, rudder, …, wind where there is some, and effects that add a force, by their names
+  /// hull, propeller, rudder, rudder_hull_interaction where the model has one, wind where there is some, and effects
+  /// that add a force, by their names
+  std::vector<ForcePart<double>> parts;
   PlanarForce<double> total;                ///< drives the equations of motion of the model
   PlanarAcceleration<double> acceleration;  ///< of midship in body axes
 };

@@ -8,7 +8,8 @@
 namespace swayaw::inline nonlinear {
 
 /// The rudder of the physics-uninformed model: a third-order Taylor expansion in rudder angle, drift and yaw rate.
-/// Terms that a ship file does not name are zero. Thrust does not enter; the hull's share is inside.
+/// Terms that a ship file does not name are zero, but for the slopes by the rudder angle, which it must. Thrust does
+/// not enter; the hull's share is inside.
 ///
 /// Source: [Alexandersson2024] appendix B.1
 template <class S = double>
@@ -24,16 +25,20 @@ struct MathematicalRudder {
       return ParameterOf<R, S>{
           .key = key, .member = member, .unit = "-", .range = any_number, .role = Role::coefficient, .required = false};
     };
+    constexpr auto needed = [](std::string_view key, S R::*member) {
+      return ParameterOf<R, S>{
+          .key = key, .member = member, .unit = "-", .range = any_number, .role = Role::coefficient};
+    };
     return std::array{
         term("X_deltadelta", &R::X_deltadelta),
-        term("Y_delta", &R::Y_delta),
+        needed("Y_delta", &R::Y_delta),
         term("Y_deltadeltadelta", &R::Y_deltadeltadelta),
         term("Y_vdeltadelta", &R::Y_vdeltadelta),
         term("Y_vvdelta", &R::Y_vvdelta),
         term("Y_rdeltadelta", &R::Y_rdeltadelta),
         term("Y_rrdelta", &R::Y_rrdelta),
         term("Y_vrdelta", &R::Y_vrdelta),
-        term("N_delta", &R::N_delta),
+        needed("N_delta", &R::N_delta),
         term("N_deltadeltadelta", &R::N_deltadeltadelta),
         term("N_vdeltadelta", &R::N_vdeltadelta),
         term("N_vvdelta", &R::N_vvdelta),

@@ -84,7 +84,8 @@ struct PrimeAddedMass {
   }
 };
 
-/// Terms that a ship file does not name are zero.
+/// Terms that a ship file does not name are zero; without damping of sway and yaw, and the moment by drift, it is no
+/// hull.
 template <class S = double>
 struct PrimeHull {
   S X_0, X_u, X_vv, X_vr, X_rr;                 ///< surge derivatives
@@ -93,15 +94,19 @@ struct PrimeHull {
 
   static constexpr auto parameters() {
     using H = PrimeHull;
+    constexpr auto needed = [](std::string_view key, S H::*member) {
+      return ParameterOf<H, S>{
+          .key = key, .member = member, .unit = "-", .range = any_number, .role = Role::coefficient};
+    };
     constexpr auto term = [](std::string_view key, S H::*member) {
       return ParameterOf<H, S>{
           .key = key, .member = member, .unit = "-", .range = any_number, .role = Role::coefficient, .required = false};
     };
     return std::array{
         term("X_0", &H::X_0),     term("X_u", &H::X_u),     term("X_vv", &H::X_vv),   term("X_vr", &H::X_vr),
-        term("X_rr", &H::X_rr),   term("Y_0", &H::Y_0),     term("Y_v", &H::Y_v),     term("Y_r", &H::Y_r),
+        term("X_rr", &H::X_rr),   term("Y_0", &H::Y_0),     needed("Y_v", &H::Y_v),   term("Y_r", &H::Y_r),
         term("Y_vvv", &H::Y_vvv), term("Y_vvr", &H::Y_vvr), term("Y_vrr", &H::Y_vrr), term("Y_rrr", &H::Y_rrr),
-        term("N_0", &H::N_0),     term("N_v", &H::N_v),     term("N_r", &H::N_r),     term("N_vvv", &H::N_vvv),
+        term("N_0", &H::N_0),     needed("N_v", &H::N_v),   needed("N_r", &H::N_r),   term("N_vvv", &H::N_vvv),
         term("N_vvr", &H::N_vvr), term("N_vrr", &H::N_vrr), term("N_rrr", &H::N_rrr),
     };
   }
