@@ -133,15 +133,14 @@ void check_slopes(std::span<const std::string_view> wanted, std::span<const Chan
         return (fit.slopes.col(i) - by.col(i)).norm() <= relative * by.col(i).norm() + rounding;
       };
       // differences that reach over where a load has an edge, as of wind from abeam, are no slopes
-      if (agree(expected, 1e-6)) continue;
-      if (!nearer) nearer = central_differences(problem, fit, 1e-5);
-      if (agree(*nearer, 1e-5)) continue;
+      const bool agrees = agree(expected, 1e-6);
+      if (!agrees && !nearer) nearer = central_differences(problem, fit, 1e-5);
       // beside an edge, as of a sample that is about to be an outlier, the difference to the other side is one
       const auto beside_edge = [&](double step) {
         const auto one_sided = differences(problem, fit, step);
         return (fit.slopes.col(i) - one_sided.col(i)).norm() <= 5e-5 * one_sided.col(i).norm() + 1e-5;
       };
-      CHECK((beside_edge(1e-5) || beside_edge(-1e-5)));
+      CHECK((agrees || agree(*nearer, 1e-5) || beside_edge(1e-5) || beside_edge(-1e-5)));
     }
   }
 }
