@@ -155,6 +155,7 @@ Effect effect_from(const std::string& id, const std::map<std::string, double>& n
         fmt::format("there is no effect \"{}\"{}", id, core::detail::did_you_mean(id, effect_ids())));
   set_numbers(*effect, numbers);
   set_channel(*effect, channel);
+  if (const auto needed = lacks(*effect); !needed.empty()) throw std::domain_error(fmt::format("{}: {}", id, needed));
   return *effect;
 }
 
@@ -176,14 +177,9 @@ py::dict numbers_of(const Effect& effect) {
   return numbers;
 }
 
-bool same_kind(const Effect& a, const Effect& b) {
-  const auto *of_a = channel_of(a), *of_b = channel_of(b);
-  return a.index() == b.index() && (!of_a || *of_a == *of_b);
-}
-
 /// @throws Refusal  if she has one of its kind, or it cannot act on her
 Ship with_one_more(const Ship& ship, const Effect& effect) {
-  if (std::ranges::any_of(ship.effects, [&](const Effect& e) { return same_kind(e, effect); }))
+  if (std::ranges::any_of(ship.effects, [&](const Effect& e) { return exclude_each_other(e, effect); }))
     throw Refusal(fmt::format("{} has the effect {} already", ship.name, id_of(effect)));
   if (place_of(effect) == EffectPlace::air && !feels_wind(ship.surroundings.windage))
     throw Refusal("wind needs frontal and lateral area of the ship, in [windage] or [particulars]");

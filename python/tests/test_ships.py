@@ -82,6 +82,10 @@ def test_effects_are_refused_as_in_files(ship):
         swayaw.Effect("steady_wind", wind_speed_m_s=-3.0, wind_from_rad=0.0)
     with pytest.raises(ValueError, match="wind_sped_m_s is not a number of steady_wind"):
         swayaw.Effect("steady_wind", wind_sped_m_s=3.0)
+    clock = swayaw.Effect("clock_drift", channel="x", at_s=60.0, by_s=3.0)
+    assert clock.numbers["by_s"] == 3.0 and clock.numbers["rate"] == 0.0
+    with pytest.raises(ValueError, match="a jump needs at_s and by_s"):
+        swayaw.Effect("clock_drift", channel="x", by_s=3.0)
     with pytest.raises(ValueError, match="channel_delay needs channel"):
         swayaw.Effect("channel_delay", delay_s=1.0)
 

@@ -228,6 +228,31 @@ TEST_CASE("a filter of the yaw rate is late by its mean delay, and its kind is a
   }
 }
 
+// What the effects of a ship file do to her instruments, by kinematics alone.
+TEST_CASE("a clock and a filter of a ship file are told from the run that was simulated with them",
+          "[identification][second-route]") {
+  auto ship = read_ship(test::ships / "kvlcc2_l7.toml");
+  constexpr double rate = 0.004, jump = 60.0, later = 3.0, lag = 0.5;
+  ship.effects = {ClockDrift<>{.channel = Channel::x, .rate = rate},
+                  ClockDrift<>{.channel = Channel::x, .at = jump, .by = later},
+                  ChannelFilter<>{.channel = Channel::r, .time = lag}};
+  const auto check = check_run(zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, {.step = 0.1}).run);
+  const auto told = [&](Channel channel, Kind kind) {
+    const auto* error = found(check, channel, kind);
+    REQUIRE(error);
+    CHECK(error->told);
+    return *error;
+  };
+  CHECK(std::abs(told(Channel::x, Kind::clock_rate).value - rate) < 0.01 * rate);
+  const auto leap = told(Channel::x, Kind::jump);
+  CHECK(std::abs(leap.value - later) < 0.01 * later);
+  CHECK(std::abs(leap.at - jump) < 0.2);
+  const auto late = told(Channel::r, Kind::delay);
+  CHECK(std::abs(late.value - lag) < 0.01 * lag);
+  CHECK(std::ranges::count(late.readings, "first-order lag") == 1);
+  CHECK(std::abs(told(Channel::r, Kind::smoothing).value - lag) < 0.05 * lag);
+}
+
 TEST_CASE("a lag of the velocities is said to be one, or to look like what was told", "[identification][law]") {
   FaultyRuns runs(21);
   int told = 0, said = 0;

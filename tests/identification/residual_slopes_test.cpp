@@ -70,6 +70,9 @@ std::vector<Effect> effects_on(const Ship& ship, std::span<const std::string_vie
   const double unit = time_unit_of(ship);
   for (const auto channel : {Channel::r, Channel::x, Channel::delta})
     effects.push_back(ChannelDelay<>{channel, random.uniform(0.02, 0.1) * unit});
+  effects.push_back(ClockDrift<>{.channel = Channel::psi, .rate = random.uniform(1e-3, 3e-3)});
+  effects.push_back(ChannelFilter<>{.channel = Channel::u, .time = random.uniform(0.02, 0.05) * unit});
+  effects.push_back(ChannelFilter<>{.channel = Channel::r, .time = random.uniform(0.02, 0.05) * unit, .causal = 0.0});
   return effects;
 }
 

@@ -118,38 +118,63 @@ TEST_CASE("errors are as large as their covariance where channels are late or ea
       }
 }
 
+/// That the likelihood of a size of an effect is highest at the true one.
+/// @param lead  by which a channel of the whole run, before it is cut, is early for each unit of the size [s]
+template <class EffectOf>
+void check_likeliest(EffectOf&& effect_of, double truth, double step, double lead = 0.0) {
+  const auto bare = test::kvlcc2_l7();
+  const auto ship_with = [&](double size) {
+    auto ship = bare;
+    ship.effects = {effect_of(size)};
+    return ship;
+  };
+  auto of_whole_run = ship_with(truth);
+  if (lead != 0.0) of_whole_run.effects.push_back(ChannelDelay<>{Channel::x, -lead * truth});
+  const auto total = [&](double size) {
+    double sum = 0.0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      const auto by = test::ordinary(bare);
+      const auto d = test::disturbed_run(bare, by, seed, {.samples = 100 + 2 * around});
+      sum += estimate_states(ship_with(size), through_instruments(d, of_whole_run),
+                             {.noise = d.noise,
+                              .process_noise = by.process_noise,
+                              .memory = by.tau * service_speed(bare) / length(bare),
+                              .smooth = false})
+                 .noise.log_likelihood;
+    }
+    return sum;
+  };
+  const double least = total(truth - step), here = total(truth), most = total(truth + step);
+  CHECK(here > std::max(least, most));
+  // the summit of the parabola through the three, and its error
+  const double curvature = (least + most - 2.0 * here) / (step * step),
+               summit = 0.5 * (least - most) / (step * curvature);
+  CHECK_THAT(summit, WithinAbs(0.0, 3.5 / std::sqrt(-curvature)));
+}
+
 // Readings of a time before or after the run count as the others do, or a delay would look the less likely the more
 // there are of them.
 TEST_CASE("the likelihood of a delay is highest where it is true", "[identification][second-route]") {
-  const auto bare = test::kvlcc2_l7();
   for (const double truth : {-3.0, -0.7, 1.3, 4.0}) {
     CAPTURE(truth);
-    const auto late_by = [&](double delay) {
-      auto ship = bare;
-      ship.effects = {ChannelDelay<>{.channel = Channel::x, .delay = delay}};
-      return ship;
+    check_likeliest([](double delay) { return ChannelDelay<>{.channel = Channel::x, .delay = delay}; }, truth, 0.2);
+  }
+}
+
+TEST_CASE("the likelihood of a clock and of a filter is highest where they are true",
+          "[identification][second-route]") {
+  for (const double truth : {-0.03, 0.01}) {
+    CAPTURE(truth);
+    const double lead =
+        test::disturbed_run(test::kvlcc2_l7(), test::ordinary(test::kvlcc2_l7()), 1, {}).run.time[around];
+    check_likeliest([](double rate) { return ClockDrift<>{.channel = Channel::x, .rate = rate}; }, truth, 0.004, lead);
+  }
+  for (const double causal : {0.0, 1.0}) {
+    CAPTURE(causal);
+    const auto filter = [&](double time) {
+      return ChannelFilter<>{.channel = Channel::r, .time = time, .causal = causal};
     };
-    const auto total = [&](double delay) {
-      double sum = 0.0;
-      for (unsigned seed = 1; seed <= 20; ++seed) {
-        const auto by = test::ordinary(bare);
-        const auto d = test::disturbed_run(bare, by, seed, {.samples = 100 + 2 * around});
-        sum += estimate_states(late_by(delay), through_instruments(d, late_by(truth)),
-                               {.noise = d.noise,
-                                .process_noise = by.process_noise,
-                                .memory = by.tau * service_speed(bare) / length(bare),
-                                .smooth = false})
-                   .noise.log_likelihood;
-      }
-      return sum;
-    };
-    constexpr double step = 0.2;  // s
-    const double least = total(truth - step), here = total(truth), most = total(truth + step);
-    CHECK(here > std::max(least, most));
-    // the summit of the parabola through the three, and its error
-    const double curvature = (least + most - 2.0 * here) / (step * step),
-                 summit = 0.5 * (least - most) / (step * curvature);
-    CHECK_THAT(summit, WithinAbs(0.0, 3.5 / std::sqrt(-curvature)));
+    check_likeliest(filter, causal == 0.0 ? 3.0 : 0.6, causal == 0.0 ? 0.5 : 0.2);
   }
 }
 

@@ -190,10 +190,14 @@ TEST_CASE("an instrument shows at a time what it records of a run", "[nonlinear]
                                         VelocityAxes<>{0.04},
                                         AntennaLeverArm<>{2.0, -0.3},
                                         ChannelDelay<>{Channel::r, 0.05},
-                                        ChannelDelay<>{Channel::x, -0.02}};
+                                        ChannelDelay<>{Channel::x, -0.02},
+                                        ClockDrift<>{.channel = Channel::psi, .rate = 0.003},
+                                        ClockDrift<>{.channel = Channel::u, .rate = 0.0, .at = 10.0, .by = 0.04},
+                                        ChannelFilter<>{.channel = Channel::r, .time = 0.05},
+                                        ChannelFilter<>{.channel = Channel::v, .time = 0.1, .causal = 0.0}};
   int kinds = 0;
   for_each_kind([&]<class Kind>() { kinds += IsInstrument<Kind> && find<Kind>(std::span<const Effect>(instruments)); });
-  CHECK(kinds == 6);
+  CHECK(kinds == 8);
   const std::size_t i = truth.samples() / 2;
   const auto value = [&](Channel c) { return truth[c][i]; };
   const ShipState<double> state{value(Channel::x),
@@ -212,7 +216,8 @@ TEST_CASE("an instrument shows at a time what it records of a run", "[nonlinear]
     };
     for (const auto channel : {Channel::x, Channel::y, Channel::psi, Channel::u, Channel::v, Channel::r}) {
       INFO(id_of(instrument) << " " << short_name(channel));
-      CHECK_THAT(observe(channel, wrong, ago), WithinAbs(record[channel][i], 2e-5));
+      CHECK_THAT(observe(channel, wrong, ago, {truth.time[i], truth.time.front()}),
+                 WithinAbs(record[channel][i], 2e-5));
     }
   }
 }

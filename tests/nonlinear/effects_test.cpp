@@ -434,6 +434,15 @@ TEST_CASE("effects of a file are refused in words", "[nonlinear][refusal]") {
   CHECK(refusal("kind = \"channel_delay\"\nchannel = \"psi\"\ndelay_s = 1\n[[effect]]\nkind = "
                 "\"channel_delay\"\nchannel = \"r_rad_s\"\ndelay_s = 1\n")
             .empty());
+  const std::string clock = "kind = \"clock_drift\"\nchannel = \"x\"\n", next = "[[effect]]\n" + clock;
+  CHECK_THAT(refusal(clock), ContainsSubstring("clock_drift has no numbers"));
+  CHECK_THAT(refusal(clock + "by_s = 2\n"), ContainsSubstring("clock_drift: a jump needs at_s and by_s"));
+  CHECK_THAT(refusal(clock + "rate = 0.001\nat_s = 20\n"), ContainsSubstring("a jump needs at_s and by_s"));
+  CHECK(refusal(clock + "rate = 0.001\n" + next + "at_s = 20\nby_s = 2\n" + next + "at_s = 60\nby_s = -1\n").empty());
+  CHECK_THAT(refusal(clock + "at_s = 20\nby_s = 2\n" + next + "at_s = 20\nby_s = -1\n"),
+             ContainsSubstring("clock_drift is given twice"));
+  CHECK_THAT(refusal("kind = \"channel_filter\"\nchannel = \"r\"\ntime_s = 1\ncausal = 2\n"),
+             ContainsSubstring("causal in [[effect]] cannot be 2"));
   const auto abkowitz = test::ship_of(sailing_ship<AbkowitzShip<double>>());
   CHECK_THROWS_WITH(zigzag_of(with_effect(abkowitz, CrossFlowDrag<>{0.5})),
                     "cross_flow_drag cannot act on a ship of model \"abkowitz\"");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch.hpp>
 #include <cmath>
+#include <complex>
 #include <random>
 
 #include "swayaw/core/dual.hpp"
@@ -161,6 +162,72 @@ TEST_CASE("a late channel shows what was true a while ago", "[nonlinear][limit]"
     const auto back = as_it_was(recorded, late);
     for (std::size_t i = 2; i + 2 < truth.samples(); ++i)
       CHECK(back[channel][i] == Approx(truth[channel][i]).margin(1e-9));
+  }
+}
+
+TEST_CASE("a clock that runs and jumps shows what was true by so much longer ago", "[nonlinear][second-route]") {
+  RandomSights random(7);
+  const auto truth = true_run(random);
+  const double begin = truth.time.front(), jump = 8.25;
+  const std::vector<Effect> effects{ClockDrift<>{.channel = Channel::psi, .rate = 0.02},
+                                    ClockDrift<>{.channel = Channel::psi, .rate = 0.0, .at = jump, .by = 1.5},
+                                    ClockDrift<>{.channel = Channel::x, .rate = -0.01}};
+  const auto instruments = instruments_of(std::span<const Effect>(effects));
+  const auto recorded = as_recorded(truth, instruments);
+  for (std::size_t i = 0; i < truth.samples(); ++i) {
+    const double t = truth.time[i], late = 0.02 * (t - begin) + (t >= jump ? 1.5 : 0.0);
+    CHECK(instruments[Channel::psi].late({t, begin}) == Approx(late));
+    const double rate = truth[Channel::r].front();  // a steady turn
+    CHECK(recorded[Channel::psi][i] == Approx(truth[Channel::psi][i] - rate * late).margin(1e-9));
+    CHECK(recorded[Channel::r][i] == truth[Channel::r][i]);
+  }
+  CHECK(instruments[Channel::y].clock == instruments[Channel::x].clock);
+  const auto back = as_it_was(recorded, instruments);
+  for (std::size_t i = 4; i + 8 < truth.samples(); ++i)
+    for (const auto channel : {Channel::psi, Channel::x, Channel::y})
+      CHECK(back[channel][i] == Approx(truth[channel][i]).margin(2e-2));  // straight lines between samples
+}
+
+// Exact answers to exp(i ω t): 1/(1 + i ω T) of the lag, sin(ωT/2)/(ωT/2) of the mean.
+TEST_CASE("two looks do to a slow motion what a filter does", "[nonlinear][second-route]") {
+  const auto gain = [](const ChannelSmoothing<double>& smoothing, double omega) {
+    std::complex<double> sum;
+    for (const auto& look : smoothing.looks()) sum += look.weight * std::polar(1.0, -omega * look.delay);
+    return sum;
+  };
+  using namespace std::complex_literals;
+  for (const double time : {0.3, 1.0, 4.0})
+    for (const double turn : {0.05, 0.1, 0.2}) {  // ω T
+      const auto lag = 1.0 / (1.0 + 1.0i * turn);
+      CHECK(std::abs(gain({time, 1.0}, turn / time) - lag) < std::pow(turn, 4));
+      const std::complex<double> mean = std::sin(0.5 * turn) / (0.5 * turn);
+      CHECK(std::abs(gain({time, 0.0}, turn / time) - mean) < 0.001 * std::pow(turn, 4));
+    }
+  CHECK(gain({0.0, 1.0}, 1.0) == 1.0);
+}
+
+TEST_CASE("a run that was smoothed is what a filter makes of it", "[nonlinear][second-route]") {
+  constexpr double step = 0.05, omega = 0.2, T = 1.0;
+  Recording run;
+  for (int i = 0; i < 2000; ++i) run.time.push_back(step * i);
+  auto r = run.fill(Channel::r);
+  for (std::size_t i = 0; i < run.samples(); ++i) r[i] = std::sin(omega * run.time[i]);
+  const auto smoothed = [&](double causal) {
+    const std::vector<Effect> filter{ChannelFilter<>{.channel = Channel::r, .time = T, .causal = causal}};
+    return as_recorded(run, instruments_of(std::span<const Effect>(filter)));
+  };
+  const auto lag = smoothed(1.0), mean = smoothed(0.0);
+  double y = -omega * T / (1.0 + omega * omega * T * T);  // the steady answer
+  for (std::size_t i = 1; i < run.samples(); ++i) {
+    const double in = 0.5 * (r[i] + r[i - 1]);  // T dy/dt + y = r
+    y += (in - y) * (1.0 - std::exp(-step / T));
+    double sum = 0.0;
+    constexpr int half = 10;
+    const bool within = i >= half && i + half < run.samples();
+    for (int k = -half; k <= half && within; ++k)
+      sum += r[i + static_cast<std::size_t>(k)] * (std::abs(k) == half ? 0.5 : 1.0) / (2.0 * half);
+    if (i > 100) CHECK(lag[Channel::r][i] == Approx(y).margin(2e-3));
+    if (within) CHECK(mean[Channel::r][i] == Approx(sum).margin(2e-4));
   }
 }
 

@@ -33,12 +33,15 @@ class RandomEffects {
     if (id == ShallowWater<>::id || id == RudderStall<>::id) return effect;
     const auto numbers = parameters_of(ship, effect);
     if (numbers.empty()) return std::nullopt;
-    // numbers of their own for the lever and the axes: those of the others make ships that are known to sail
-    const bool by_itself = id == VelocityAxes<>::id;
+    // numbers of their own for some instruments and the lever: those of the others make ships that are known to sail
+    const bool by_itself = id == VelocityAxes<>::id || id == ClockDrift<>::id || id == ChannelFilter<>::id;
     for (const auto& n : numbers)
       parameter_value(effect, n.index) = off_null(n, by_itself || n.key == "rudder_lever_m" ? of_others_ : random_);
     if (id == HullLinearDerivatives<>::id || id == HullNonlinearDamping<>::id) keep_damped(effect, numbers);
     std::visit([&](auto& e) { set_window(e, ship); }, effect);
+    // a clock that jumps ahead leaves a gap, and which angles the rudder had in it nothing tells
+    if (auto* clock = std::get_if<ClockDrift<>>(&effect)) *clock = {.channel = Channel::delta, .rate = clock->rate};
+    if (auto* filter = std::get_if<ChannelFilter<>>(&effect)) filter->time *= 0.5;  // as on board, 0.01 to 0.02 L/U
     if (auto* gap = std::get_if<RudderGap<>>(&effect)) gap->delta_lim = uniform(0.04, 0.08);  // opens in any zigzag
     if (auto* gear = std::get_if<SteeringGearLag<>>(&effect)) gear->rate = 0.5 * steering_gear(ship).rate;
     return effect;

@@ -12,14 +12,23 @@
 /// What the channels of a run show of the state of a filter, and how that changes with the state. Not installed.
 namespace swayaw::inline identification::detail {
 
-/// Derivatives of a channel.
-struct ChannelSlope {
-  Eigen::Matrix<double, 6, 1> by_state = Eigen::Matrix<double, 6, 1>::Zero();  ///< x, y, psi, u, v, r
-  Eigen::Vector3d by_acceleration = Eigen::Vector3d::Zero();                   ///< u, v, r; where the channel is late
+/// What was recorded of a channel, at the sample of the filter that it is compared with.
+struct Reading {
+  Channel channel;
+  std::size_t sample;  ///< of the recording
+  double time = 0.0;   ///< of that sample [s]
+  double since = 0.0;  ///< seconds from the sample of the filter to that of the recording
 };
 
 /// Of what readings show: what was before the sample they are compared with, and what comes after it.
 enum Side : std::size_t { past, future };
+
+/// Derivatives of a channel.
+struct ChannelSlope {
+  Eigen::Matrix<double, 6, 1> by_state = Eigen::Matrix<double, 6, 1>::Zero();  ///< x, y, psi, u, v, r
+  Eigen::Vector3d by_acceleration = Eigen::Vector3d::Zero();                   ///< u, v, r; where the channel is late
+  std::array<Eigen::Vector3d, 2> by_side{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};  ///< those of either side
+};
 
 /// @param left  of a delay at the sample [s]
 inline Side side_of(double left) { return left > 0.0 ? past : future; }
@@ -59,6 +68,8 @@ struct Sight {
     slope.by_acceleration += 0.5 * time * A.rightCols<3>().transpose() * by_mean;
     slope.by_state[5] += 0.5 * time * A.col(0).dot(by_mean);
     slope.by_state.tail<4>() += A.transpose() * slope.by_acceleration;
+    const auto share = shares(time);
+    for (const auto side : {past, future}) slope.by_side[side] = share[side] * slope.by_acceleration;
   }
 };
 
@@ -74,15 +85,21 @@ inline double compared(Channel channel, double measured, double expected) {
 /// left of the delay there, ρ = τ − (time of the reading − time of the sample), moves the state back:
 ///
 ///     ψ − ρ r + ρ²/2 a_r,   u − ρ a_u,   v − ρ a_v,   r − ρ a_r
+///
+/// A smoothed channel shows the mean of two such looks.
 class ChannelObserver {
  public:
   /// @param lateness  of the samples of the filter [s], from which delays are counted
-  ChannelObserver(const Instruments<double>& instruments, const Current<double>& current, double lateness)
+  /// @param begin     of the run [s], from which clocks run
+  ChannelObserver(const Instruments<double>& instruments, const Current<double>& current, double lateness, double begin)
       : instruments_(counted_from(lateness, instruments)),
         in_duals_(cast<Dual<6>>(instruments_)),
         late_in_duals_(cast<Dual<9>>(instruments_)),
-        current_(current) {
+        current_(current),
+        begin_(begin) {
     for (const Channel channel : motion_channels()) {
+      const auto& error = instruments_[channel];
+      late_channels_[index_of(channel)] = !error.is_prompt();
       late_ = late_ || late(channel);
       sums_[index_of(channel)] = sum_shown(channel);
       alone_[index_of(channel)] = state_shown_alone(channel);
@@ -93,10 +110,21 @@ class ChannelObserver {
   bool late() const { return late_; }
 
   /// Whether accelerations matter to a channel.
-  bool late(Channel channel) const { return delay(channel) != 0.0; }
+  bool late(Channel channel) const { return late_channels_[index_of(channel)]; }
 
-  /// [s]
-  double delay(Channel channel) const { return instruments_[channel].delay; }
+  /// How late a reading is in the mean of its looks [s].
+  double delay(Channel channel, double time) const {
+    return late(channel) ? late_by(channel, time) + instruments_[channel].smoothing.mean() : 0.0;
+  }
+
+  /// Calls f(time after the sample that is looked at [s]) with each look of a reading.
+  template <class F>
+  void for_each_look(const Reading& reading, F&& f) const {
+    const double left = reading.since - late_by(reading.channel, reading.time);
+    const auto& smoothing = instruments_[reading.channel].smoothing;
+    if (!smoothing.acts()) return f(left);
+    for (const auto& look : smoothing.looks()) f(left - look.delay);
+  }
 
   /// The state that the channel shows alone, but for a bias; nothing for the others.
   std::optional<int> state_alone(Channel channel) const {
@@ -110,30 +138,41 @@ class ChannelObserver {
   /// Whether the channel shows a sum of states, accelerations and heel, so that its slopes are the same everywhere.
   bool linear(Channel channel) const { return sum_of(channel) != nullptr; }
 
-  /// @param since  seconds from the sample that is looked at to the reading, 0 where no channel is late
-  double value(Channel channel, const Sight& sight, double since) const {
-    const double left = delay(channel) - since;
-    const auto* sum = sum_of(channel);
-    return sum ? at(*sum, sight, left) : computed(channel, sight, left);
+  double value(const Reading& reading, const Sight& sight) const {
+    const auto look = [&](double delay) {
+      const double left = late_by(reading.channel, reading.time) + delay - reading.since;
+      const auto* sum = sum_of(reading.channel);
+      return sum ? at(*sum, sight, left) : computed(reading.channel, sight, left);
+    };
+    const auto& smoothing = instruments_[reading.channel].smoothing;
+    if (!smoothing.acts()) return look(0.0);
+    const auto [first, second] = smoothing.looks();
+    return mean_look(reading.channel, look(first.delay), look(second.delay), second.weight);
   }
 
   /// The value with its derivatives.
-  double value(Channel channel, const Sight& sight, double since, ChannelSlope& slope) const {
-    const double left = delay(channel) - since;
-    const auto* sum = sum_of(channel);
-    if (sum) slope = slope_of(*sum, left);
-    const double shown = sum ? at(*sum, sight, left) : computed(channel, sight, left, slope);
-    if (left != 0.0) sight.follow(-left, slope);
-    return shown;
+  double value(const Reading& reading, const Sight& sight, ChannelSlope& slope) const {
+    const auto& smoothing = instruments_[reading.channel].smoothing;
+    if (!smoothing.acts()) return look(reading, sight, 0.0, slope);
+    const auto looks = smoothing.looks();
+    ChannelSlope there;
+    const double first = look(reading, sight, looks[0].delay, slope),
+                 second = look(reading, sight, looks[1].delay, there);
+    const auto mean = [&looks](auto& of_first, const auto& of_second) {
+      of_first = looks[0].weight * of_first + looks[1].weight * of_second;
+    };
+    mean(slope.by_state, there.by_state), mean(slope.by_acceleration, there.by_acceleration);
+    for (const auto side : {past, future}) mean(slope.by_side[side], there.by_side[side]);
+    return mean_look(reading.channel, first, second, looks[1].weight);
   }
 
   /// Derivative of the channel by the heel, along which it is about straight.
-  double by_phi(Channel channel, const Sight& sight, double since) const {
-    if (const auto* sum = sum_of(channel)) return sum->by_phi;
+  double by_phi(const Reading& reading, const Sight& sight) const {
+    if (const auto* sum = sum_of(reading.channel)) return sum->by_phi;
     constexpr double step = 1e-4;  // rad
     Sight more = sight, less = sight;
     more.phi += step, less.phi -= step;
-    return (value(channel, more, since) - value(channel, less, since)) / (2.0 * step);
+    return (value(reading, more) - value(reading, less)) / (2.0 * step);
   }
 
   /// Whether another observer may see something else.
@@ -149,6 +188,19 @@ class ChannelObserver {
   static Instruments<double> counted_from(double lateness, Instruments<double> instruments) {
     for (const Channel channel : motion_channels()) instruments[channel].delay -= lateness;
     return instruments;
+  }
+
+  /// How late a reading is, but for what smoothing does [s].
+  double late_by(Channel channel, double time) const { return instruments_[channel].late({time, begin_}); }
+
+  /// One look, some seconds earlier than the reading is late.
+  double look(const Reading& reading, const Sight& sight, double delay, ChannelSlope& slope) const {
+    const double left = late_by(reading.channel, reading.time) + delay - reading.since;
+    const auto* sum = sum_of(reading.channel);
+    if (sum) slope = slope_of(*sum, left);
+    const double shown = sum ? at(*sum, sight, left) : computed(reading.channel, sight, left, slope);
+    if (left != 0.0) sight.follow(-left, slope);
+    return shown;
   }
 
   bool same_place(const ChannelObserver& other) const {
@@ -188,10 +240,8 @@ class ChannelObserver {
   }
 
   double computed(Channel channel, const Sight& sight, double left) const {
-    return observe(channel, instruments_, [&](double) {
-      return kinematics(left == 0.0 ? sight.state : moved_back(sight.state, current_, sight.towards(-left), left),
-                        current_, sight.phi);
-    });
+    const auto there = left == 0.0 ? sight.state : moved_back(sight.state, current_, sight.towards(-left), left);
+    return instruments_[channel].reading(looked_at(channel, instruments_, kinematics(there, current_, sight.phi)));
   }
 
   double computed(Channel channel, const Sight& sight, double left, ChannelSlope& slope) const {
@@ -207,15 +257,17 @@ class ChannelObserver {
     const auto& s = sight.state;
     const ShipState<D> state{D(s.x, 0), D(s.y, 1), D(s.psi, 2), {D(s.motion.u, 3), D(s.motion.v, 4), D(s.motion.r, 5)}};
     const Current<D> current{D(current_.speed), D(current_.to)};
-    const D shown = observe(channel, instruments, [&](const D&) {
+    const auto there = [&] {
       if constexpr (Size == 9) {
         const auto a = sight.towards(-left);
         const PlanarAcceleration<D> acceleration{D(a.u, 6), D(a.v, 7), D(a.r, 8)};
-        return kinematics(moved_back(state, current, acceleration, D(left)), current, D(sight.phi));
+        return moved_back(state, current, acceleration, D(left));
       } else {
-        return kinematics(state, current, D(sight.phi));
+        return state;
       }
-    });
+    }();
+    const auto looked = looked_at(channel, instruments, kinematics(there, current, D(sight.phi)));
+    const D shown = instruments[channel].reading(looked);
     slope = {.by_state = shown.v.template head<6>()};
     if constexpr (Size == 9) slope.by_acceleration = shown.v.template tail<3>();
     return shown.a;
@@ -249,7 +301,9 @@ class ChannelObserver {
   Instruments<Dual<6>> in_duals_;
   Instruments<Dual<9>> late_in_duals_;
   Current<double> current_;
+  double begin_;
   bool late_ = false;
+  std::array<bool, channel_count> late_channels_{};
   std::array<std::optional<Sum>, channel_count> sums_{};
   std::array<int, channel_count> alone_{};
 };

@@ -15,13 +15,6 @@ struct Gaussian {
   FilterMatrix<N> P;
 };
 
-/// What was recorded of a channel, at the sample of the filter that it is compared with.
-struct Reading {
-  Channel channel;
-  std::size_t sample;  ///< of the recording
-  double since = 0.0;  ///< seconds from the sample of the filter to that of the recording
-};
-
 /// What a measurement told: error e and variance S of its prediction, and the gain K.
 template <int N>
 struct Innovation {

@@ -26,7 +26,7 @@ class RunFilterOf final : public RunFilter<N> {
         controls_(controls_of(ship, run, finer, std::move(known), lateness_of(ship, channels, times))),
         predictor_(ship, controls_->recorded.wind(), tau, longest_step,
                    N == 9 && finer ? Changes::half_way : Changes::at_ends),
-        observer_(instruments_of(ship), predictor_.current(), controls_->lateness),
+        observer_(instruments_of(ship), predictor_.current(), controls_->lateness, run.time.front()),
         start_(start),
         L_(length(ship)),
         U_0_(service_speed(ship)) {}
@@ -230,23 +230,33 @@ class RunFilterOf final : public RunFilter<N> {
     return within ? controls_->rudder_moves(run_, timeline_.sample(step.sample), step.from, step.to) : 0.0;
   }
 
-  /// From a sample to a time this long after it [s], within the step there.
+  /// Mean from a sample to a time this long after it [s], no further than the samples go.
   Controls<double> controls_towards(const RunControls& controls, std::size_t k, double after) const {
     const double at = timeline_[k];
-    if (after > 0.0 && k + 1 < timeline_.size())
-      return controls_in(controls, {at, std::min(at + after, timeline_[k + 1]), k + 1});
-    if (after < 0.0 && k > 0) return controls_in(controls, {std::max(at + after, timeline_[k - 1]), at, k});
-    return controls.at_samples[timeline_.sample(k)];
+    if (after == 0.0) return controls.at_samples[timeline_.sample(k)];
+    const double from = std::min(at, at + after), to = std::max(at, at + after);
+    std::optional<Controls<double>> mean;
+    double weight = 0.0;
+    const auto add = [&](std::size_t step) {  // the one that leads to this sample
+      const double begin = std::max(from, timeline_[step - 1]), end = std::min(to, timeline_[step]);
+      if (!(end > begin)) return;
+      const auto there = controls_in(controls, {begin, end, step});
+      weight += end - begin;
+      mean = mean ? between(*mean, there, (end - begin) / weight) : there;
+    };
+    for (std::size_t j = k + 1; j < timeline_.size() && timeline_[j - 1] < to; ++j) add(j);
+    for (std::size_t j = k; j > 0 && timeline_[j] > from; --j) add(j);
+    return mean.value_or(controls.at_samples[timeline_.sample(k)]);
   }
 
   /// The times furthest from their sample that readings show on either side, after it [s].
   std::array<double, 2> furthest_shown(std::span<const Reading> readings) const {
     std::array furthest{0.0, 0.0};
-    for (const auto& [channel, sample, since] : readings) {
-      const double shown = since - observer_.delay(channel);
-      auto& time = furthest[side_of(-shown)];
-      if (std::abs(shown) > std::abs(time)) time = shown;
-    }
+    for (const auto& reading : readings)
+      observer_.for_each_look(reading, [&](double shown) {
+        auto& time = furthest[side_of(-shown)];
+        if (std::abs(shown) > std::abs(time)) time = shown;
+      });
     return furthest;
   }
 
@@ -297,13 +307,13 @@ class RunFilterOf final : public RunFilter<N> {
   /// @param before  what there is to look at before the measurements of the sample
   Innovation<N> update(Gaussian<N>& estimate, const Reading& reading, const Sight& before, double R,
                        FilteredRun<N>& pass) {
-    const auto& [channel, sample, since] = reading;
-    const double value = run_[channel][sample];
+    const Channel channel = reading.channel;
+    const double value = run_[channel][reading.sample];
     if (const auto state = observer_.state_alone(channel))
       return updated<N>(estimate, channel, *state, value - observer_.bias(channel), R, pass.outlying);
     const auto expected = [&](const FilterVector<N>& x, FilterVector<N>& slope) {
       ChannelSlope by;
-      const double shown = observer_.value(reading.channel, seen_from(x, before), reading.since, by);
+      const double shown = observer_.value(reading, seen_from(x, before), by);
       slope.template head<6>() = by.by_state;
       if constexpr (N == 9) slope.template tail<3>() = by.by_acceleration;
       return shown;
@@ -313,9 +323,8 @@ class RunFilterOf final : public RunFilter<N> {
   }
 
   double expected(const Reading& reading, const FilterVector<N>& x, const Sight& sight) const {
-    const auto& [channel, sample, since] = reading;
-    if (const auto state = observer_.state_alone(channel)) return x[*state] + observer_.bias(channel);
-    return observer_.value(channel, seen_from(x, sight), since);
+    if (const auto state = observer_.state_alone(reading.channel)) return x[*state] + observer_.bias(reading.channel);
+    return observer_.value(reading, seen_from(x, sight));
   }
 
   /// With the accelerations of the model where a late channel needs them: those at the end of the step that led to the
@@ -380,18 +389,22 @@ class RunFilterOf final : public RunFilter<N> {
   void place_readings(std::vector<Reading>& readings) {
     double latest = 0.0, earliest = 0.0;
     for (const Channel channel : channels_) {
-      latest = std::max(latest, observer_.delay(channel));
-      earliest = std::min(earliest, observer_.delay(channel));
+      if (!observer_.late(channel)) continue;
+      for (const double time : run_.time) {
+        const double delay = observer_.delay(channel, time);
+        latest = std::max(latest, delay), earliest = std::min(earliest, delay);
+      }
     }
     timeline_ = Timeline::of(run_.time, latest, earliest);
     first_reading_.assign(timeline_.size() + 1, 0);
     const auto for_each = [&](auto&& f) {
       for (const Channel channel : channels_) {
         const auto values = run_[channel];
-        const double delay = observer_.delay(channel);
+        const bool late = observer_.late(channel);
         for (std::size_t i = 0; i < values.size(); ++i)
           if (!std::isnan(values[i]))
-            f(channel, i, delay == 0.0 ? i + timeline_.before() : timeline_.nearest(run_.time[i] - delay));
+            f(channel, i,
+              late ? timeline_.nearest(run_.time[i] - observer_.delay(channel, run_.time[i])) : i + timeline_.before());
       }
     };
     for_each([&](Channel, std::size_t, std::size_t k) { ++first_reading_[k + 1]; });
@@ -399,7 +412,7 @@ class RunFilterOf final : public RunFilter<N> {
     readings.resize(first_reading_.back());
     auto next = first_reading_;
     for_each([&](Channel channel, std::size_t i, std::size_t k) {
-      readings[next[k]++] = {channel, i, run_.time[i] - timeline_[k]};
+      readings[next[k]++] = {channel, i, run_.time[i], run_.time[i] - timeline_[k]};
     });
   }
 

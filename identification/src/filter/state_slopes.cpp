@@ -7,7 +7,7 @@ namespace {
 
 bool same_actuator(const RudderActuator& a, const RudderActuator& b) {
   return a.width == b.width && a.lag == b.lag && a.rate == b.rate && a.offset == b.offset &&
-         a.record_delay == b.record_delay;
+         a.record_late == b.record_late;
 }
 
 bool same_propulsion(const Controls<double>& a, const Controls<double>& b) {
@@ -58,7 +58,7 @@ Controls<double> mean_over(std::span<const Controls<double>> all, std::size_t k,
 double lateness_of(const Ship& ship, std::span<const Channel> channels, SampleTimes times) {
   if (times == SampleTimes::recorded || channels.empty()) return 0.0;
   const auto heading = std::ranges::find(channels, Channel::psi);
-  return instruments_of(ship)[heading == channels.end() ? channels.front() : *heading].delay;
+  return instruments_of(ship)[heading == channels.end() ? channels.front() : *heading].mean_delay();
 }
 
 RunControls::RunControls(const Ship& ship, const Recording& run, const Recording* finer, double how_late)
@@ -126,7 +126,8 @@ NeighbourDifferences differences_between(const Ship& ship, std::span<const Neigh
     double slope;
   };
   std::vector<Moved> moved;
-  const ChannelObserver observer(instruments_of(ship), surroundings_at(ship, 0.0).current, controls.lateness);
+  const double begin = run.time.front();
+  const ChannelObserver observer(instruments_of(ship), surroundings_at(ship, 0.0).current, controls.lateness, begin);
   for (const auto& neighbour : neighbours) {
     const auto unknown = std::ssize(result.found);
     const auto there = numbers_if_any(neighbour.ship);
@@ -139,7 +140,7 @@ NeighbourDifferences differences_between(const Ship& ship, std::span<const Neigh
     if (auto other = controls.differing(*neighbour.ship, run, finer, lateness))
       result.controls.push_back({unknown, neighbour.step, *std::move(other)});
     const auto current = surroundings_at(*neighbour.ship, 0.0).current;
-    if (const ChannelObserver other(instruments_of(*neighbour.ship), current, lateness); observer.differs(other))
+    if (const ChannelObserver other(instruments_of(*neighbour.ship), current, lateness, begin); observer.differs(other))
       result.observers.push_back({unknown, neighbour.step, other});
   }
   std::vector<Eigen::Index> variable;

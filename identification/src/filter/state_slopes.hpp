@@ -138,27 +138,25 @@ class StateSlopes {
   /// Takes a residual. @param out  its derivatives over its standard deviation
   template <class Row>
   void observe(const Sight& sight, const Reading& reading, const Innovation<N>& now, Row&& out) {
-    const auto& [channel, sample, since] = reading;
+    const Channel channel = reading.channel;
     if (const auto alone = observer_.state_alone(channel)) {
       seen_ = X_.col(*alone);
     } else {
       ChannelSlope slope;
-      observer_.value(channel, sight, since, slope);
+      observer_.value(reading, sight, slope);
       seen_ = X_.template leftCols<6>() * slope.by_state;
       if (observer_.late(channel)) {
-        const auto shares = sight.shares(since - observer_.delay(channel));
         seen_ += acceleration_ * slope.by_acceleration;
         for (const auto side : {past, future})
-          for (const auto& s : steered_[side])
-            seen_[s.unknown] += shares[side] * s.acceleration.dot(slope.by_acceleration);
+          for (const auto& s : steered_[side]) seen_[s.unknown] += s.acceleration.dot(slope.by_side[side]);
         if constexpr (N == 9) seen_ += X_.template rightCols<3>() * slope.by_acceleration;
       }
     }
     if (hides_)
-      if (const double by_phi = observer_.by_phi(channel, sight, since); by_phi != 0.0) seen_ += by_phi * H_.col(heel);
+      if (const double by_phi = observer_.by_phi(reading, sight); by_phi != 0.0) seen_ += by_phi * H_.col(heel);
     for (const auto& d : differences_.observers)
       if (observer_.differs(d.observer, channel))
-        seen_[d.unknown] += (d.observer.value(channel, sight, since) - observer_.value(channel, sight, since)) / d.step;
+        seen_[d.unknown] += (d.observer.value(reading, sight) - observer_.value(reading, sight)) / d.step;
     out = seen_.transpose() / -std::sqrt(now.variance);
     X_.noalias() -= seen_.lazyProduct(now.K.transpose());
   }

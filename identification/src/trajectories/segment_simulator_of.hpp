@@ -142,21 +142,43 @@ class ModelSegmentSimulator final : public SegmentSimulator {
     return is_direction(measurement.channel) ? wrapped(value - measurement.value) : value - measurement.value;
   }
 
-  /// What the instruments show of a ship.
+  /// Near a sample, on straight lines.
+  static Controls<double> controls_at(const SampledRun& run, std::size_t sample, double time) {
+    while (sample > 0 && run.time[sample] > time) --sample;
+    while (sample + 2 < run.time.size() && run.time[sample + 1] < time) ++sample;
+    if (sample + 1 == run.time.size()) return run.controls[sample];
+    const double share = (time - run.time[sample]) / (run.time[sample + 1] - run.time[sample]);
+    return between(run.controls[sample], run.controls[sample + 1], std::clamp(share, 0.0, 1.0));
+  }
+
+  /// What the instruments show of a ship at a sample. Her mean acceleration on the way to another time is that at the
+  /// sample; half way there, for the looks of a channel that was smoothed: what a filter does is of the second order.
   template <class S>
-  S shown(const ModelStepper<S>& stepper, Channel channel, const State<S>& s, const Controls<double>& controls) const {
+  S shown(const ModelStepper<S>& stepper, Channel channel, const State<S>& s, const SampledRun& run,
+          std::size_t sample) const {
     const auto& current = stepper.ship().around.current;
     const auto state = visible(s);
     if constexpr (!with_effects) {
       return observe(channel, kinematics(state, current));
     } else {
       const S phi = shown_by(hidden_of(s), Channel::phi);
-      return observe(channel, stepper.ship().instruments, [&](const S& delay) {
+      const bool smoothed = instruments_[channel].smoothing.acts();
+      const auto acceleration = [&](const State<S>& at, const Controls<double>& controls) {
+        const auto rate = stepper.rates(at, controls);
+        return PlanarAcceleration<S>{rate[3], rate[4], rate[5]};
+      };
+      const auto ago = [&](const S& delay) {
         if (value_of(delay) == 0.0) return kinematics(state, current, phi);
-        const auto rate = stepper.rates(s, controls);
-        const PlanarAcceleration<S> acceleration{rate[3], rate[4], rate[5]};
-        return kinematics(moved_back(state, current, acceleration, delay), current, phi);
-      });
+        auto mean = acceleration(s, run.controls[sample]);
+        if (smoothed) {
+          const auto half_way = vector_of(moved_back(state, current, mean, S(0.5 * delay)));
+          auto there = s;
+          std::ranges::copy(half_way, there.begin());
+          mean = acceleration(there, controls_at(run, sample, run.time[sample] - 0.5 * value_of(delay)));
+        }
+        return kinematics(moved_back(state, current, mean, delay), current, phi);
+      };
+      return observe(channel, stepper.ship().instruments, ago, {run.time[sample], run.time.front()});
     }
   }
 
@@ -174,7 +196,7 @@ class ModelSegmentSimulator final : public SegmentSimulator {
     auto measurement = segment.measurements.begin();
     const auto see = [&](std::size_t sample) {
       for (; measurement != segment.measurements.end() && measurement->sample == sample; ++measurement)
-        seen(measurement - segment.measurements.begin(), shown(stepper, measurement->channel, s, run.controls[sample]));
+        seen(measurement - segment.measurements.begin(), shown(stepper, measurement->channel, s, run, sample));
     };
     pass_changes(run.time[segment.from]);
     if (given == 6) s = settled(s, stepper.ship(), run.controls[segment.from]);

@@ -94,6 +94,8 @@ std::pair<std::string, std::string> error_and_unit(std::string_view key) {
   if (key == "bias_rad") return {"zero", "rad"};
   if (key == "angle_rad") return {"axes", "rad"};
   if (key == "delay_s") return {"delay", "s"};
+  if (key == "rate") return {"clock_rate", "s/s"};
+  if (key == "time_s") return {"smoothing", "s"};
   if (key == "x_m") return {"lever_arm_x", "m"};
   if (key == "y_m") return {"lever_arm_y", "m"};
   return {std::string(key), ""};

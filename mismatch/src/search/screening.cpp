@@ -219,7 +219,7 @@ std::vector<Screened> screened_beside_form(const Search& s, const Hypothesis& ac
 
 void keep_from_early(std::vector<EffectForm>& forms, const Trial& trial) {
   for (auto& form : forms) {
-    if (!channel_of(form)) continue;
+    if (form.id != ChannelDelay<>::id) continue;
     form.coordinates.front().low = 0.0;
     for (const auto& ordinary : trial.ordinary)
       if (stands_for(form, ordinary))

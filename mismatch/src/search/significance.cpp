@@ -55,7 +55,8 @@ bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
 
 bool is_as_ordinary(const Trial& trial, const EffectForm& form, const Point& point, Eigen::Index first) {
   const auto deviations = ordinary_deviations(trial, form, {point.data() + first, form.coordinates.size()});
-  const bool is_early = channel_of(form) && point[first] < 0.0;  // no earlier than is ordinary: `keep_from_early`
+  const bool is_early =
+      form.id == ChannelDelay<>::id && point[first] < 0.0;  // no earlier than is ordinary: `keep_from_early`
   return deviations < beyond_the_ordinary || (is_early && std::isfinite(deviations));
 }
 

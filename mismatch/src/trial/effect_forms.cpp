@@ -56,6 +56,8 @@ void add_forms_by_channel(std::vector<EffectForm>& forms, Kind null, const Searc
   std::vector<Channel> all{Channel::delta};
   std::ranges::copy_if(channels, std::back_inserter(all), [](Channel c) { return c != Channel::y; });
   for (const auto channel : all) {
+    if constexpr (requires { Kind::is_searched_in(channel); })
+      if (!Kind::is_searched_in(channel)) continue;
     null.channel = channel;
     forms.push_back(form_of(null, context));
   }
@@ -149,8 +151,8 @@ std::optional<EffectForm> ordinary_lift_loss(const Ship& ship) {
 std::optional<Channel> channel_of(const EffectForm& form) {
   const std::vector<double> c(form.coordinates.size(), 0.0);
   const auto effect = form.at(c);
-  const auto* delay = std::get_if<ChannelDelay<>>(&effect);
-  return delay ? std::optional(delay->channel) : std::nullopt;
+  const auto* channel = channel_of(effect);
+  return channel ? std::optional(*channel) : std::nullopt;
 }
 
 std::optional<std::vector<double>> coordinates_of(const Ship& ship, const EffectForm& form, const Effect& effect) {
@@ -361,18 +363,13 @@ void add_ordinary_parts(std::vector<EffectForm>& forms, const Ship& ship, std::s
                    .starts = {}});
 }
 
-/// How late a velocity or yaw rate may be by the filter of its instrument alone: gyros and logs of ships are smoothed
-/// over half a second to two seconds, those of models over as much of their faster motion. A fit takes less for usual,
-/// which tells heading, gyro and rudder apart; where it was also the decision, five of 450 simulated ships on which
-/// nothing was hidden were told a yaw rate late or early by about a second (as on board, seeds 34 to 36), and one of 77
-/// a log by 1.8 s (seed 37). The least late that was hidden and found was 4.9 s.
+}  // namespace
+
 double filter_delay(double time_unit) {
   constexpr double widest = 2.0;             // [s]
   constexpr double share_of_motion = 0.125;  // of L/U
   return std::min(widest, share_of_motion * time_unit);
 }
-
-}  // namespace
 
 std::vector<EffectForm> ordinary_forms(const Ship& ship, std::span<const Recording> runs,
                                        std::span<const Channel> channels) {

@@ -261,10 +261,18 @@ Eigen::Index place_in_point(const Trial& trial, const Hypothesis& hypothesis, st
   return place;
 }
 
+namespace {
+
+/// Whether it is a filter, which makes its channel late by its time.
+bool is_lag(const EffectForm& form) { return form.id == ChannelFilter<>::id; }
+
+}  // namespace
+
 bool is_same_effect(const EffectForm& a, const EffectForm& b) { return a.id == b.id && channel_of(a) == channel_of(b); }
 
 bool stands_for(const EffectForm& form, const EffectForm& ordinary) {
   if (takes_rudder_lift(form.id) && takes_rudder_lift(ordinary.id)) return true;
+  if (is_lag(form) && ordinary.id == ChannelDelay<>::id) return channel_of(form) == channel_of(ordinary);
   return form.id != form_id && is_same_effect(form, ordinary);
 }
 
@@ -365,6 +373,11 @@ bool does_more_than_usual(const Trial& trial, const EffectForm& form, const Effe
 }
 
 double ordinary_deviations(const Trial& trial, const EffectForm& form, const Effect& effect) {
+  const auto stands_here = [&](const EffectForm& o) { return stands_for(form, o); };
+  // whatever reference runs tell of delays: what filters do besides is part of no baseline
+  if (const auto* filter = std::get_if<ChannelFilter<>>(&effect);
+      filter && std::ranges::any_of(trial.ordinary, stands_here))
+    return beyond_the_ordinary * filter->time / filter_delay(time_unit_of(trial.ship));
   const auto usual = usual_number(trial, form);
   if (!usual) return HUGE_VAL;
   const auto is = parameters_of(trial.ship, effect)[usual->index];

@@ -95,7 +95,7 @@ LikelyForm likely_form(const Trial& usual, const Trial& now, const FormSizes& si
 bool is_same_effect(const EffectForm& a, const EffectForm& b);
 
 /// Whether an effect stands in the place of something ordinary: it is the same, or takes the lift of the rudder as that
-/// does.
+/// does, or is a lag where that is a delay.
 bool stands_for(const EffectForm& form, const EffectForm& ordinary);
 
 /// What is ordinary, and where its coordinates begin in the baseline.

@@ -117,6 +117,26 @@ Channel* channel_of(Effect& effect) {
 
 const Channel* channel_of(const Effect& effect) { return channel_of(const_cast<Effect&>(effect)); }
 
+std::string_view lacks(const Effect& effect) {
+  return std::visit(
+      [](const auto& e) -> std::string_view {
+        if constexpr (requires { needed_besides(e); }) return needed_besides(e);
+        else return {};
+      },
+      effect);
+}
+
+bool exclude_each_other(const Effect& a, const Effect& b) {
+  const auto *of_a = channel_of(a), *of_b = channel_of(b);
+  if (a.index() != b.index() || (of_a && *of_a != *of_b)) return false;
+  return std::visit(
+      [&b]<class Kind>(const Kind& e) {
+        if constexpr (requires { stand_beside(e, e); }) return !stand_beside(e, std::get<Kind>(b));
+        else return true;
+      },
+      a);
+}
+
 std::string_view shown_wrong(const Effect& effect) {
   return std::visit(
       [](const auto& e) -> std::string_view {

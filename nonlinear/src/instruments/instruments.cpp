@@ -62,22 +62,63 @@ void turn_velocities(Recording& run, double angle) {
   }
 }
 
-// ---------------------------------------------------------------- delay
+// ---------------------------------------------------------------- time
 
-/// Every sample gets the value of `delay` ago by straight lines, drawn on beyond the ends; samples that are missing
-/// stay so.
-void delay_channel(Recording& run, Channel channel, double delay) {
-  if (delay == 0.0 || !run.has(channel)) return;
-  const Interpolant known(run, channel);
-  if (known.times().size() < 2) return;
-  const auto t = known.times(), x = known.values();
-  auto& values = run.channels[index_of(channel)];
-  std::size_t k = 1;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double time = run.time[i] - delay;
-    while (k + 1 < t.size() && t[k] <= time) ++k;
-    if (std::isfinite(values[i])) values[i] = x[k - 1] + (x[k] - x[k - 1]) * (time - t[k - 1]) / (t[k] - t[k - 1]);
+/// Samples of a channel that are known, in time.
+struct KnownSamples {
+  std::vector<double> time, value;
+
+  /// On a straight line, drawn on beyond the ends. @param k  place of the sample after the last time asked for
+  double at(double t, std::size_t& k) const {
+    while (k + 1 < time.size() && time[k] <= t) ++k;
+    while (k > 1 && time[k - 1] > t) --k;
+    return value[k - 1] + (value[k] - value[k - 1]) * (t - time[k - 1]) / (time[k] - time[k - 1]);
   }
+};
+
+/// Those of a channel, each at the time that `when` tells of that of the sample; of two at one time the later reading.
+template <class When>
+KnownSamples known_samples(const Recording& run, Channel channel, When&& when) {
+  std::vector<std::pair<double, double>> samples;
+  for (std::size_t i = 0; i < run.samples(); ++i)
+    if (std::isfinite(run[channel][i])) samples.emplace_back(when(run.time[i]), run[channel][i]);
+  std::ranges::stable_sort(samples, {}, &std::pair<double, double>::first);
+  KnownSamples known;
+  for (const auto& [time, value] : samples)
+    if (!known.time.empty() && !(time > known.time.back())) known.value.back() = value;
+    else known.time.push_back(time), known.value.push_back(value);
+  return known;
+}
+
+/// Every sample gets what there was when its instrument looked; samples that are missing stay so.
+void make_late(Recording& run, Channel channel, const ChannelError<double>& error) {
+  if (error.is_prompt() || !run.has(channel)) return;
+  const auto known = known_samples(run, channel, [](double time) { return time; });
+  if (known.time.size() < 2) return;
+  const auto looks = error.smoothing.looks();
+  std::array<std::size_t, 2> place{1, 1};
+  auto& values = run.channels[index_of(channel)];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!std::isfinite(values[i])) continue;
+    const double time = run.time[i] - error.late({run.time[i], run.time.front()});
+    values[i] = error.smoothing.acts() ? mean_look(channel, known.at(time - looks[0].delay, place[0]),
+                                                   known.at(time - looks[1].delay, place[1]), looks[1].weight)
+                                       : known.at(time, place[0]);
+  }
+}
+
+/// Every sample gets what was looked at in the mean at its time.
+void make_prompt(Recording& run, Channel channel, const ChannelError<double>& error) {
+  if (error.is_prompt() || !run.has(channel)) return;
+  const double mean = error.smoothing.mean();
+  const auto known = known_samples(run, channel, [&](double time) {
+    return time - error.late({time, run.time.front()}) - mean;
+  });
+  if (known.time.size() < 2) return;
+  std::size_t place = 1;
+  auto& values = run.channels[index_of(channel)];
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::isfinite(values[i])) values[i] = known.at(run.time[i], place);
 }
 
 template <class F>
@@ -93,14 +134,14 @@ Recording as_recorded(Recording run, const Instruments<double>& instruments) {
   turn_velocities(run, instruments.velocity_axes);
   for_each_channel(run, instruments, [&](Channel channel, const ChannelError<double>& error) {
     for (double& value : run.channels[index_of(channel)]) value = error.reading(value);
-    delay_channel(run, channel, error.delay);
+    make_late(run, channel, error);
   });
   return run;
 }
 
 Recording as_it_was(Recording run, const Instruments<double>& instruments) {
   for_each_channel(run, instruments, [&](Channel channel, const ChannelError<double>& error) {
-    delay_channel(run, channel, -error.delay);
+    make_prompt(run, channel, error);
     for (double& value : run.channels[index_of(channel)]) value = error.truth(value);
   });
   turn_velocities(run, -instruments.velocity_axes);

@@ -112,12 +112,6 @@ void read_channel(Effect& effect, const FileEffect& given, const PartsReader& fi
   *place = *channel == Channel::y ? Channel::x : *channel;
 }
 
-/// Whether two effects cannot stand in one file.
-bool same_kind(const Effect& a, const Effect& b) {
-  const auto *of_a = channel_of(a), *of_b = channel_of(b);
-  return a.index() == b.index() && (!of_a || *of_a == *of_b);
-}
-
 Effect read_effect(const FileEffect& given, const PartsReader& file) {
   auto effect = effect_named(given.kind);
   if (!effect)
@@ -126,6 +120,7 @@ Effect read_effect(const FileEffect& given, const PartsReader& file) {
                           core::detail::did_you_mean(given.kind, effect_ids())));
   read_numbers(*effect, given, file);
   read_channel(*effect, given, file);
+  if (const auto needed = lacks(*effect); !needed.empty()) file.fail(given, fmt::format("{}: {}", given.kind, needed));
   return *effect;
 }
 
@@ -136,7 +131,7 @@ std::vector<Effect> read_effects(const ShipModel& model, const Windage<double>& 
     if (place_of(effect) == EffectPlace::air && !feels_wind(windage))
       file.fail(given, "wind needs frontal and lateral area of the ship, in [windage] or [particulars]");
     if (const auto why = cannot_act(model, effect); !why.empty()) file.fail(given, why);
-    if (std::ranges::any_of(effects, [&](const Effect& e) { return same_kind(e, effect); }))
+    if (std::ranges::any_of(effects, [&](const Effect& e) { return exclude_each_other(e, effect); }))
       file.fail(given, fmt::format("{} is given twice", given.kind));
     effects.push_back(effect);
   }

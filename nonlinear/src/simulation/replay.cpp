@@ -155,8 +155,8 @@ bool tells_false_drift(const Ship& ship, const Instruments<>& instruments) {
   const double askew = radians(1.0);
   const auto &position = instruments[Channel::x], &heading = instruments[Channel::psi];
   const double time_unit = time_unit_of(ship);
-  return std::max(std::abs(position.delay), std::abs(heading.delay)) > late * time_unit ||
-         std::abs(heading.bias) > askew;
+  return std::max(std::abs(position.mean_delay()), std::abs(heading.mean_delay())) > late * time_unit ||
+         !position.clock.is_good() || !heading.clock.is_good() || std::abs(heading.bias) > askew;
 }
 
 std::vector<ShipState<double>> states_told(const Ship& ship, const Recording& run, std::span<const double> times) {
@@ -189,11 +189,15 @@ namespace {
 /// shows no time of the run its first or last line is drawn on.
 Interpolant in_time(const Ship& ship, const Recording& run) {
   const Interpolant recorded(run, Channel::delta);
-  const double delay = instruments_of(ship)[Channel::delta].delay;
-  if (delay == 0.0) return recorded;
-  std::vector time(recorded.times().begin(), recorded.times().end());
-  std::vector angle(recorded.values().begin(), recorded.values().end());
-  for (double& t : time) t -= delay;
+  const auto& error = instruments_of(ship)[Channel::delta];
+  if (error.is_prompt()) return recorded;
+  std::vector<double> time, angle;
+  for (std::size_t i = 0; i < recorded.times().size(); ++i) {
+    const double at = recorded.times()[i];
+    const double shown = at - error.late({at, run.time.front()}) - error.smoothing.mean();
+    while (!time.empty() && time.back() >= shown) time.pop_back(), angle.pop_back();  // its clock went back: told anew
+    time.push_back(shown), angle.push_back(recorded.values()[i]);
+  }
   const auto drawn_on = [&](double to, std::size_t end, std::size_t next) {
     return angle[end] + (to - time[end]) / (time[next] - time[end]) * (angle[next] - angle[end]);
   };
@@ -232,13 +236,17 @@ void require_samples_near(const Recording& run, const Ship& ship) {
       gap[1] - gap[0], gap[0], longest));
 }
 
-/// The first samples of a run: all that tell the start of one without gaps, whatever the delays of its channels.
+/// The first samples of a run: all that tell the start of one without gaps, however late its channels are.
 Recording beginning_of(const Recording& run, double time_unit, const Instruments<>& instruments) {
   constexpr double more_than_enough = 4.0;  // [L/U]
+  const double begin = run.time.front();
   double delay = 0.0;
-  for (std::size_t c = 0; c < channel_count; ++c)
-    delay = std::max(delay, std::abs(instruments[static_cast<Channel>(c)].delay));
-  const double end = run.time.front() + more_than_enough * time_unit + delay;
+  for (std::size_t c = 0; c < channel_count; ++c) {
+    const auto& error = instruments[static_cast<Channel>(c)];
+    const double by_clock = error.late({begin + more_than_enough * time_unit, begin}) - error.delay;
+    delay = std::max(delay, std::abs(error.mean_delay()) + std::abs(by_clock));
+  }
+  const double end = begin + more_than_enough * time_unit + delay;
   const auto count = std::ranges::upper_bound(run.time, end) - run.time.begin();
   const auto first = [&](const std::vector<double>& all) {
     return std::vector(all.begin(), all.begin() + std::min(count, std::ssize(all)));

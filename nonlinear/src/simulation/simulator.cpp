@@ -245,16 +245,17 @@ class Simulator::CoreOf : public Simulator::Core {
     std::array<double, channel_count> shown;
     shown.fill(missing);
     const auto rate = rates(joined(state, hidden_), controls(), held_branch(ship_, state.motion, controls()));
+    const ReadingTime reading{.time = time, .begin = 0.0};
     const auto ago = [&](double delay) {
       const PlanarAcceleration<double> acceleration{rate[3], rate[4], rate[5]};
       return kinematics(moved_back(state, around.current, acceleration, delay), around.current,
                         shown_by(hidden_, Channel::phi) - delay * shown_by(hidden_of(rate), Channel::phi));
     };
     for (const auto channel : motion_channels())
-      if (channel != Channel::phi || rolls()) shown[index_of(channel)] = observe(channel, instruments_, ago);
+      if (channel != Channel::phi || rolls()) shown[index_of(channel)] = observe(channel, instruments_, ago, reading);
     const auto put = [&](Channel channel, double value, double change) {
       const auto& error = instruments_[channel];
-      shown[index_of(channel)] = error.reading(value - error.delay * change);
+      shown[index_of(channel)] = error.reading(value - (error.late(reading) + error.smoothing.mean()) * change);
     };
     put(Channel::delta, rudder.shown(time), shown_rate_), put(Channel::delta_order, rudder.ordered(), 0.0);
     if (takes_shaft_speed(ship_.model) && !propulsion.by_thrust) put(Channel::rev, propulsion.rev, 0.0);

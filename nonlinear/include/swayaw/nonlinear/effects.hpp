@@ -151,6 +151,12 @@ bool acts_at(const Effect& effect, double time);
 Channel* channel_of(Effect& effect);
 const Channel* channel_of(const Effect& effect);
 
+/// What a file must give of the effect besides its required numbers, in words; empty if nothing.
+std::string_view lacks(const Effect& effect);
+
+/// Whether a ship cannot have both: at most one of a kind, but of different channels, and one for each jump of a clock.
+bool exclude_each_other(const Effect& a, const Effect& b);
+
 /// The quantity that a wrong instrument shows wrong; nothing for forces.
 std::string_view shown_wrong(const Effect& effect);
 

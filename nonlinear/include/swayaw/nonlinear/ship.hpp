@@ -20,7 +20,7 @@ struct Ship {
   ShipModel model;
   Confidence confidence;
   Surroundings<double> surroundings;
-  std::vector<Effect> effects{};  ///< at most one of a kind, but for delays of different channels
+  std::vector<Effect> effects{};  ///< none that `exclude_each_other`
 };
 
 /// Length between perpendiculars [m].

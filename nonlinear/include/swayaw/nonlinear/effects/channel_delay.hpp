@@ -4,8 +4,7 @@
 
 namespace swayaw::inline nonlinear {
 
-/// A channel is recorded late, recorded(t) = true(t − delay). The two coordinates of a position are of one receiver: x
-/// stands for both.
+/// A channel is recorded late, recorded(t) = true(t − delay).
 template <class S = double>
 struct ChannelDelay {
   Channel channel = Channel::delta;
@@ -29,28 +28,17 @@ struct ChannelDelay {
                                                    .scale = ShipUnit::time}};
   }
 
-  /// The quantity that it shows wrong; none where the rudder is late.
-  std::string_view shows_wrong() const {
-    switch (channel) {
-      case Channel::x:
-      case Channel::y: return "position";
-      case Channel::psi: return "heading";
-      case Channel::r: return "yaw_rate";
-      case Channel::delta: return {};
-      default: return "speed";
-    }
-  }
+  std::string_view shows_wrong() const { return quantity_shown_by(channel); }
 };
 
 template <class S>
 void put_on(Instruments<S>& instruments, const ChannelDelay<S>& e) {
-  instruments[e.channel].delay = e.delay;
-  if (e.channel == Channel::x) instruments[Channel::y].delay = e.delay;
+  for_each_of_instrument(e.channel, [&](Channel channel) { instruments[channel].delay = e.delay; });
 }
 
 /// A rudder angle that is recorded late is known no better than what lies behind it.
 inline void actuate(const ChannelDelay<>& e, RudderActuator& actuator) {
-  if (e.channel == Channel::delta) actuator.record_delay = e.delay;
+  if (e.channel == Channel::delta) actuator.record_late = actuator.record_late || e.delay != 0.0;
 }
 
 }  // namespace swayaw::nonlinear

@@ -29,7 +29,8 @@
 /// What it does not say has a default. It may say besides: `acts_on(model)`, whether a model has what it needs;
 /// `search_form(null, context)`, the coordinates of a search; `onset` and `end`; `channel`, that it is of;
 /// `completed(facts)`, where the ship gives parameters; `without_heading()` and `never_steady`; `takes_rudder_lift`;
-/// `is_of_every_ship(effect, parameters)`; of an instrument `shows_wrong()`.
+/// `is_of_every_ship(effect, parameters)`; `needed_besides(effect)` by a file; `stand_beside(a, b)`, where
+/// a ship may have several; of an instrument `shows_wrong()`.
 namespace swayaw::inline nonlinear {
 
 /// Where an effect acts.
@@ -150,9 +151,9 @@ struct RudderActuator {
   double lag = 0.0;                                       ///< T [s]
   double rate = std::numeric_limits<double>::infinity();  ///< [rad/s]
   double offset = 0.0;                                    ///< [rad]
-  double record_delay = 0.0;                              ///< of the recorded angle [s]
+  bool record_late = false;                               ///< the angle is recorded late, or smoothed
 
-  bool any() const { return moves() || offset != 0.0 || record_delay != 0.0; }
+  bool any() const { return moves() || offset != 0.0 || record_late; }
 
   /// Whether the rudder has a motion of its own.
   bool moves() const { return width > 0.0 || lag > 0.0 || rate < std::numeric_limits<double>::infinity(); }

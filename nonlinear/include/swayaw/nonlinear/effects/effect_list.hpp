@@ -6,6 +6,8 @@
 #include "swayaw/nonlinear/effects/added_resistance.hpp"
 #include "swayaw/nonlinear/effects/antenna_lever_arm.hpp"
 #include "swayaw/nonlinear/effects/channel_delay.hpp"
+#include "swayaw/nonlinear/effects/channel_filter.hpp"
+#include "swayaw/nonlinear/effects/clock_drift.hpp"
 #include "swayaw/nonlinear/effects/cross_flow_drag.hpp"
 #include "swayaw/nonlinear/effects/flow_straightening.hpp"
 #include "swayaw/nonlinear/effects/fluid_memory.hpp"
@@ -49,6 +51,6 @@ using EffectIn =
                  RaceOnRudder<S>, PropellerSideForce<S>, WakeChange<S>, ShaftSpeedDrop<S>, RudderOffset<S>,
                  SteeringGearLag<S>, SteeringGearBacklash<S>, RollCoupling<S>, FluidMemory<S>, HeadingBias<S>,
                  GyroBias<S>, GyroScale<S>, LogScale<S>, VelocityAxes<S>, AntennaLeverArm<S>, ChannelDelay<S>,
-                 ModelForm<S>, UnknownForce<S>>;
+                 ClockDrift<S>, ChannelFilter<S>, ModelForm<S>, UnknownForce<S>>;
 
 }  // namespace swayaw::nonlinear

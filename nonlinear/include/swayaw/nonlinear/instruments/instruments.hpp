@@ -68,25 +68,48 @@ ShipState<S> moved_back(const ShipState<S>& s, const Current<S>& current, const 
   return back(back(s, S(0.5 * delay)), delay);
 }
 
-/// What the instrument of a channel shows.
-///
-/// @param at  Kinematics<S> at(S delay): what there was to look at so many seconds ago, 0 for now
-template <class S, class At>
-S observe(Channel channel, const Instruments<S>& instruments, At&& at) {
-  const auto& error = instruments[channel];
-  auto seen = at_point(at(error.delay), instruments.antenna_x, instruments.antenna_y);
+/// What a channel would show of a motion that its instrument looks at, but for scale and bias.
+template <class S>
+S looked_at(Channel channel, const Instruments<S>& instruments, const Kinematics<S>& motion) {
+  auto seen = at_point(motion, instruments.antenna_x, instruments.antenna_y);
   if (is_body_velocity(channel)) {
     seen.state.motion = in_turned_axes(seen.state.motion, instruments.velocity_axes);
     seen.ground = in_turned_axes(seen.ground, instruments.velocity_axes);
   }
-  return error.reading(observe(channel, seen));
+  return observe(channel, seen);
 }
 
-/// A true run as the instruments record it. A late channel has the value of `delay` ago, by straight lines between the
-/// samples, drawn on beyond the first and the last.
+/// The mean of two looks; directions are less than half a turn apart.
+template <class S>
+S mean_look(Channel channel, const S& first, const S& second, const S& weight_of_second) {
+  S apart = second - first;
+  if (is_direction(channel)) {
+    if (S(pi) < apart) apart = apart - S(2.0 * pi);
+    if (apart < S(-pi)) apart = apart + S(2.0 * pi);
+  }
+  return first + weight_of_second * apart;
+}
+
+/// What the instrument of a channel shows.
+///
+/// @param at       Kinematics<S> at(S delay): what there was to look at so many seconds ago, 0 for now
+/// @param reading  when; needed where the clock of the channel is wrong
+template <class S, class At>
+S observe(Channel channel, const Instruments<S>& instruments, At&& at, const ReadingTime& reading = {}) {
+  const auto& error = instruments[channel];
+  const S late = error.late(reading);
+  const auto look = [&](const S& delay) { return looked_at(channel, instruments, at(delay)); };
+  if (!error.smoothing.acts()) return error.reading(look(late));
+  const auto [first, second] = error.smoothing.looks();
+  return error.reading(mean_look(channel, look(late + first.delay), look(late + second.delay), second.weight));
+}
+
+/// A true run as the instruments record it. A late or smoothed channel has the values of a while ago, by straight lines
+/// between the samples, drawn on beyond the first and the last.
 Recording as_recorded(Recording truth, const Instruments<double>& instruments);
 
-/// A recorded run without what the instruments did to it: the inverse.
+/// A recorded run without what the instruments did to it: the inverse, but that what smoothing took away is gone; the
+/// channel is no later for it.
 Recording as_it_was(Recording recorded, const Instruments<double>& instruments);
 
 }  // namespace swayaw::nonlinear
