@@ -67,8 +67,9 @@ function share(fraction) {
   return `${plain(Number((100 * fraction).toPrecision(2)))}\u00a0%`;
 }
 
-// "wind_speed_m_s" is a wind speed in m/s.
+// "wind_speed_m_s" is a wind speed in m/s; the rate of a clock is a share.
 function measured(key) {
+  if (key === 'rate') return { stem: key, unit: '%', scale: 100 };
   const [ending, unit, scale] = UNITS.find(([end]) => key.endsWith(end) && !/^[A-Za-z]{1,2}$/.test(key.slice(0, -end.length))) ||
     UNITS.find(([end]) => key.endsWith(end) && GREEK[key.slice(0, -end.length)]) || ['', '', 1];
   return { stem: key.slice(0, key.length - ending.length), unit, scale };
@@ -124,7 +125,7 @@ function rivalsNote(rivals) {
 function effectCard(effect) {
   const keys = effect.keys || Object.keys(effect.parameters);
   return el('div', { class: 'card' },
-    el('h3', {}, capital(nameOf(effect.effect)), ' ', small(effect.effect)),
+    el('h3', {}, capital(effect.label || nameOf(effect.effect)), ' ', small(effect.effect)),
     el('p', { class: 'facts' }, `Probability ${certainty(effect.probability)}`),
     el('table', { class: 'parameters' }, el('tbody', {}, ...keys.map((key) => parameterRow(key, effect.parameters[key])))),
     rivalsNote(effect.indistinguishable_from));

@@ -162,8 +162,8 @@ std::string headline(const Diagnosis& d) {
   if (d.verdict == DiagnosisVerdict::unexplained)
     return words + "Something real is missing that no known effect explains" + to + ".";
   if (!d.effects.empty()) {
-    std::vector<std::string_view> names;
-    for (const auto& e : d.effects) names.push_back(text_of(e.effect).phrase);
+    std::vector<std::string> names;
+    for (const auto& e : d.effects) names.push_back(phrase_of(e.effect));
     return words + fmt::format("The model leaves out {}{}.", fmt::join(names, ", and "), to);
   }
   const auto left = d.discrepancy ? fmt::format(" ({} left)", percent_of(d.discrepancy->refitted)) : "";

@@ -82,9 +82,10 @@ Json ordinary_json(const Ship& ship) {
   return {{"X_N", number(force.X)}, {"Y_N", number(force.Y)}, {"N_Nm", number(force.N)}};
 }
 
-/// Objects of the page are sorted by key; this keeps the order of an effect's parameters.
-void keep_order(Json& effects, const std::vector<FoundEffect>& found) {
+/// What the page calls the effects that were found, and the order of their parameters: its objects are sorted by key.
+void put_words(Json& effects, const std::vector<FoundEffect>& found) {
   for (std::size_t i = 0; i < found.size(); ++i) {
+    effects[i]["label"] = label_of(found[i].effect);
     effects[i]["keys"] = Json::array();
     for (const auto& p : found[i].parameters) effects[i]["keys"].push_back(p.key);
   }
@@ -114,7 +115,7 @@ void write_diagnosis_report(const Json& document, const Ship& ship, const Diagno
   data["needed_gain"] = needed_gain;
   data["ordinary_force"] = ordinary_json(diagnosis.refitted);
   data["effect_names"] = effect_names();
-  keep_order(data["effects"], diagnosis.effects);
+  put_words(data["effects"], diagnosis.effects);
   data["runs"] = pictures_json(ship, diagnosis);
   write_page(asked.report.file, diagnosis_page(diagnosis_first_screen(ship, diagnosis, asked), for_page(data)));
 }

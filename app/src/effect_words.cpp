@@ -7,7 +7,7 @@
 namespace swayaw::app {
 
 std::string_view label_of(std::string_view id) { return text_of(make_effect(id)).label; }
-std::string_view label_of(const FoundEffect& effect) { return label_of(id_of(effect.effect)); }
+std::string label_of(const FoundEffect& effect) { return label_of(effect.effect); }
 
 std::string unit_of(const Effect& effect, std::string_view key) {
   std::string unit;
@@ -27,6 +27,7 @@ std::string name_of_parameter(std::string key, const std::string& unit) {
 }
 
 std::string in_users_units(const Effect& effect, const ParameterEstimate& p, const UserUnits& units) {
+  if (p.key == "rate") return units.clock_rate(p.value, p.standard_error);
   const bool direction = p.key.ends_with("_from_rad") || p.key.ends_with("_to_rad");
   return direction ? units.direction(p.value, p.standard_error)
                    : units.in_unit(unit_of(effect, p.key), p.value, p.standard_error);

@@ -43,7 +43,7 @@ bool disturbs(const Effect& effect) {
 /// "a steady wind, shallow water"
 std::string phrases_of(const std::vector<Effect>& effects) {
   std::string words;
-  for (const auto& effect : effects) words += (words.empty() ? "" : ", ") + std::string(text_of(effect).phrase);
+  for (const auto& effect : effects) words += (words.empty() ? "" : ", ") + phrase_of(effect);
   return words;
 }
 

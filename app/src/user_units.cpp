@@ -7,14 +7,12 @@
 #include <cmath>
 
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/model_scale.hpp"
 
 namespace swayaw::app {
 namespace {
 
 constexpr double knot = 1852.0 / 3600.0;  // m/s
-
-/// Below this length ships are models, and their speeds are told in m/s [m].
-constexpr double smallest_ship = 20.0;
 
 std::string told(double value, double error, double one, const char* unit) {
   return fmt::format("{} {}", with_error(value / one, error / one), unit);
@@ -55,6 +53,10 @@ std::string UserUnits::yaw_rate(double rad_s, double error) const {
 std::string UserUnits::length(double m, double error) const {
   const auto metres = told(m, error, 1.0, "m");
   return si_ || !(L_ > 0.0) ? metres : fmt::format("{} ({:.2f} L)", metres, m / L_);
+}
+
+std::string UserUnits::clock_rate(double rate, double error) const {
+  return si_ ? told(rate, error, 1.0, "s/s") : told(std::abs(rate), error, 0.01, rate < 0.0 ? "% fast" : "% slow");
 }
 
 std::string UserUnits::time(double s, double error) const { return told(s, error, 1.0, "s"); }

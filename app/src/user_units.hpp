@@ -21,6 +21,9 @@ class UserUnits {
   std::string ordered(double rad) const;
   std::string yaw_rate(double rad_s, double error = 0.0) const;
   std::string length(double m, double error = 0.0) const;
+
+  /// Of a clock, positive where it falls behind: "0.42 ± 0.08 % slow".
+  std::string clock_rate(double rate, double error = 0.0) const;
   std::string time(double s, double error = 0.0) const;
 
   /// "105 ± 4 deg (ESE)"

@@ -9,6 +9,7 @@ namespace swayaw::inline core {
 namespace {
 
 constexpr auto names = detail::of_each_channel([](const auto& row) { return row.name; });
+constexpr auto plain_names = detail::of_each_channel([](const auto& row) { return row.words; });
 constexpr auto dimensions = detail::of_each_channel([](const auto& row) { return row.dimension; });
 constexpr auto units = detail::of_each_channel([](const auto& row) { return row.columns; });
 
@@ -63,6 +64,8 @@ std::optional<Column> column_named(std::string_view name) {
 std::string_view column_name(Channel channel) { return units[index_of(channel)].first.name; }
 
 std::string_view short_name(Channel channel) { return names[index_of(channel)]; }
+
+std::string_view plain_name(Channel channel) { return plain_names[index_of(channel)]; }
 
 std::optional<Channel> channel_named(std::string_view name) {
   if (const auto found = std::ranges::find(names, name); found != names.end())

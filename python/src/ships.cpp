@@ -202,7 +202,7 @@ void add_effects(py::module_& m, py::class_<AnyEffect>& type) {
           "place", [](const AnyEffect& e) { return place_of(e.value); }, "air, water, force, actuator or sensor.")
       .def_property_readonly("scope", [](const AnyEffect& e) { return scope_of(e.value); })
       .def_property_readonly(
-          "label", [](const AnyEffect& e) { return text_of(e.value).label; }, "\"steady wind\"")
+          "label", [](const AnyEffect& e) { return label_of(e.value); }, "\"steady wind\", \"late channel (rudder)\"")
       .def_property_readonly(
           "law", [](const AnyEffect& e) { return text_of(e.value).law; }, "What it does, as Markdown.")
       .def_property_readonly(

@@ -750,7 +750,7 @@ class Effect:
         """Whether it does nothing."""
     @property
     def label(self) -> str:
-        """\"steady wind\""""
+        """\"steady wind", "late channel (rudder)\""""
     @property
     def law(self) -> str:
         """What it does, as Markdown."""

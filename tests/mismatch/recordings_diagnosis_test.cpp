@@ -71,6 +71,10 @@ TEST_CASE("the published form for the KVLCC2 lacks cubic terms of the hull, whic
   CHECK(d.verdict == DiagnosisVerdict::missing_physics);
   // the cubic terms by their name, or as a form of the forces in which they are
   CHECK((found(d, "hull_nonlinear_damping") != nullptr || found(d, "model_form") != nullptr));
+  double probability = 0.0;
+  for (const auto& c : d.candidates) probability += c.probability;
+  CHECK(probability < 1.0 + 1e-9);
+  for (const auto& e : d.effects) CHECK(std::ranges::count(d.candidates, id_of(e.effect), &Candidate::effect) == 1);
   const auto moment = std::ranges::find(d.budget, "yaw_moment", &ForceBudget::quantity);
   REQUIRE(moment != d.budget.end());
   CHECK(moment->share[static_cast<std::size_t>(Follows::form)] > 0.8);

@@ -14,23 +14,6 @@ using Kind = InstrumentErrorKind;
 
 using core::detail::knot;
 
-std::string_view instrument(Channel channel) {
-  switch (channel) {
-    case Channel::x: return "positions";
-    case Channel::y: return "y";
-    case Channel::psi: return "heading";
-    case Channel::r: return "yaw rate";
-    case Channel::u: return "speed through the water";
-    case Channel::v: return "sway";
-    case Channel::u_ground: return "speed over ground";
-    case Channel::v_ground: return "sway over ground";
-    case Channel::speed_through_water: return "log";
-    case Channel::delta: return "rudder";
-    case Channel::delta_order: return "rudder order";
-    default: return short_name(channel);
-  }
-}
-
 /// A value in the unit that people read.
 struct Shown {
   double factor;
@@ -125,7 +108,7 @@ std::string_view unit_of(const InstrumentError& e) {
 bool is_mistake(InstrumentErrorKind kind) { return kind == Kind::unit || kind == Kind::sign || kind == Kind::order; }
 
 std::string words_for(const InstrumentError& e) {
-  const auto what = instrument(e.channel);
+  const auto what = plain_name(e.channel);
   if (e.kind == Kind::sign)
     return e.channel == Channel::delta || e.channel == Channel::delta_order
                ? fmt::format("{}: turns the ship to the other side than its sign says", what)

@@ -139,31 +139,30 @@ class ChannelObserver {
   bool linear(Channel channel) const { return sum_of(channel) != nullptr; }
 
   double value(const Reading& reading, const Sight& sight) const {
-    const auto look = [&](double delay) {
-      const double left = late_by(reading.channel, reading.time) + delay - reading.since;
-      const auto* sum = sum_of(reading.channel);
+    const double late = late_by(reading.channel, reading.time) - reading.since;
+    const auto* sum = sum_of(reading.channel);
+    const auto shown = [&](double delay) {
+      const double left = late + delay;
       return sum ? at(*sum, sight, left) : computed(reading.channel, sight, left);
     };
-    const auto& smoothing = instruments_[reading.channel].smoothing;
-    if (!smoothing.acts()) return look(0.0);
-    const auto [first, second] = smoothing.looks();
-    return mean_look(reading.channel, look(first.delay), look(second.delay), second.weight);
+    return filtered(reading.channel, instruments_[reading.channel].smoothing, shown);
   }
 
   /// The value with its derivatives.
   double value(const Reading& reading, const Sight& sight, ChannelSlope& slope) const {
     const auto& smoothing = instruments_[reading.channel].smoothing;
     if (!smoothing.acts()) return look(reading, sight, 0.0, slope);
-    const auto looks = smoothing.looks();
-    ChannelSlope there;
-    const double first = look(reading, sight, looks[0].delay, slope),
-                 second = look(reading, sight, looks[1].delay, there);
-    const auto mean = [&looks](auto& of_first, const auto& of_second) {
-      of_first = looks[0].weight * of_first + looks[1].weight * of_second;
+    std::array<ChannelSlope, 2> slopes;
+    std::size_t looks = 0;
+    const double shown = filtered(reading.channel, smoothing,
+                                  [&](double delay) { return look(reading, sight, delay, slopes[looks++]); });
+    const double share = smoothing.looks()[1].weight;
+    const auto mean = [share](const auto& first, const auto& second) {
+      return ((1.0 - share) * first + share * second).eval();
     };
-    mean(slope.by_state, there.by_state), mean(slope.by_acceleration, there.by_acceleration);
-    for (const auto side : {past, future}) mean(slope.by_side[side], there.by_side[side]);
-    return mean_look(reading.channel, first, second, looks[1].weight);
+    slope = {mean(slopes[0].by_state, slopes[1].by_state), mean(slopes[0].by_acceleration, slopes[1].by_acceleration)};
+    for (const auto side : {past, future}) slope.by_side[side] = mean(slopes[0].by_side[side], slopes[1].by_side[side]);
+    return shown;
   }
 
   /// Derivative of the channel by the heel, along which it is about straight.

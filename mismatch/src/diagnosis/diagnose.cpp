@@ -105,6 +105,20 @@ Standing refitted_for(const Search& s, std::span<const std::size_t> which) try {
 /// by 0.015.
 constexpr double worth_of_form = 0.05;
 
+/// The form of her forces among the candidates: as likely as it is, where those with a name leave it that much.
+void put_form_candidate(std::vector<Candidate>& candidates, double probability, double gain) {
+  double of_others = 0.0;
+  for (const auto& c : candidates) of_others += c.probability;
+  const auto place = std::ranges::find_if(candidates, [&](const Candidate& c) { return c.log_evidence_gain < gain; });
+  candidates.insert(place, {.effect = std::string(form_id),
+                            .probability = probability * std::max(0.0, 1.0 - of_others),
+                            .log_evidence_gain = gain,
+                            .holdout_log_likelihood_gain = {},
+                            .holdout_gain = {},
+                            .trace = false,
+                            .refuted = false});
+}
+
 /// The form of her forces as a finding, where its evidence carries it and replays of all runs, those that were not used
 /// among them, err clearly less with it; beside what was found, and coefficients that are known no better: beside a
 /// stream that was found it was a finding for what it had stood for before (a case as on board of seed 34).
@@ -130,10 +144,12 @@ void put_form(Diagnosis& d, const Search& s, const MapFit& alone, const Standing
     return by ? by->after : missing;
   };
   if (!(left(without) - left(standing.fit) > worth_of_form)) return;
+  const double probability = 1.0 / (1.0 + std::exp((needed - gain) / evidence_excess));
+  put_form_candidate(d.candidates, probability, gain);
   d.effects.push_back(
       {.effect = form->form->at(form->coordinates(standing.fit.point)),
        .scope = Scope::ship,
-       .probability = 1.0 / (1.0 + std::exp((needed - gain) / evidence_excess)),
+       .probability = probability,
        .onset = {},
        .end = {},
        .parameters = estimates(trial, *form->form, {}, standing.fit, form->first, part_map(*form->form, 0)),
@@ -262,7 +278,7 @@ Kept put_effects(Diagnosis& d, const Trial& trial, HeldOutRuns& held_out, const 
       standing.push_back({s.on_board ? worth_in_all(i) : 0.0, &accepted, std::move(found)});
       continue;
     }
-    if (supported) (trace ? d.traces : d.as_form).emplace_back(phrase(accepted.form->id));
+    if (supported) (trace ? d.traces : d.as_form).push_back(phrase_of(accepted.effect));
     for (auto& t : tried)
       if (t.form->id == accepted.form->id) {
         t.trace = trace || !supported, t.as_form = !t.trace;
@@ -392,7 +408,11 @@ Told beside_what_is_form(Told first, const Ship& ship, const Runs& runs, const T
     return !c.as_form && !c.trace && !c.refuted && c.log_evidence_gain > options.detection;
   };
   if (std::ranges::none_of(first.d.candidates, may_stand)) return first;
-  const auto is_form = [&](std::string_view id) { return std::ranges::count(first.d.as_form, phrase(id)) > 0; };
+  const auto is_form = [&](std::string_view id) {
+    return std::ranges::any_of(first.s.accepted, [&](const auto& accepted) {
+      return accepted.form->id == id && std::ranges::count(first.d.as_form, phrase_of(accepted.effect)) > 0;
+    });
+  };
   std::vector<EffectForm> others(forms.begin(), forms.end());
   std::erase_if(others, [&](const EffectForm& form) { return is_form(form.id); });
   if (!goes_on("trying effects that are no error of form")) return first;

@@ -61,7 +61,7 @@ std::string why_not(const FittedCandidate& tried, const Search& s, double needed
                                    : "one half of the run speaks against what the other tells";
   if (tried.trace) return "what it would be is too small to matter, or not told from nothing";
   if (tried.gain > needed && !s.accepted.empty())
-    return fmt::format("{} explains the runs as well", text_of(s.accepted.front().effect).phrase);
+    return fmt::format("{} explains the runs as well", phrase_of(s.accepted.front().effect));
   if (tried.gain > needed) return "held-out runs lose what the others gain by it";
   return fmt::format("it explains the runs better by {:.1f} in log evidence, {:g} are needed", tried.gain, needed);
 }
@@ -72,7 +72,7 @@ std::optional<std::string> untold_of_tried(const Search& s, double needed) {
     const auto place = place_of(tried.effect);
     if ((place != EffectPlace::air && place != EffectPlace::water) || acting_time(tried.effect) || !(tried.gain > 0.0))
       continue;
-    return fmt::format("{} cannot be told: {}", text_of(tried.effect).phrase, why_not(tried, s, needed));
+    return fmt::format("{} cannot be told: {}", phrase_of(tried.effect), why_not(tried, s, needed));
   }
   return std::nullopt;
 }

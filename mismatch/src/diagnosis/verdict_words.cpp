@@ -113,7 +113,7 @@ std::string moved_words(const MovedPart& moved) {
 std::string verdict_words(const Diagnosis& d) {
   std::vector<std::string> names;
   for (const auto& e : d.effects)
-    if (!is_nameless(e)) names.emplace_back(phrase(id_of(e.effect)));
+    if (!is_nameless(e)) names.push_back(phrase_of(e.effect));
   std::string traces;
   if (!d.as_form.empty())
     traces += fmt::format(" Not told from an error in the form of her forces: {}.", fmt::join(d.as_form, ", "));
@@ -156,8 +156,6 @@ std::string unknown_depends_on(const Diagnosis& d) {
   const auto words = what_unknown_goes_with(d);
   return words.size() > joined ? words.substr(joined) : words;
 }
-
-std::string_view phrase(std::string_view id) { return text_of(make_effect(id)).phrase; }
 
 std::string words_of(const Diagnosis& d) {
   auto words = discrepancy_words(d) + verdict_words(d);

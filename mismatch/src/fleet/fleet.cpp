@@ -232,10 +232,10 @@ std::string words_of(const FleetDiagnosis& d) {
     if (v.changes.empty() && v.differences.empty()) continue;
     std::vector<std::string> parts;
     for (const auto& c : v.changes)
-      parts.push_back(fmt::format("{} {} {} (95 %: {} to {})", text_of(c.effect).phrase,
+      parts.push_back(fmt::format("{} {} {} (95 %: {} to {})", phrase_of(c.effect),
                                   c.shape == ChangeShape::sudden ? "since" : "growing since",
                                   date_text(c.since.likeliest), date_text(c.since.from), date_text(c.since.to)));
-    for (const auto& x : v.differences) parts.push_back(fmt::format("{} from the first day", text_of(x.effect).phrase));
+    for (const auto& x : v.differences) parts.push_back(fmt::format("{} from the first day", phrase_of(x.effect)));
     words += fmt::format("{}{}: {}.", words.empty() ? "" : " ", v.vessel, fmt::join(parts, "; "));
   }
   const auto quiet = std::ranges::count_if(
@@ -288,8 +288,8 @@ FleetDiagnosis diagnose_fleet(const Ship& ship, std::span<const FleetRun> runs, 
       if (s.proposal.vessel != vessel) continue;
       auto change = change_of(whole, model, s, index++, law);
       if (change.floors < 1.0) {
-        d.trace.push_back(fmt::format("{}: {} since {}, too small to matter", report.vessel,
-                                      text_of(change.effect).phrase, date_text(change.since.likeliest)));
+        d.trace.push_back(fmt::format("{}: {} since {}, too small to matter", report.vessel, phrase_of(change.effect),
+                                      date_text(change.since.likeliest)));
         continue;
       }
       found.push_back(id_of(change.effect));

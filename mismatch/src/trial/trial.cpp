@@ -377,7 +377,7 @@ double ordinary_deviations(const Trial& trial, const EffectForm& form, const Eff
   // whatever reference runs tell of delays: what filters do besides is part of no baseline
   if (const auto* filter = std::get_if<ChannelFilter<>>(&effect);
       filter && std::ranges::any_of(trial.ordinary, stands_here))
-    return beyond_the_ordinary * filter->time / filter_delay(time_unit_of(trial.ship));
+    return beyond_the_ordinary * filter->time / filter_delay(trial.ship);
   const auto usual = usual_number(trial, form);
   if (!usual) return HUGE_VAL;
   const auto is = parameters_of(trial.ship, effect)[usual->index];

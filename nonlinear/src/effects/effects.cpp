@@ -25,6 +25,11 @@ constexpr std::array<std::string_view, sizeof...(I)> all_ids(std::index_sequence
 
 constexpr auto ids = all_ids(std::make_index_sequence<effect_count>());
 
+std::string with_channel(std::string_view words, const Effect& effect) {
+  const auto* channel = channel_of(effect);
+  return channel ? fmt::format("{} ({})", words, plain_name(*channel)) : std::string(words);
+}
+
 }  // namespace
 
 std::string_view name_of(EffectPlace place) {
@@ -63,6 +68,9 @@ Scope scope_of(const Effect& effect) {
 const EffectText& text_of(const Effect& effect) {
   return std::visit([](const auto& e) -> const EffectText& { return e.text; }, effect);
 }
+
+std::string phrase_of(const Effect& effect) { return with_channel(text_of(effect).phrase, effect); }
+std::string label_of(const Effect& effect) { return with_channel(text_of(effect).label, effect); }
 
 std::size_t parameter_count(const Effect& effect) {
   return std::visit([](const auto& e) { return e.parameters().size(); }, effect);

@@ -78,6 +78,9 @@ std::string_view column_name(Channel channel);
 /// Name of a channel without its unit, "psi".
 std::string_view short_name(Channel channel);
 
+/// What sentences call the channel, or the instrument that shows it: "heading", "log".
+std::string_view plain_name(Channel channel);
+
 /// The channel of a short name or of a column.
 std::optional<Channel> channel_named(std::string_view name);
 

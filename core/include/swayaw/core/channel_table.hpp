@@ -10,7 +10,7 @@
 #include "swayaw/core/channel.hpp"
 #include "swayaw/core/motion.hpp"
 
-/// Everything that is known of a channel, in one row: its name, what kind of quantity it is, its columns in recording
+/// Everything that is known of a channel, in one row: its names, what kind of quantity it is, its columns in recording
 /// files with the SI value of their units, and what it shows of the motion of a ship. A new channel is a row here, in
 /// the order of the enumerators.
 namespace swayaw::inline core {
@@ -46,15 +46,16 @@ template <Channel Which, class Observer>
 struct ChannelRow {
   static constexpr Channel channel = Which;
   std::string_view name;
+  std::string_view words;  ///< what sentences call it
   Dimension dimension;
   UnitColumns columns;
   Observer observer;
 };
 
 template <Channel Which, class Observer = NoMotion>
-constexpr ChannelRow<Which, Observer> row(std::string_view name, Dimension dimension, UnitColumns columns,
-                                          Observer observer = {}) {
-  return {name, dimension, columns, observer};
+constexpr ChannelRow<Which, Observer> row(std::string_view name, std::string_view words, Dimension dimension,
+                                          UnitColumns columns, Observer observer = {}) {
+  return {name, words, dimension, columns, observer};
 }
 
 /// Rows, one after the other; std::tuple would take the compiler half a second wherever a ship is.
@@ -65,33 +66,41 @@ template <class... Row>
 ChannelRows(Row...) -> ChannelRows<Row...>;
 
 inline constexpr ChannelRows channel_table{
-    row<Channel::x>("x", Dimension::length, {{"x_m"}}, [](const auto& k) { return k.state.x; }),
-    row<Channel::y>("y", Dimension::length, {{"y_m"}}, [](const auto& k) { return k.state.y; }),
-    row<Channel::psi>("psi", Dimension::bearing, {{"psi_rad"}, {"psi_deg", degree}},
+    row<Channel::x>("x", "positions", Dimension::length, {{"x_m"}}, [](const auto& k) { return k.state.x; }),
+    row<Channel::y>("y", "y", Dimension::length, {{"y_m"}}, [](const auto& k) { return k.state.y; }),
+    row<Channel::psi>("psi", "heading", Dimension::bearing, {{"psi_rad"}, {"psi_deg", degree}},
                       [](const auto& k) { return k.state.psi; }),
-    row<Channel::u>("u", Dimension::speed, {{"u_m_s"}, {"u_kn", knot}}, [](const auto& k) { return k.state.motion.u; }),
-    row<Channel::v>("v", Dimension::speed, {{"v_m_s"}, {"v_kn", knot}}, [](const auto& k) { return k.state.motion.v; }),
-    row<Channel::u_ground>("ug", Dimension::speed, {{"ug_m_s"}, {"ug_kn", knot}},
+    row<Channel::u>("u", "speed through the water", Dimension::speed, {{"u_m_s"}, {"u_kn", knot}},
+                    [](const auto& k) { return k.state.motion.u; }),
+    row<Channel::v>("v", "sway", Dimension::speed, {{"v_m_s"}, {"v_kn", knot}},
+                    [](const auto& k) { return k.state.motion.v; }),
+    row<Channel::u_ground>("ug", "speed over ground", Dimension::speed, {{"ug_m_s"}, {"ug_kn", knot}},
                            [](const auto& k) { return k.ground.u; }),
-    row<Channel::v_ground>("vg", Dimension::speed, {{"vg_m_s"}, {"vg_kn", knot}},
+    row<Channel::v_ground>("vg", "sway over ground", Dimension::speed, {{"vg_m_s"}, {"vg_kn", knot}},
                            [](const auto& k) { return k.ground.v; }),
-    row<Channel::speed_through_water>("stw", Dimension::speed, {{"stw_m_s"}, {"stw_kn", knot}},
+    row<Channel::speed_through_water>("stw", "log", Dimension::speed, {{"stw_m_s"}, {"stw_kn", knot}},
                                       [](const auto& k) { return k.state.motion.u; }),
-    row<Channel::speed_over_ground>("sog", Dimension::speed, {{"sog_m_s"}, {"sog_kn", knot}},
+    row<Channel::speed_over_ground>("sog", "sog", Dimension::speed, {{"sog_m_s"}, {"sog_kn", knot}},
                                     [](const auto& k) { return speed(k.ground); }),
-    row<Channel::course_over_ground>("cog", Dimension::bearing, {{"cog_rad"}, {"cog_deg", degree}},
+    row<Channel::course_over_ground>("cog", "course over ground", Dimension::bearing,
+                                     {{"cog_rad"}, {"cog_deg", degree}},
                                      [](const auto& k) { return k.state.psi + angle_of(k.ground.v, k.ground.u); }),
-    row<Channel::r>("r", Dimension::yaw_rate, {{"r_rad_s"}, {"r_deg_s", degree}, {"r_deg_min", degree / 60.0}},
+    row<Channel::r>("r", "yaw rate", Dimension::yaw_rate,
+                    {{"r_rad_s"}, {"r_deg_s", degree}, {"r_deg_min", degree / 60.0}},
                     [](const auto& k) { return k.state.motion.r; }),
-    row<Channel::delta>("delta", Dimension::angle, {{"delta_rad"}, {"delta_deg", degree}}),
-    row<Channel::delta_order>("delta_order", Dimension::angle, {{"delta_order_rad"}, {"delta_order_deg", degree}}),
-    row<Channel::rev>("rev", Dimension::other, {{"rev_s"}, {"rev_rpm", 1.0 / 60.0}}),
-    row<Channel::thrust>("thrust", Dimension::other, {{"thrust_N"}, {"thrust_kN", 1000.0}}),
-    row<Channel::torque>("torque", Dimension::other, {{"torque_N_m"}, {"torque_kN_m", 1000.0}}),
-    row<Channel::phi>("phi", Dimension::angle, {{"phi_rad"}, {"phi_deg", degree}}, [](const auto& k) { return k.phi; }),
-    row<Channel::wind_speed>("wind_speed", Dimension::speed, {{"wind_speed_m_s"}, {"wind_speed_kn", knot}}),
-    row<Channel::wind_from>("wind_from", Dimension::bearing, {{"wind_from_rad"}, {"wind_from_deg", degree}}),
-    row<Channel::depth>("depth", Dimension::length, {{"depth_m"}}),
+    row<Channel::delta>("delta", "rudder", Dimension::angle, {{"delta_rad"}, {"delta_deg", degree}}),
+    row<Channel::delta_order>("delta_order", "rudder order", Dimension::angle,
+                              {{"delta_order_rad"}, {"delta_order_deg", degree}}),
+    row<Channel::rev>("rev", "shaft speed", Dimension::other, {{"rev_s"}, {"rev_rpm", 1.0 / 60.0}}),
+    row<Channel::thrust>("thrust", "thrust", Dimension::other, {{"thrust_N"}, {"thrust_kN", 1000.0}}),
+    row<Channel::torque>("torque", "torque", Dimension::other, {{"torque_N_m"}, {"torque_kN_m", 1000.0}}),
+    row<Channel::phi>("phi", "heel", Dimension::angle, {{"phi_rad"}, {"phi_deg", degree}},
+                      [](const auto& k) { return k.phi; }),
+    row<Channel::wind_speed>("wind_speed", "wind speed", Dimension::speed,
+                             {{"wind_speed_m_s"}, {"wind_speed_kn", knot}}),
+    row<Channel::wind_from>("wind_from", "wind direction", Dimension::bearing,
+                            {{"wind_from_rad"}, {"wind_from_deg", degree}}),
+    row<Channel::depth>("depth", "water depth", Dimension::length, {{"depth_m"}}),
 };
 
 template <class... Row>

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -93,6 +94,10 @@ EffectPlace place_of(const Effect& effect);
 Scope scope_of(const Effect& effect);
 
 const EffectText& text_of(const Effect& effect);
+
+/// Its phrase and its label, with the channel that it is of: "a channel that is late (rudder)".
+std::string phrase_of(const Effect& effect);
+std::string label_of(const Effect& effect);
 
 /// Calls visit(parameter, value) for every parameter of an effect, in the order of its list.
 template <class E, class Visit>

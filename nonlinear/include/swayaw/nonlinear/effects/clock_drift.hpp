@@ -28,7 +28,7 @@ struct ClockDrift {
       .law = "recorded(t) = true(t − rate (t − begin) − `by_s` H(t − `at_s`)); one for each jump",
       .confused_with = "a late channel → a longer run; current, where it is the clock of the positions"};
 
-  /// A clock that is 0.03 % fast is late by 0.3 s after a quarter of an hour, half a sample at most recordings' rate.
+  /// A clock that is 0.03 % slow is late by 0.3 s after a quarter of an hour, half a sample at most recordings' rate.
   static constexpr auto parameters() {
     using P = ParameterOf<ClockDrift, S>;
     constexpr double never = std::numeric_limits<double>::infinity();

@@ -29,7 +29,7 @@ struct ClockError {
     bool operator==(const Jump&) const = default;
   };
 
-  S rate{};  ///< [s/s], positive where the clock of the channel is fast
+  S rate{};  ///< [s/s], positive where the clock of the channel is slow: it falls behind
   std::vector<Jump> jumps{};
 
   bool is_good() const { return rate == S(0.0) && jumps.empty(); }

@@ -90,6 +90,15 @@ S mean_look(Channel channel, const S& first, const S& second, const S& weight_of
   return first + weight_of_second * apart;
 }
 
+/// What a channel shows through its filter.
+/// @param shown  S shown(S delay): what one look shows, so many seconds earlier than the reading is late
+template <class S, class Shown>
+S filtered(Channel channel, const ChannelSmoothing<S>& smoothing, Shown&& shown) {
+  if (!smoothing.acts()) return shown(S(0.0));
+  const auto [first, second] = smoothing.looks();
+  return mean_look(channel, shown(first.delay), shown(second.delay), second.weight);
+}
+
 /// What the instrument of a channel shows.
 ///
 /// @param at       Kinematics<S> at(S delay): what there was to look at so many seconds ago, 0 for now
@@ -98,10 +107,8 @@ template <class S, class At>
 S observe(Channel channel, const Instruments<S>& instruments, At&& at, const ReadingTime& reading = {}) {
   const auto& error = instruments[channel];
   const S late = error.late(reading);
-  const auto look = [&](const S& delay) { return looked_at(channel, instruments, at(delay)); };
-  if (!error.smoothing.acts()) return error.reading(look(late));
-  const auto [first, second] = error.smoothing.looks();
-  return error.reading(mean_look(channel, look(late + first.delay), look(late + second.delay), second.weight));
+  const auto shown = [&](const S& delay) { return looked_at(channel, instruments, at(late + delay)); };
+  return error.reading(filtered(channel, error.smoothing, shown));
 }
 
 /// A true run as the instruments record it. A late or smoothed channel has the values of a while ago, by straight lines
