@@ -82,8 +82,12 @@ KnownSamples known_samples(const Recording& run, Channel channel, When&& when) {
   std::vector<std::pair<double, double>> samples;
   for (std::size_t i = 0; i < run.samples(); ++i)
     if (std::isfinite(run[channel][i])) samples.emplace_back(when(run.time[i]), run[channel][i]);
-  std::ranges::stable_sort(samples, {}, &std::pair<double, double>::first);
+  // a clock that leaps back puts them out of order; of seven turns at 10 Hz 7 % of a diagnosis was to sort what no
+  // clock had moved
+  if (!std::ranges::is_sorted(samples, {}, &std::pair<double, double>::first))
+    std::ranges::stable_sort(samples, {}, &std::pair<double, double>::first);
   KnownSamples known;
+  known.time.reserve(samples.size()), known.value.reserve(samples.size());
   for (const auto& [time, value] : samples)
     if (!known.time.empty() && !(time > known.time.back())) known.value.back() = value;
     else known.time.push_back(time), known.value.push_back(value);
