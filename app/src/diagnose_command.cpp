@@ -231,7 +231,7 @@ void print_surroundings(const std::vector<SurroundingsEstimate>& surroundings, c
 
 void print_effects(const std::vector<FoundEffect>& effects, const UserUnits& units) {
   for (const auto& e : effects) {
-    say("\n{} ({}), probability {:.3f}\n", label_of(e), id_of(e.effect), e.probability);
+    say("\n{} ({}), probability {:.3f}\n", label_of(e.effect), id_of(e.effect), e.probability);
     if (e.scope == Scope::ship) print_parameters(e.effect, e.parameters, units);
     else say("  differs from {0} to {0}; see the surroundings of each\n", name_of(e.scope));
     if (!e.indistinguishable_from.empty())

@@ -36,15 +36,15 @@ std::string parameter_words(const Effect& effect, const std::vector<ParameterEst
 /// "Steady wind: wind speed 5.1 ± 0.4 kn, wind from 105 ± 6 deg (ESE)"; of one that differs, in each group or run.
 std::string effect_words(const FoundEffect& e, const Diagnosis& d, const UserUnits& units) {
   if (e.scope == Scope::ship)
-    return fmt::format("{}: {}", capital(label_of(e)), parameter_words(e.effect, e.parameters, units));
+    return fmt::format("{}: {}", capital(label_of(e.effect)), parameter_words(e.effect, e.parameters, units));
   constexpr std::size_t most = 3;
   const auto places = places_of(e, d);
   std::vector<std::string> words;
   for (std::size_t i = 0; i < std::min(most, places.size()); ++i)
     words.push_back(fmt::format("{}, {}", places[i].scope, parameter_words(e.effect, places[i].parameters, units)));
   if (places.size() > most) words.push_back(fmt::format("and {} more below", places.size() - most));
-  return fmt::format("{} that differs from {} to {}: {}", capital(label_of(e)), name_of(e.scope), name_of(e.scope),
-                     fmt::join(words, "; "));
+  return fmt::format("{} that differs from {} to {}: {}", capital(label_of(e.effect)), name_of(e.scope),
+                     name_of(e.scope), fmt::join(words, "; "));
 }
 
 std::string listed_effects(const Diagnosis& d, const UserUnits& units) {
@@ -126,7 +126,7 @@ std::string how_sure(const Diagnosis& d, std::size_t held_out, const UserUnits& 
   auto words = what_would_show(d, units);
   if (!words.empty()) words += " ";
   for (const auto& e : d.effects) {
-    words += fmt::format("{}: probability {:.2f}", capital(label_of(e)), e.probability);
+    words += fmt::format("{}: probability {:.2f}", capital(label_of(e.effect)), e.probability);
     if (!e.indistinguishable_from.empty()) {
       std::vector<std::string_view> rivals;
       for (const auto& id : e.indistinguishable_from) rivals.push_back(label_of(id));

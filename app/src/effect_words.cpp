@@ -7,7 +7,6 @@
 namespace swayaw::app {
 
 std::string_view label_of(std::string_view id) { return text_of(make_effect(id)).label; }
-std::string label_of(const FoundEffect& effect) { return label_of(effect.effect); }
 
 std::string unit_of(const Effect& effect, std::string_view key) {
   std::string unit;

@@ -12,7 +12,6 @@ namespace swayaw::app {
 
 /// "steady wind" of "steady_wind".
 std::string_view label_of(std::string_view id);
-std::string label_of(const FoundEffect& effect);
 
 /// The unit of a parameter of an effect; empty for a bare number.
 std::string unit_of(const Effect& effect, std::string_view key);

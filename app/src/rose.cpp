@@ -156,7 +156,8 @@ std::optional<PageSection> section_of(const FoundEffect& e, const SurroundingsEs
   const auto d = direction_of(part.parameters);
   if (!d) return std::nullopt;
   const auto sailed = headings_of(diagnosis, part.runs);
-  const auto title = fmt::format("Direction of the {}{}{}", label_of(e), part.scope.empty() ? "" : ", ", part.scope);
+  const auto title =
+      fmt::format("Direction of the {}{}{}", label_of(e.effect), part.scope.empty() ? "" : ", ", part.scope);
   const auto told = fmt::format("{} {}", capital(d->name), units.direction(d->value, d->standard_error));
   constexpr int height = 300;  // px
   auto picture = picture_of(plot_of("", *d, sailed),

@@ -62,6 +62,7 @@ TEST_CASE("positions on a clock that runs slow are told by its rate", "[bench][o
   const auto d = diagnosed(c);
   INFO(d.words);
   check_told(checked_first(d, DiagnosisVerdict::missing_physics, "clock_drift"), Channel::x, "rate", rate);
+  CHECK(d.words.find("clock runs or jumps against the others (positions)") != std::string::npos);
 }
 
 TEST_CASE("a yaw rate behind a filter is told by its time", "[bench][on_board]") {
