@@ -37,7 +37,7 @@ std::string percent_of(double share) {
 }
 
 std::string UserUnits::speed(double m_s, double error) const {
-  return si_ || L_ < smallest_ship ? told(m_s, error, 1.0, "m/s") : told(m_s, error, knot, "kn");
+  return si_ || L_ < longest_model ? told(m_s, error, 1.0, "m/s") : told(m_s, error, knot, "kn");
 }
 
 std::string UserUnits::angle(double rad, double error) const {

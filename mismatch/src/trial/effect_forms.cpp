@@ -369,7 +369,7 @@ void add_ordinary_parts(std::vector<EffectForm>& forms, const Ship& ship, std::s
 double filter_delay(const Ship& ship) {
   constexpr double widest = 2.0;             // [s]
   constexpr double share_of_motion = 0.125;  // of L/U
-  return length(ship) < smallest_ship ? std::min(widest, share_of_motion * time_unit_of(ship)) : widest;
+  return length(ship) < longest_model ? std::min(widest, share_of_motion * time_unit_of(ship)) : widest;
 }
 
 std::vector<EffectForm> ordinary_forms(const Ship& ship, std::span<const Recording> runs,

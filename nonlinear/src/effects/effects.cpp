@@ -25,6 +25,7 @@ constexpr std::array<std::string_view, sizeof...(I)> all_ids(std::index_sequence
 
 constexpr auto ids = all_ids(std::make_index_sequence<effect_count>());
 
+/// "late channel (rudder)"
 std::string with_channel(std::string_view words, const Effect& effect) {
   const auto* channel = channel_of(effect);
   return channel ? fmt::format("{} ({})", words, plain_name(*channel)) : std::string(words);
