@@ -189,7 +189,7 @@ namespace {
 /// shows no time of the run its first or last line is drawn on.
 Interpolant in_time(const Ship& ship, const Recording& run) {
   const Interpolant recorded(run, Channel::delta);
-  const auto& error = instruments_of(ship)[Channel::delta];
+  const auto error = instruments_of(ship)[Channel::delta];
   if (error.is_prompt()) return recorded;
   std::vector<double> time, angle;
   for (std::size_t i = 0; i < recorded.times().size(); ++i) {

@@ -114,8 +114,9 @@ struct Instruments {
   S antenna_y{};      ///< to starboard [m]
   S velocity_axes{};  ///< of u and v, through the water and over ground, to starboard of those of the ship [rad]
 
-  ChannelError<S>& operator[](Channel channel) { return channels[index_of(channel)]; }
-  const ChannelError<S>& operator[](Channel channel) const { return channels[index_of(channel)]; }
+  ChannelError<S>& operator[](Channel channel) & { return channels[index_of(channel)]; }
+  const ChannelError<S>& operator[](Channel channel) const& { return channels[index_of(channel)]; }
+  ChannelError<S> operator[](Channel channel) && { return channels[index_of(channel)]; }  ///< of a temporary
 
   bool operator==(const Instruments&) const = default;
 };
