@@ -70,3 +70,27 @@ TEST_CASE("a force of one number is told before a trace of several that follows 
   INFO(d.words);
   check_found(c, d, "relative_drop", 0.05);
 }
+
+// Her roll, which the reference runs hold, gains 79 with runs held out as a trace and takes up a part of the weak
+// rudder, which gains 32.
+TEST_CASE("a weak rudder is found before a roll that reference runs hold", "[bench][on_board]") {
+  const auto c = made(on_board_plan("rolling", FileForm::pi,
+                                    {{"heading_bias", Severity::strong}, {"rudder_effectiveness", Severity::moderate}},
+                                    0x6ef1795ee7ba84d6ull));
+  REQUIRE(c.labels.size() == 2);
+  REQUIRE(!c.reference.empty());
+  const auto d = diagnosed(c);
+  INFO(d.words);
+  CHECK(d.verdict == DiagnosisVerdict::missing_physics);
+  REQUIRE(d.effects.size() == 2);
+  for (const auto& label : c.labels) {
+    INFO(label.effect);
+    const auto found =
+        std::ranges::find(d.effects, label.effect, [](const FoundEffect& e) { return std::string(id_of(e.effect)); });
+    REQUIRE(found != d.effects.end());
+    const auto& truth = label.parameters.front();
+    const auto& value = told(*found, truth.key);
+    CHECK(std::abs(value.value - truth.value) < 2.0 * value.standard_error);
+  }
+  CHECK(std::ranges::count(d.traces, "heel that acts on sway and yaw") == 1);
+}

@@ -97,15 +97,25 @@ bool nothing_found(const Search& s) {
   return std::ranges::all_of(s.accepted, [](const Accepted& a) { return a.trace || a.refuted; });
 }
 
+/// Whether reference runs tell the ship, beside an inexact form.
+bool told_by_reference(const Search& s) { return s.on_board && s.usual.calibrated; }
+
 /// Whether a trace follows a part of the first effect that stands: reference runs tell the ship, so her numbers do not
 /// differ a little, and several of them follow any force. Of five ships as on board (seeds 46 to 50) of whom nothing
 /// was told because of such a trace three had the effect of one number that stood behind it hidden, and two weed at one
 /// bow, called more resistance and another straightening with 0.6 and 0.7. Beside a first effect what is left may be
 /// its own: a rudder before such a trace hid that more resistance was a drag at one side.
 bool follows_a_part(const FittedCandidate& trace, const FittedCandidate& best, const Search& s) {
-  const bool told_by_reference = s.on_board && s.usual.calibrated;
-  return told_by_reference && nothing_found(s) && best.form->coordinates.size() == 1 &&
+  return told_by_reference(s) && nothing_found(s) && best.form->coordinates.size() == 1 &&
          trace.form->coordinates.size() > 1;
+}
+
+/// Whether a trace is a roll that reference runs hold already: on other days it is no finding, but its numbers follow
+/// what else turns her. Of three rolling ships as on board (seed 53) with an error of an instrument or of the rudder's
+/// zero and another effect, a weak rudder, more resistance and a memory gained 28, 34 and 24 by the runs used beside
+/// the first, and 13, 13 and 16 beside the first and such a trace.
+bool is_known_roll(const FittedCandidate& trace, const Search& s) {
+  return told_by_reference(s) && trace.form->id == RollCoupling<>::id;
 }
 
 }  // namespace
@@ -187,7 +197,9 @@ std::optional<FittedCandidate> chosen(HeldOutRuns& held_out, Search& s, std::spa
   }
   const auto best = best_in_its_simplest_scope(standing);
   if (!trace) return best;
-  if (best && (follows_a_part(*leader, *best, s) || whole_gain(*best) > whole_gain(*trace) - as_good)) return best;
+  if (best && (follows_a_part(*leader, *best, s) || is_known_roll(*leader, s) ||
+               whole_gain(*best) > whole_gain(*trace) - as_good))
+    return best;
   leader->leads = true;
   return trace;
 }
