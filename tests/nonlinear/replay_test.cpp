@@ -457,6 +457,25 @@ TEST_CASE("a rudder record that is late is shifted, its corners as they were", "
   }
 }
 
+TEST_CASE("a rudder record whose clock is behind at one end and ahead at the other is drawn on at both",
+          "[nonlinear][limit]") {
+  const auto run = zigzag_run(test::kvlcc2_l7(), 0.1);
+  const double begin = run.time.front(), end = run.time.back();
+  auto ramp = run;
+  for (std::size_t i = 0; i < run.samples(); ++i) ramp.channels[index_of(Channel::delta)][i] = 1e-3 * run.time[i];
+  for (const double delay : {-2.0, 2.0}) {
+    CAPTURE(delay);
+    const double rate = -2.0 * delay / (end - begin);  // late by -delay at the end
+    Ship ship = test::kvlcc2_l7();
+    ship.effects = {ChannelDelay<>{.channel = Channel::delta, .delay = delay},
+                    ClockDrift<>{.channel = Channel::delta, .rate = rate}};
+    const RecordedControls controls(ship, ramp);
+    // shown at t: the angle at t - delay - rate (t - begin)
+    for (const double time : {begin, begin + 0.5, 0.5 * (begin + end), end - 0.5, end})
+      CHECK(controls.shown()(time) == Approx(1e-3 * (time + delay - rate * begin) / (1.0 - rate)).margin(1e-12));
+  }
+}
+
 // at 0.05 L/U a late heading begins to make velocities over ground a false drift, which a start is not told by
 TEST_CASE("what carries a ship from the start does not leap with the delay of a channel", "[nonlinear][limit]") {
   const Ship ship = test::kvlcc2_l7();

@@ -198,14 +198,14 @@ Interpolant in_time(const Ship& ship, const Recording& run) {
     while (!time.empty() && time.back() >= shown) time.pop_back(), angle.pop_back();  // its clock went back: told anew
     time.push_back(shown), angle.push_back(recorded.values()[i]);
   }
-  const auto drawn_on = [&](double to, std::size_t end, std::size_t next) {
-    return angle[end] + (to - time[end]) / (time[next] - time[end]) * (angle[next] - angle[end]);
+  const auto drawn_on = [&](double to, std::size_t from, std::size_t next) {
+    return angle[from] + (to - time[from]) / (time[next] - time[from]) * (angle[next] - angle[from]);
   };
-  if (const auto last = time.size() - 1; last > 0 && time[0] > recorded.times().front())
-    angle.insert(angle.begin(), drawn_on(recorded.times().front(), 0, 1)),
-        time.insert(time.begin(), recorded.times().front());
-  else if (last > 0 && time[last] < recorded.times().back())
-    angle.push_back(drawn_on(recorded.times().back(), last, last - 1)), time.push_back(recorded.times().back());
+  const double begin = recorded.times().front(), end = recorded.times().back();
+  if (const auto last = time.size() - 1; last > 0 && time[last] < end)
+    angle.push_back(drawn_on(end, last, last - 1)), time.push_back(end);
+  if (time.size() > 1 && time[0] > begin)
+    angle.insert(angle.begin(), drawn_on(begin, 0, 1)), time.insert(time.begin(), begin);
   Recording rudder{.name = run.name, .facts = {}, .time = std::move(time), .channels = {}, .extra = {}};
   rudder.channels[index_of(Channel::delta)] = std::move(angle);
   return Interpolant(rudder, Channel::delta);
