@@ -106,14 +106,21 @@ const median = (values) => quantile(values, 0.5);
 
 // ---- effects found -----------------------------------------------------------------------
 
+// Its number and what it is called; a clock runs slow or fast by some share, as in words.
+function toldAs(key, value) {
+  const found = measuredAs(key, value);
+  return key === 'rate' && value < 0 ? { ...found, stem: 'fast', scale: -found.scale } :
+    key === 'rate' ? { ...found, stem: 'slow' } : found;
+}
+
 function parameterRow(key, { value, standard_error: error }) {
-  const { stem, unit, scale } = measuredAs(key, value);
-  const decimals = decimalsOf(error * scale);
+  const { stem, unit, scale } = toldAs(key, value);
+  const scaledError = error * Math.abs(scale), decimals = decimalsOf(scaledError);
   const point = /_(from|to)$/.test(stem) ? ` ${compassPoint(value * scale)}` : '';
   return row(
     el('th', { scope: 'row' }, ...symbol(stem)),
     el('td', {}, fixed(value * scale, decimals)),
-    el('td', { class: 'error' }, isNumber(error) ? `± ${fixed(error * scale, decimals)}` : ''),
+    el('td', { class: 'error' }, isNumber(error) ? `± ${fixed(scaledError, decimals)}` : ''),
     el('td', { class: 'unit' }, `${unit}${point}`));
 }
 

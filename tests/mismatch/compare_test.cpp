@@ -3,6 +3,7 @@
 #include <catch.hpp>
 #include <cmath>
 
+#include "../nonlinear/random_effects.hpp"
 #include "random_ships.hpp"
 #include "swayaw/core/angle.hpp"
 #include "swayaw/core/recording_csv.hpp"
@@ -187,6 +188,48 @@ TEST_CASE("the true current makes a ship agree with her own recording, from log 
     CHECK(error_in(with, Quantity::yaw_rate).normalised() < 0.01);
     CHECK(error_in(with, Quantity::yaw_rate).open_loop_normalised() < 0.01);
   }
+}
+
+/// The same effect for each of the channels that it may be of, beside what it is.
+std::vector<Effect> of_its_channels(const Effect& effect) {
+  return std::visit(
+      []<class Kind>(const Kind& one) {
+        std::vector<Effect> all{one};
+        if constexpr (requires { one.channel; })
+          for (const auto channel : {Channel::x, Channel::psi, Channel::u, Channel::r, Channel::delta}) {
+            auto other = one;
+            other.channel = channel;
+            all.emplace_back(other);
+          }
+        return all;
+      },
+      effect);
+}
+
+TEST_CASE("a ship with any effect agrees with her own recording in windows taken up anew", "[mismatch][round-trip]") {
+  test::RandomModels models(31);
+  test::RandomEffects effects(31);
+  const Ship calm = test::with_areas(models.ship<MmgShip<double>>());
+  const double time_unit = time_unit_of(calm);
+  int tried = 0;
+  for (const auto id : effect_ids()) {
+    const auto drawn = effects.of_kind(id, calm);
+    if (!drawn) continue;
+    for (const auto& effect : of_its_channels(*drawn)) {
+      Ship ship = calm;
+      ship.effects.push_back(effect);
+      const auto run = zigzag(ship, {.rudder = radians(20), .heading = radians(20)},
+                              {.duration = 30 * time_unit, .step = 0.01 * time_unit})
+                           .run;
+      INFO(phrase_of(effect));
+      ++tried;
+      for (const auto& e : compare(ship, run).errors) {
+        INFO(static_cast<int>(e.quantity));
+        CHECK(e.normalised() < 2e-3);  // most are 4e-4, as without an effect
+      }
+    }
+  }
+  CHECK(tried > 40);
 }
 
 TEST_CASE("gaps of any channel or of all leave errors that are those without them", "[mismatch][second-route]") {

@@ -337,6 +337,25 @@ TEST_CASE("a simulation that is taken up where it is goes on as if nothing had b
   }
 }
 
+TEST_CASE("a run taken up anew on its way has the clocks of the whole run", "[nonlinear][round-trip]") {
+  Ship ship = test::kvlcc2_l7();
+  // 0.6 s late after a minute, and a heading that is early by as much
+  ship.effects = {ClockDrift<>{.channel = Channel::x, .rate = 0.01},
+                  ClockDrift<>{.channel = Channel::psi, .rate = -0.01}};
+  const auto run = zigzag_run(ship, 0.1);
+  const RecordedControls controls(ship, run);
+  std::vector<double> times;
+  std::vector<ReplayStart> starts;
+  for (std::size_t k = 0; k + 1 < run.samples(); k += 100) starts.push_back({k, {}}), times.push_back(run.time[k]);
+  const auto states = recorded_states(ship, run, times);
+  for (std::size_t i = 0; i < starts.size(); ++i) starts[i].state = states[i];
+  const auto anew = replay_anew(ship, controls, starts, run.time);
+  // 0.6 s are 0.7 m and more than 0.5 deg
+  CHECK(largest_difference(anew, run, Channel::x) < 0.02);
+  CHECK(largest_difference(anew, run, Channel::y) < 0.02);
+  CHECK(largest_difference(anew, run, Channel::psi) < radians(0.1));
+}
+
 TEST_CASE("states at several times are those at each", "[nonlinear][second-route]") {
   Ship ship = test::kvlcc2_l7();
   auto run =

@@ -95,7 +95,7 @@ KnownSamples known_samples(const Recording& run, Channel channel, When&& when) {
 }
 
 /// Every sample gets what there was when its instrument looked; samples that are missing stay so.
-void make_late(Recording& run, Channel channel, const ChannelError<double>& error) {
+void make_late(Recording& run, Channel channel, const ChannelError<double>& error, double begin) {
   if (error.is_prompt() || !run.has(channel)) return;
   const auto known = known_samples(run, channel, [](double time) { return time; });
   if (known.time.size() < 2) return;
@@ -104,7 +104,7 @@ void make_late(Recording& run, Channel channel, const ChannelError<double>& erro
   auto& values = run.channels[index_of(channel)];
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) continue;
-    const double time = run.time[i] - error.late({run.time[i], run.time.front()});
+    const double time = run.time[i] - error.late({run.time[i], begin});
     values[i] = error.smoothing.acts() ? mean_look(channel, known.at(time - looks[0].delay, place[0]),
                                                    known.at(time - looks[1].delay, place[1]), looks[1].weight)
                                        : known.at(time, place[0]);
@@ -133,12 +133,13 @@ void for_each_channel(Recording& run, const Instruments<double>& instruments, F&
 
 }  // namespace
 
-Recording as_recorded(Recording run, const Instruments<double>& instruments) {
+Recording as_recorded(Recording run, const Instruments<double>& instruments, std::optional<double> begin) {
+  if (run.samples() == 0) return run;
   move_place(run, instruments.antenna_x, instruments.antenna_y);
   turn_velocities(run, instruments.velocity_axes);
   for_each_channel(run, instruments, [&](Channel channel, const ChannelError<double>& error) {
     for (double& value : run.channels[index_of(channel)]) value = error.reading(value);
-    make_late(run, channel, error);
+    make_late(run, channel, error, begin.value_or(run.time.front()));
   });
   return run;
 }

@@ -74,7 +74,8 @@ std::optional<double> way_made(const std::vector<Sample>& samples, const Sample&
 }
 
 template <class Model>
-Recording recording_of(const std::vector<Sample>& samples, const ActingShip<Model>& acting) {
+Recording recording_of(const std::vector<Sample>& samples, const ActingShip<Model>& acting,
+                       std::optional<double> begin) {
   const auto& ship = acting.model;
   Recording run;
   run.time.reserve(samples.size());
@@ -94,7 +95,7 @@ Recording recording_of(const std::vector<Sample>& samples, const ActingShip<Mode
       if (const auto channel = hidden_quantities[k].channel)
         fill(*channel, [k](const Sample& m) { return m.hidden[k]; });
   });
-  return as_recorded(std::move(run), acting.instruments);
+  return as_recorded(std::move(run), acting.instruments, begin);
 }
 
 template Plan plan(const MmgShip<double>&, const ManoeuvreOptions&, double);
@@ -105,9 +106,10 @@ template Plan plan(const PuShip<double>&, const ManoeuvreOptions&, double);
 template Plan plan(const ActingShip<PuShip<double>>&, const ManoeuvreOptions&, double);
 template Plan plan(const AbkowitzShip<double>&, const ManoeuvreOptions&, double);
 template Plan plan(const ActingShip<AbkowitzShip<double>>&, const ManoeuvreOptions&, double);
-template Recording recording_of(const std::vector<Sample>&, const ActingShip<MmgShip<double>>&);
-template Recording recording_of(const std::vector<Sample>&, const ActingShip<PiShip<double>>&);
-template Recording recording_of(const std::vector<Sample>&, const ActingShip<PuShip<double>>&);
-template Recording recording_of(const std::vector<Sample>&, const ActingShip<AbkowitzShip<double>>&);
+template Recording recording_of(const std::vector<Sample>&, const ActingShip<MmgShip<double>>&, std::optional<double>);
+template Recording recording_of(const std::vector<Sample>&, const ActingShip<PiShip<double>>&, std::optional<double>);
+template Recording recording_of(const std::vector<Sample>&, const ActingShip<PuShip<double>>&, std::optional<double>);
+template Recording recording_of(const std::vector<Sample>&, const ActingShip<AbkowitzShip<double>>&,
+                                std::optional<double>);
 
 }  // namespace swayaw::nonlinear::detail

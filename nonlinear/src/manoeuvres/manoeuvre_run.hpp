@@ -71,8 +71,10 @@ inline double just_after(double event) { return 1.01 * event; }
 std::optional<double> way_made(const std::vector<Sample>& samples, const Sample& last, double until);
 
 /// States and thrust as her instruments record them.
+/// @param begin  of the run, which the samples may be a part of [s]; unless given, the first of them
 template <class Model>
-Recording recording_of(const std::vector<Sample>& samples, const ActingShip<Model>& acting);
+Recording recording_of(const std::vector<Sample>& samples, const ActingShip<Model>& acting,
+                       std::optional<double> begin = {});
 
 extern template Plan plan(const MmgShip<double>&, const ManoeuvreOptions&, double);
 extern template Plan plan(const ActingShip<MmgShip<double>>&, const ManoeuvreOptions&, double);
@@ -82,9 +84,13 @@ extern template Plan plan(const PuShip<double>&, const ManoeuvreOptions&, double
 extern template Plan plan(const ActingShip<PuShip<double>>&, const ManoeuvreOptions&, double);
 extern template Plan plan(const AbkowitzShip<double>&, const ManoeuvreOptions&, double);
 extern template Plan plan(const ActingShip<AbkowitzShip<double>>&, const ManoeuvreOptions&, double);
-extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<MmgShip<double>>&);
-extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<PiShip<double>>&);
-extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<PuShip<double>>&);
-extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<AbkowitzShip<double>>&);
+extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<MmgShip<double>>&,
+                                       std::optional<double>);
+extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<PiShip<double>>&,
+                                       std::optional<double>);
+extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<PuShip<double>>&,
+                                       std::optional<double>);
+extern template Recording recording_of(const std::vector<Sample>&, const ActingShip<AbkowitzShip<double>>&,
+                                       std::optional<double>);
 
 }  // namespace swayaw::nonlinear::detail

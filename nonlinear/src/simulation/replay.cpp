@@ -403,7 +403,8 @@ void append(Recording& to, const Recording& from) {
     to.channels[c].insert(to.channels[c].end(), from.channels[c].begin(), from.channels[c].end());
 }
 
-/// Piece by piece from a state that is taken up, in the wind of the piece; instruments know nothing of the one before.
+/// Piece by piece from a state that is taken up, in the wind of the piece; instruments know nothing of the one before,
+/// but the time on their clocks.
 template <class Acting>
 Recording pieces_of(const Acting& calm, const RecordedControls& controls, std::span<const ReplayStart> starts,
                     std::span<const double> times, double tolerance) {
@@ -423,7 +424,7 @@ Recording pieces_of(const Acting& calm, const RecordedControls& controls, std::s
       remembered = samples.back().hidden;
       samples.pop_back();
     }
-    append(all, recording_of(samples, acting));
+    append(all, recording_of(samples, acting, times.front()));
   }
   return all;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "swayaw/core/channel_table.hpp"
@@ -113,7 +114,9 @@ S observe(Channel channel, const Instruments<S>& instruments, At&& at, const Rea
 
 /// A true run as the instruments record it. A late or smoothed channel has the values of a while ago, by straight lines
 /// between the samples, drawn on beyond the first and the last.
-Recording as_recorded(Recording truth, const Instruments<double>& instruments);
+/// @param begin  of the run, which the truth may be a part of [s]: clocks count from there; unless given, its first
+///               sample
+Recording as_recorded(Recording truth, const Instruments<double>& instruments, std::optional<double> begin = {});
 
 /// A recorded run without what the instruments did to it: the inverse, but that what smoothing took away is gone; the
 /// channel is no later for it.
