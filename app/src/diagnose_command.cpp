@@ -182,16 +182,21 @@ Json document_of(const Diagnosis& d) {
 
 // ---------------------------------------------------------------- text
 
-/// A row of each quantity of each run.
+/// A row of each quantity of each run; "in waves" where the error is no more than they add to what was recorded.
 void print_runs(std::string_view title, const std::vector<RunErrors>& runs) {
   if (runs.empty()) return;
+  bool any_in_waves = false;
+  const auto words = [&](const QuantityError& e) {
+    any_in_waves = any_in_waves || e.is_in_waves();
+    return e.is_in_waves() ? "in waves" : fmt::format("{:.1f} %", 100.0 * e.normalised_beyond_waves());
+  };
   say("\n{}: error of replays over two ship lengths, of the variation\n", title);
   say("  {:<30}{:<12}{:>10}{:>10}{:>14}\n", "run", "quantity", "as given", "refitted", "with effects");
   for (const auto& run : runs)
     for (std::size_t i = 0; i < run.before.size() && i < run.refitted.size() && i < run.after.size(); ++i)
-      say("  {:<30}{:<12}{:>8.1f} %{:>8.1f} %{:>12.1f} %\n", i == 0 ? run.run : "",
-          in_words(name_of(run.before[i].quantity)), 100.0 * run.before[i].normalised_beyond_waves(),
-          100.0 * run.refitted[i].normalised_beyond_waves(), 100.0 * run.after[i].normalised_beyond_waves());
+      say("  {:<30}{:<12}{:>10}{:>10}{:>14}\n", i == 0 ? run.run : "", in_words(name_of(run.before[i].quantity)),
+          words(run.before[i]), words(run.refitted[i]), words(run.after[i]));
+  if (any_in_waves) say("  in waves: no more than waves add to what was recorded\n");
 }
 
 /// The force that is missing by what it follows, in per cent of its mean square; a row of each.

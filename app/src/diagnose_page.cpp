@@ -191,7 +191,8 @@ const QuantityError* error_of(const std::vector<QuantityError>& errors, Quantity
 
 std::string share_of(const std::vector<QuantityError>& errors) {
   const auto* yaw = error_of(errors, Quantity::yaw_rate);
-  return yaw ? percent_of(yaw->normalised_beyond_waves()) : "-";
+  if (!yaw) return "-";
+  return yaw->is_in_waves() ? "in waves" : percent_of(yaw->normalised_beyond_waves());
 }
 
 std::string stem_of(const std::string& run) { return std::filesystem::path(run).stem().string(); }

@@ -43,6 +43,8 @@ void add_errors(py::module_& m) {
       .def_property_readonly("beyond_noise", &QuantityError::beyond_noise, "sqrt(max(0, window_rms² - noise²)).")
       .def_property_readonly("normalised_beyond_waves", &QuantityError::normalised_beyond_waves,
                              "sqrt(max(0, window_rms² - waves²)) over variation.")
+      .def_property_readonly("is_in_waves", &QuantityError::is_in_waves,
+                             "Whether waves add as much to the recording as the window error is.")
       .def_property_readonly("normalised", &QuantityError::normalised, "window_rms over variation.")
       .def_property_readonly("open_loop_normalised", &QuantityError::open_loop_normalised);
   Record<Conditions>(m, "Conditions", "Motion and rudder of every sample.")

@@ -2155,6 +2155,9 @@ class QuantityError:
     def bias(self) -> float:
         """Mean error, restarted every window."""
     @property
+    def is_in_waves(self) -> bool:
+        """Whether waves add as much to the recording as the window error is."""
+    @property
     def noise(self) -> float:
         """Scatter of the samples about local parabolas."""
     @property

@@ -50,6 +50,8 @@ struct QuantityError {
   double normalised_beyond_waves() const {
     return variation > 0.0 ? std::sqrt(std::max(0.0, window_rms * window_rms - waves * waves)) / variation : 0.0;
   }
+  /// Whether waves add as much to the recording as the window error is.
+  bool is_in_waves() const { return waves > 0.0 && window_rms <= waves; }
   double normalised() const { return variation > 0.0 ? window_rms / variation : 0.0; }
   double open_loop_normalised() const { return variation > 0.0 ? open_loop_rms / variation : 0.0; }
 };
