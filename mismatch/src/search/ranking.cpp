@@ -113,7 +113,7 @@ bool follows_a_part(const FittedCandidate& trace, const FittedCandidate& best, c
 /// Whether a trace is a roll that reference runs hold already: on other days it is no finding, but its numbers follow
 /// what else turns her. Of three rolling ships as on board (seed 53) with an error of an instrument or of the rudder's
 /// zero and another effect, a weak rudder, more resistance and a memory gained 28, 34 and 24 by the runs used beside
-/// the first, and 13, 13 and 16 beside the first and such a trace.
+/// the first, and 20, 13 and 16 beside the first and such a trace.
 bool is_known_roll(const FittedCandidate& trace, const Search& s) {
   return told_by_reference(s) && trace.form->id == RollCoupling<>::id;
 }
