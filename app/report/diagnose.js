@@ -109,8 +109,8 @@ const median = (values) => quantile(values, 0.5);
 // Its number and what it is called; a clock runs slow or fast by some share, as in words.
 function toldAs(key, value) {
   const found = measuredAs(key, value);
-  return key === 'rate' && value < 0 ? { ...found, stem: 'fast', scale: -found.scale } :
-    key === 'rate' ? { ...found, stem: 'slow' } : found;
+  if (key !== 'rate') return found;
+  return value < 0 ? { ...found, stem: 'fast', scale: -found.scale } : { ...found, stem: 'slow' };
 }
 
 function parameterRow(key, { value, standard_error: error }) {
