@@ -362,7 +362,8 @@ function remarkOf(candidate, report) {
   if (rivalOf) return `explains the runs as well as ${nameOf(rivalOf.effect)}`;
   if (candidate.refuted) return 'runs that were not used speak against it';
   if (candidate.as_form) return 'an error in the form of her forces explains the runs as well';
-  if (candidate.trace) return 'a trace, too small to matter';
+  if (candidate.too_large) return 'larger than it can be: something else acts like it';
+  if (candidate.trace) return 'too small to matter, or not told from none';
   return candidate.log_evidence_gain > 0 && candidate.log_evidence_gain < report.needed_gain ? 'gains less than a finding needs' : '';
 }
 
@@ -381,7 +382,7 @@ function candidateRow(candidate, report, top, withHeldOut) {
     el('td', {}, certainty(candidate.probability)),
     el('td', { class: 'words' }, remark));
   const isFound = report.effects.some(({ effect }) => effect === candidate.effect);
-  cells.className = isFound ? 'found' : candidate.trace ? 'trace' : remark.startsWith('explains') ? 'rival' : '';
+  cells.className = isFound ? 'found' : candidate.trace || candidate.too_large ? 'trace' : remark.startsWith('explains') ? 'rival' : '';
   return cells;
 }
 

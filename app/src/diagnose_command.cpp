@@ -150,6 +150,7 @@ Json document_of(const Diagnosis& d) {
                           {"holdout_log_likelihood_gain", number(c.holdout_log_likelihood_gain)},
                           {"holdout_gain", number(c.holdout_gain)},
                           {"trace", c.trace},
+                          {"too_large", c.too_large},
                           {"as_form", c.as_form},
                           {"refuted", c.refuted}});
   return {{"schema", "swayaw.diagnosis/2"},
@@ -164,6 +165,7 @@ Json document_of(const Diagnosis& d) {
           {"symmetry", d.symmetry},
           {"traces", d.traces},
           {"as_form", d.as_form},
+          {"too_large", d.too_large},
           {"baseline_shift", shifts_json(d.shifts)},
           {"budget", budget_json(d.budget)},
           {"instruments", instruments_json(d.instruments)},
@@ -268,9 +270,10 @@ void print_candidates(const std::vector<Candidate>& candidates) {
   for (const auto& c : candidates) {
     if (!(c.log_evidence_gain > 0.0 || c.probability >= least)) continue;
     say("  {:<26}{:>10.1f}{:>13.3f}{}\n", c.effect, c.log_evidence_gain, c.probability,
-        c.as_form ? "  may be the form of her forces"
-        : c.trace ? "  too small to matter"
-                  : "");
+        c.as_form     ? "  may be the form of her forces"
+        : c.too_large ? "  larger than it can be"
+        : c.trace     ? "  too small, or not told"
+                      : "");
   }
 }
 

@@ -18,6 +18,7 @@ void add_diagnosis_result(py::module_& m) {
       .field<&Diagnosis::effects>("effects", "Most important first.")
       .field<&Diagnosis::traces>("traces", "Effects too small to matter, in words.")
       .field<&Diagnosis::as_form>("as_form", "Effects that an error in the form of her forces explains as well.")
+      .field<&Diagnosis::too_large>("too_large", "Effects that something acts like, larger than they can be.")
       .field<&Diagnosis::candidates>("candidates", "Best first.")
       .field<&Diagnosis::shifts>("shifts", "Largest first.")
       .field<&Diagnosis::rudder_force>("rudder_force", "Over that as given, where its numbers are among the shifts.")

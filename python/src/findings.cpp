@@ -32,6 +32,7 @@ void add_findings(py::module_& m) {
       .field<&Candidate::holdout_log_likelihood_gain>("holdout_log_likelihood_gain", "Of the held-out runs.")
       .field<&Candidate::holdout_gain>("holdout_gain", "Fall of the replay errors of held-out runs.")
       .field<&Candidate::trace>("trace", "Too small to matter, or not told from nothing.")
+      .field<&Candidate::too_large>("too_large", "Larger than it can be: something else acts like it.")
       .field<&Candidate::refuted>("refuted", "By runs that were not used.")
       .field<&Candidate::as_form>("as_form", "An error in the form of her forces explains the runs as well.");
   Record<MismatchPlace>(m, "MismatchPlace", "Where force is missing in a run.")

@@ -89,6 +89,9 @@ class Candidate:
     def refuted(self) -> bool:
         """By runs that were not used."""
     @property
+    def too_large(self) -> bool:
+        """Larger than it can be: something else acts like it."""
+    @property
     def trace(self) -> bool:
         """Too small to matter, or not told from nothing."""
 
@@ -623,6 +626,9 @@ class Diagnosis:
     @property
     def symmetry(self) -> str:
         """What the missing force goes with besides the motion, in words."""
+    @property
+    def too_large(self) -> List[str]:
+        """Effects that something acts like, larger than they can be."""
     @property
     def traces(self) -> List[str]:
         """Effects too small to matter, in words."""

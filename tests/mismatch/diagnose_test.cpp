@@ -350,6 +350,22 @@ TEST_CASE("what drags at one side is told by its place, and is not more resistan
              ContainsSubstring("m to starboard of the centreline: look for weed, a line or damage on that side"));
 }
 
+TEST_CASE("what acts like an effect and is larger than that can be has no name, and is not called small",
+          "[mismatch][limit]") {
+  const auto d = of(symmetric_ship(), ShaftSpeedDrop<double>{1.0});  // no engine loses more than 0.7
+  INFO(d.words);
+  CHECK(std::ranges::none_of(d.effects, [](const FoundEffect& e) { return id_of(e.effect) == ShaftSpeedDrop<>::id; }));
+  const auto shaft = std::ranges::find(d.candidates, std::string(ShaftSpeedDrop<>::id), &Candidate::effect);
+  REQUIRE(shaft != d.candidates.end());
+  CHECK(shaft->log_evidence_gain > 15.0);
+  CHECK(shaft->too_large);
+  CHECK_FALSE(shaft->trace);
+  CHECK(shaft->probability == 0.0);
+  CHECK(d.too_large == std::vector{phrase_of(ShaftSpeedDrop<double>{})});
+  CHECK_THAT(d.words, ContainsSubstring("acts like " + phrase_of(ShaftSpeedDrop<double>{})));
+  CHECK_THAT(d.words, !ContainsSubstring("No physics is missing"));
+}
+
 TEST_CASE("an effect that begins during a run has an onset", "[mismatch][second-route]") {
   const Ship ship = symmetric_ship();
   const auto steady = zigzag(ship, {.rudder = radians(20), .heading = radians(20)}, sampled).run;

@@ -196,16 +196,19 @@ bool is_trace(const Trial& trial, const Search& s, std::size_t i, std::span<cons
          is_as_ordinary(trial, *accepted.form, s.now.point, from) || changes_little(trial, s, i, runs, holdout);
 }
 
-/// Whether an effect is larger than it can be, or leans on forces that nothing bore out, which bear out no other. Of
-/// 202 cases as on board that were looked at (seed 33 and labelled) eight had an effect found beside such forces alone:
-/// of the five that were hidden four gained 24 or more alone as well, and one 296 beside them; three that were not
-/// there gained 9.5 at most and 15 to 27.
+/// Whether an effect is larger than it can be beside all that was found with it: it stands for something else.
+bool is_too_large(const Search& s, std::size_t i) {
+  const auto& form = *s.accepted[i].form;
+  return is_at_its_end(form, {s.now.point.data() + place_of_accepted(s, i), form.coordinates.size()});
+}
+
+/// Whether an effect leans on no others than such as stand: forces that nothing bore out bear out no other. Of 202
+/// cases as on board that were looked at (seed 33 and labelled) eight had an effect found beside such forces alone: of
+/// the five that were hidden four gained 24 or more alone as well, and one 296 beside them; three that were not there
+/// gained 9.5 at most and 15 to 27.
 /// @param beside_one  whether one of those accepted before it stands
 bool is_supported(const Search& s, std::size_t i, bool beside_one, double needed) {
-  const auto& accepted = s.accepted[i];
-  const auto* own = s.now.point.data() + place_of_accepted(s, i);
-  if (is_at_its_end(*accepted.form, {own, accepted.form->coordinates.size()})) return false;
-  return i == 0 || beside_one || is_told_by_itself(s, accepted, needed);
+  return i == 0 || beside_one || is_told_by_itself(s, s.accepted[i], needed);
 }
 
 /// An effect that stands, in the fit of the search.
@@ -245,7 +248,7 @@ void put_standing(Diagnosis& d, const Trial& trial, const Search& s, const Stand
                           std::back_inserter(d.surroundings));
 }
 
-/// Effects; the words of those too small to matter; all candidates.
+/// Effects; the words of those that are none; all candidates.
 Kept put_effects(Diagnosis& d, const Trial& trial, HeldOutRuns& held_out, const Search& s, const ShipInRun& alone,
                  double needed, std::span<const Recording> runs, std::span<const Recording> holdout) {
   auto tried = s.first;
@@ -270,7 +273,8 @@ Kept put_effects(Diagnosis& d, const Trial& trial, HeldOutRuns& held_out, const 
   for (std::size_t i = 0; i < s.accepted.size(); ++i) {
     const auto& accepted = s.accepted[i];
     auto found = found_in_search(trial, s, i, needed);
-    const bool trace = is_trace(trial, s, i, runs, holdout), supported = is_supported(s, i, !standing.empty(), needed),
+    const bool trace = is_trace(trial, s, i, runs, holdout), too_large = is_too_large(s, i),
+               supported = !too_large && is_supported(s, i, !standing.empty(), needed),
                stands = !trace && supported && is_more_than_hull(i, found.effect);
     if (stands || (trace && supported)) kept.with_traces.push_back(i);
     if (stands) {
@@ -278,10 +282,11 @@ Kept put_effects(Diagnosis& d, const Trial& trial, HeldOutRuns& held_out, const 
       standing.push_back({s.on_board ? worth_in_all(i) : 0.0, &accepted, std::move(found)});
       continue;
     }
-    if (supported) (trace ? d.traces : d.as_form).push_back(phrase_of(accepted.effect));
+    if (too_large || supported)
+      (too_large ? d.too_large : trace ? d.traces : d.as_form).push_back(phrase_of(accepted.effect));
     for (auto& t : tried)
       if (t.form->id == accepted.form->id) {
-        t.trace = trace || !supported, t.as_form = !t.trace;
+        t.trace = trace || !supported, t.too_large = too_large, t.as_form = !t.trace;
         t.leads = t.trace;  // what it gains makes nothing likelier
       }
     if (i == 0 && !trace && supported) put_as_form(tried, trial, accepted);

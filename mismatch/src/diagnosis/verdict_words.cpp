@@ -77,6 +77,9 @@ std::string plain_name(std::string name) {
   return name;
 }
 
+/// Whether something is missing that is not what it acts like.
+bool lacks_a_name(const Diagnosis& d) { return !d.too_large.empty(); }
+
 /// Of numbers beyond two deviations; the three that are furthest off, and what they come to at the rudder.
 std::string shifted_words(const Diagnosis& d) {
   const auto shifts = std::span(d.shifts);
@@ -90,8 +93,9 @@ std::string shifted_words(const Diagnosis& d) {
   const bool of_one = std::ranges::all_of(shifts, [&](const BaselineShift& s) { return s.part == part; });
   const bool is_said = d.moved && d.moved->rudder_force;
   const auto together = d.rudder_force && !is_said ? "; all in all " + rudder_force_words(*d.rudder_force) : "";
-  return fmt::format("No physics is missing, but numbers of the {} are further off than was said: {}{}{}.",
-                     of_one ? plain_name(part) : "model", fmt::join(moved, "; "), others, together);
+  return fmt::format("{}umbers of the {} are further off than was said: {}{}{}.",
+                     lacks_a_name(d) ? "N" : "No physics is missing, but n", of_one ? plain_name(part) : "model",
+                     fmt::join(moved, "; "), others, together);
 }
 
 /// "f_alpha from 2.75 to 2.31 (-16 %)"
@@ -118,8 +122,11 @@ std::string verdict_words(const Diagnosis& d) {
   if (!d.as_form.empty())
     traces += fmt::format(" Not told from an error in the form of her forces: {}.", fmt::join(d.as_form, ", "));
   if (!d.traces.empty()) traces += fmt::format(" A trace, too small to matter: {}.", fmt::join(d.traces, ", "));
+  if (lacks_a_name(d))
+    traces += fmt::format(" Something without a name acts like {}, but larger than that can be.", listed(d.too_large));
   if (d.verdict == DiagnosisVerdict::nothing_missing)
     return (!d.shifts.empty() ? shifted_words(d)
+            : lacks_a_name(d) ? "Nothing that has a name is missing."
             : d.moved         ? "No physics is missing: numbers of the ship file are off, within what was said of them."
                       : "Nothing is missing: the model explains the runs within its confidence and their noise.") +
            traces;

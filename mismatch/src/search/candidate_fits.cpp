@@ -159,11 +159,13 @@ bool acts(const Trial& trial, const EffectForm& form, const MapFit& found, doubl
   return heels_far(trial) || gained_by_acting(form, found) > acts_clearly;
 }
 
-/// Too small to matter, or no more than what explains a heel, or not told from nothing, or larger than it can be.
-/// @param gain  in log evidence
-bool is_trace(const Trial& trial, const EffectForm& form, const MapFit& found, double gain) {
-  return !is_finding(trial.ship, form, last_coordinates(form, found.point)) || !acts(trial, form, found, gain) ||
-         !is_told(trial.ship, form, found) || is_at_its_end(form, last_coordinates(form, found.point));
+/// Whether it is too small to matter, or no more than what explains a heel, or not told from nothing, or larger than it
+/// can be, by its fit and what it gains.
+void put_trace(const Trial& trial, FittedCandidate& tried) {
+  const auto at = last_coordinates(*tried.form, tried.fit.point);
+  tried.too_large = is_at_its_end(*tried.form, at);
+  tried.trace = tried.too_large || !is_finding(trial.ship, *tried.form, at) ||
+                !acts(trial, *tried.form, tried.fit, tried.gain) || !is_told(trial.ship, *tried.form, tried.fit);
 }
 
 /// Whether an effect need not be fitted, for both what stands in its place and what is predicted of it are ordinary.
@@ -187,8 +189,8 @@ FittedCandidate with_likely_spread(const Trial& trial, const Hypothesis& accepte
   if (!std::isfinite(found.log_evidence)) return tried;
   tried.form = &forms.back();
   tried.effect = last_effect(forms.back(), found.point);
-  tried.trace = is_trace(trial, forms.back(), found, tried.gain);
   tried.fit = std::move(found);
+  put_trace(trial, tried);
   return tried;
 }
 
@@ -260,8 +262,9 @@ std::vector<FittedCandidate> confirmed(const Search& s, const Hypothesis& accept
       gain += pruned(form, found).gain + likely_spread(problem_of(trial, hypothesis), form, found).gain;
       if (is_unknown(form) && !is_drag(form)) gain -= worth_of_a_name;
       if (form.id == WaveDrift<>::id) gain -= worth_of_waves;
-      fits[i] = FittedCandidate{&form, found, gain, last_effect(form, found.point), is_trace(trial, form, found, gain)};
+      fits[i] = FittedCandidate{&form, found, gain, last_effect(form, found.point)};
       fits[i]->sizes = likely.sizes;
+      put_trace(trial, *fits[i]);
     } catch (const std::exception&) {}
   });
   std::vector<FittedCandidate> result;
@@ -293,9 +296,9 @@ FittedCandidate reduced(const Trial& trial, const Hypothesis& accepted, FittedCa
     }
     tried.form = &forms.back();
     tried.effect = last_effect(forms.back(), found.point);
-    tried.trace = is_trace(trial, forms.back(), found, tried.gain);
     tried.widening = std::move(widening);
     tried.fit = std::move(found);
+    put_trace(trial, tried);
   }
 }
 

@@ -145,15 +145,27 @@ std::vector<Candidate> ranked(std::span<const FittedCandidate> tried, std::span<
   std::vector<Candidate> result;
   const auto add = [&](Candidate one) {
     const auto same = std::ranges::find(result, one.effect, &Candidate::effect);
-    if (same != result.end()) same->probability += one.probability, same->trace = same->trace && one.trace;
-    else result.push_back(std::move(one));
+    if (same == result.end()) return result.push_back(std::move(one));
+    same->probability += one.probability;
+    same->trace = same->trace && one.trace;
+    same->too_large = same->too_large && one.too_large;
   };
   for (const auto& t : tried) {
-    const bool trace = t.trace && !stands_for_unseen(t);
-    add({t.form->id, trace ? 0.0 : ranking.probability(t), t.gain, t.held_out, {}, trace, t.refuted, t.as_form});
+    const bool may_be = !t.trace || stands_for_unseen(t);
+    add({.effect = t.form->id,
+         .probability = may_be ? ranking.probability(t) : 0.0,
+         .log_evidence_gain = t.gain,
+         .holdout_log_likelihood_gain = t.held_out,
+         .trace = !may_be && !t.too_large,
+         .too_large = t.too_large,
+         .refuted = t.refuted,
+         .as_form = t.as_form});
   }
   for (const auto& u : unfitted)
-    add({u.form->id, ranking.probability(u), u.predicted_gain, {}, {}, !u.may_matter, false});
+    add({.effect = u.form->id,
+         .probability = ranking.probability(u),
+         .log_evidence_gain = u.predicted_gain,
+         .trace = !u.may_matter});
   return result;
 }
 
@@ -183,7 +195,7 @@ std::optional<FittedCandidate> chosen(HeldOutRuns& held_out, Search& s, std::spa
       auto whole = t.trace ? t : reduced(trial, s.hypothesis(), t, s.reduced);
       ask(held_out, trial, s, whole, needed);
       t.held_out = whole.held_out, t.as_elsewhere = whole.as_elsewhere, t.refuted = whole.refuted;
-      t.trace = whole.trace;
+      t.trace = whole.trace, t.too_large = whole.too_large;
       if (whole.refuted || !(whole_gain(whole) > needed) || (whole.trace && !trace_may)) continue;
       if (!held_out.is_empty() && !whole.trace) least = std::max(least, may_lead * t.gain);
       if (!whole.trace) {

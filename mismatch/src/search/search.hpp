@@ -23,7 +23,8 @@ struct FittedCandidate {
   MapFit fit;
   double gain;  ///< in log evidence, the terms that it does better without left out; less where it has no name
   Effect effect;
-  bool trace;                            ///< too small to matter, not told from nothing, or larger than it can be
+  bool trace = false;                    ///< too small to matter, not told from nothing, or larger than it can be
+  bool too_large = false;                ///< larger than it can be
   std::optional<double> held_out{};      ///< gain in log likelihood of held-out runs, where they were asked
   std::optional<double> as_elsewhere{};  ///< the gain in log evidence with the likelihood that those gain, or each run
                                          ///< by a fit to the others, for as many rows; beside an inexact form alone

@@ -65,11 +65,12 @@ struct Candidate {
   std::string effect;
   double probability;
   double log_evidence_gain;
-  std::optional<double> holdout_log_likelihood_gain;  ///< of the held-out runs, where they were asked
-  std::optional<double> holdout_gain;  ///< fall of the replay errors of held-out runs over the refitted baseline
-  bool trace;                          ///< too small to matter, or not told from nothing
-  bool refuted;                        ///< by runs that were not used
-  bool as_form = false;                ///< an error in the form of her forces explains the runs as well
+  std::optional<double> holdout_log_likelihood_gain{};  ///< of the held-out runs, where they were asked
+  std::optional<double> holdout_gain{};  ///< fall of the replay errors of held-out runs over the refitted baseline
+  bool trace = false;                    ///< too small to matter, or not told from nothing
+  bool too_large = false;                ///< larger than it can be: something else acts like it
+  bool refuted = false;                  ///< by runs that were not used
+  bool as_form = false;                  ///< an error in the form of her forces explains the runs as well
 };
 
 /// Where force is missing in a run.
@@ -154,13 +155,14 @@ struct Diagnosis {
   DiagnosisVerdict verdict{};
   std::string words{};  ///< one sentence
   std::vector<MismatchPlace> location{};
-  std::string symmetry{};               ///< what the missing force goes with besides the motion, in words
-  std::vector<LinearView> linear{};     ///< zigzags and the refitted ship, by K, T and the drift–yaw loop
-  std::vector<FoundEffect> effects{};   ///< most important first
-  std::vector<std::string> traces{};    ///< effects too small to matter, in words; the improved ship has them
-  std::vector<std::string> as_form{};   ///< effects that an error in the form of her forces explains as well; likewise
-  std::vector<Candidate> candidates{};  ///< best first
-  std::vector<BaselineShift> shifts{};  ///< largest first
+  std::string symmetry{};                ///< what the missing force goes with besides the motion, in words
+  std::vector<LinearView> linear{};      ///< zigzags and the refitted ship, by K, T and the drift–yaw loop
+  std::vector<FoundEffect> effects{};    ///< most important first
+  std::vector<std::string> traces{};     ///< effects too small to matter, in words; the improved ship has them
+  std::vector<std::string> as_form{};    ///< effects that an error in the form of her forces explains as well; likewise
+  std::vector<std::string> too_large{};  ///< effects that something acts like, larger than they can be; she has none
+  std::vector<Candidate> candidates{};   ///< best first
+  std::vector<BaselineShift> shifts{};   ///< largest first
   /// Where numbers of the rudder are among the shifts: its moment at 10 deg straight ahead over that as given.
   std::optional<double> rudder_force{};
   std::vector<RunErrors> train{}, holdout{};
