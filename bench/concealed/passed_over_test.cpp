@@ -71,6 +71,21 @@ TEST_CASE("a force of one number is told before a trace of several that follows 
   check_found(c, d, "relative_drop", 0.05);
 }
 
+// Counted from her file, of which reference runs say otherwise, they were a trace, and a cross-flow drag stood in their
+// place; counted from what reference runs tell they gain more than that in the runs used and in those held out.
+TEST_CASE("other cubic terms of the hull are told from those of reference runs", "[bench][on_board]") {
+  const auto c =
+      with_hidden("twin_screw", FileForm::mmg, "hull_nonlinear_damping", Severity::moderate, 0x1407c4634fd93a31ull);
+  REQUIRE(!c.reference.empty());
+  const auto d = diagnosed(c);
+  INFO(d.words);
+  const auto& found = checked_first(d, DiagnosisVerdict::missing_physics, "hull_nonlinear_damping");
+  CHECK(found.probability > 0.8);
+  const auto drag = std::ranges::find(d.candidates, "cross_flow_drag", &Candidate::effect);
+  REQUIRE(drag != d.candidates.end());
+  CHECK(drag->log_evidence_gain < d.candidates.front().log_evidence_gain);
+}
+
 // Her roll, which the reference runs hold, gains 79 with runs held out as a trace and takes up a part of the weak
 // rudder, which gains 32.
 TEST_CASE("a weak rudder is found before a roll that reference runs hold", "[bench][on_board]") {

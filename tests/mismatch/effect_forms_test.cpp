@@ -5,9 +5,12 @@
 #include <random>
 #include <set>
 
+#include "diagnosis/estimates.hpp"
 #include "files.hpp"
 #include "search/ranking.hpp"
+#include "search/significance.hpp"
 #include "swayaw/core/angle.hpp"
+#include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/nonlinear/linearization.hpp"
 #include "swayaw/nonlinear/models/force_breakdown.hpp"
 #include "swayaw/nonlinear/ship_file.hpp"
@@ -203,6 +206,85 @@ TEST_CASE("straight ahead at service speed the form of her forces is 5e-5 along,
                  WithinAbs(coordinate.name == "X_uu" ? 5e-5 : 0.0, 1e-12));
     }
   }
+}
+
+/// A point of the baseline of a ship whose coefficients are all off from her file, and no runs.
+struct Moved {
+  Trial trial;
+  Point point;
+
+  Moved(const Ship& ship, std::mt19937_64& engine) : trial(trial_of(ship, {}, recorded_channels)), point(trial.mean) {
+    std::normal_distribution<double> normal;
+    for (double& c : point) c += 2.0 * normal(engine);
+  }
+};
+
+bool is_coefficient(const Parameter& p) { return p.role == Role::coefficient; }
+
+bool have_other_values(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
+  return !std::ranges::equal(a, b, {}, &Parameter::value, &Parameter::value);
+}
+
+TEST_CASE("other values at zero coordinates change nothing of a ship whose coefficients are off from her file",
+          "[mismatch][limit]") {
+  std::mt19937_64 engine(9);
+  std::set<std::string> seen;
+  for (const auto& ship : ships()) {
+    const Moved her(ship, engine);
+    const auto own = bare_ship_at(her.trial, her.point);
+    for (const auto& form : effect_forms(ship, recorded_channels, 300.0)) {
+      const std::vector<double> zero(form.coordinates.size(), 0.0);
+      const auto in_file = form.at(zero), beside = effect_beside(her.trial, in_file, own);
+      if (!have_other_values(parameters_of(ship, in_file), parameters_of(ship, beside))) continue;
+      INFO(ship.name << " " << form.id);
+      seen.insert(form.id);
+      const auto with_it = ship_at(her.trial, {&form}, with_start(her.point, zero));
+      const auto is = parameters_of(with_effects_applied(with_it)), was = parameters_of(own);
+      for (std::size_t i = 0; i < was.size(); ++i)
+        if (is_coefficient(was[i])) {
+          INFO(was[i].name);
+          CHECK_THAT(is[i].value, WithinRel(was[i].value, 1e-12) || WithinAbs(0.0, 1e-300));
+        }
+    }
+  }
+  CHECK_FALSE(seen.contains("hull_linear_derivatives"));  // they count from the file
+  CHECK(seen.contains("hull_nonlinear_damping"));
+  CHECK(seen.contains("flow_straightening"));
+  CHECK(seen.contains("wake_change"));
+}
+
+// The runs tell the sum of what the ship's own coefficient is and what the effect adds.
+TEST_CASE("another value is known as well as the ship's own and the shift together", "[mismatch][second-route]") {
+  std::mt19937_64 engine(10);
+  int tried = 0;
+  for (const auto& ship : ships()) {
+    const Moved her(ship, engine);
+    const auto forms = effect_forms(ship, recorded_channels, 300.0);
+    const auto all = std::ranges::find(forms, HullNonlinearDamping<>::id, &EffectForm::id);
+    if (all == forms.end()) continue;
+    const auto form = all->with_terms(std::array<std::size_t, 1>{0});
+    const auto key = form.coordinates.front().name;
+    const auto own = std::ranges::find_if(her.trial.parameters, [&](const Parameter& p) { return p.key == key; });
+    if (own == her.trial.parameters.end()) continue;  // her file is sure of it
+    ++tried;
+    INFO(ship.name << " " << key);
+    const auto size = std::ssize(her.point);
+    const double shift = parameter_slopes(ship, form, Point::Zero(1)).cwiseAbs().maxCoeff(), told = 0.5 * shift;
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(size + 1);
+    sum[own - her.trial.parameters.begin()] = own->deviation, sum[size] = shift;
+    Eigen::MatrixXd precision = Eigen::MatrixXd::Identity(size + 1, size + 1);
+    precision += sum * sum.transpose() / (told * told);
+    MapFit found{.point = with_start(her.point, std::vector{0.3}), .log_evidence = 0.0, .noise = {}};
+    found.covariance = core::detail::inverse(precision);
+    const auto estimate = estimates(her.trial, form, {}, found, size, part_map(form, 0)).front();
+    const auto acting = parameters_of(with_effects_applied(ship_at(her.trial, {&form}, found.point)));
+    const auto acts = std::ranges::find_if(acting, [&](const Parameter& p) { return p.key == key; });
+    CHECK_THAT(estimate.value, WithinRel(acts->value, 1e-9));
+    const double before = std::pow(own->deviation, 2) + shift * shift, law = 0.2 * 0.3 * shift,
+                 after = 1.0 / (1.0 / before + 1.0 / (evidence_excess * told * told));
+    CHECK_THAT(estimate.standard_error, WithinRel(std::sqrt(after + law * law), 1e-6));
+  }
+  CHECK(tried >= 2);
 }
 
 TEST_CASE("effects that her form explains as well share the odds of one", "[mismatch][law]") {

@@ -193,6 +193,7 @@ bool is_trace(const Trial& trial, const Search& s, std::size_t i, std::span<cons
       widening.asDiagonal() * s.now.covariance.block(from, from, size, size) * widening.asDiagonal();
   const MapFit beside_all{.point = s.now.point.segment(from, size), .covariance = covariance};
   return accepted.trace || !is_told(trial.ship, *accepted.form, beside_all) ||
+         !is_told_from_file(trial, *accepted.form, s.now, from) ||
          is_as_ordinary(trial, *accepted.form, s.now.point, from) || changes_little(trial, s, i, runs, holdout);
 }
 

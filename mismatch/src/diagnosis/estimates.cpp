@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "../search/significance.hpp"
+#include "../trial/other_values.hpp"
 #include "advice.hpp"
 #include "swayaw/core/angle.hpp"
 #include "words.hpp"
@@ -139,11 +140,12 @@ std::vector<ParameterEstimate> estimates(const Trial& trial, const EffectForm& f
                                          const Eigen::MatrixXd& part) {
   const auto size = std::ssize(form.coordinates);
   const Point c = part * found.point.segment(from, size);
-  const auto parameters = parameters_of(trial.ship, form.at({c.data(), static_cast<std::size_t>(c.size())}));
+  const auto effect = form.at({c.data(), static_cast<std::size_t>(c.size())});
+  const auto parameters = parameters_of(trial.ship, effect);
   Eigen::MatrixXd slopes = parameter_slopes(trial.ship, form, c) * part;
   if (!widening.empty()) slopes *= Eigen::Map<const Eigen::VectorXd>(widening.data(), size).asDiagonal();
-  const Eigen::MatrixXd covariance =
-      slopes * widened(form, found.covariance.block(from, from, size, size)) * slopes.transpose();
+  const auto own = own_values(trial, effect, found.point);
+  const Eigen::MatrixXd covariance = covariance_with_own(trial, form, found, from, slopes, own);
   const double ordinary = ordinary_size(trial, form);
   const auto size_of_it = std::ranges::find_if(parameters, [](const Parameter& p) { return p.decides; });
   std::vector<ParameterEstimate> result;
@@ -153,7 +155,8 @@ std::vector<ParameterEstimate> estimates(const Trial& trial, const EffectForm& f
     const double in_it = &parameters[i] == &*size_of_it ? ordinary
                          : parameters[i].direction      ? ordinary / std::max(ordinary, std::abs(size_of_it->value))
                                                         : 0.0;
-    const double value = parameters[i].direction ? from_north(parameters[i].value) : parameters[i].value;
+    const double value =
+        parameters[i].direction ? from_north(parameters[i].value) : parameters[i].value + own.off[place];
     const bool from_null = parameters[i].decides && std::isfinite(parameters[i].null);
     const double departure = parameters[i].direction ? 1.0
                              : from_null             ? std::abs(parameters[i].value - parameters[i].null)
@@ -167,7 +170,8 @@ std::vector<ParameterEstimate> estimates(const Trial& trial, const EffectForm& f
 
 FoundEffect found_effect(const Trial& trial, const Accepted& accepted, const MapFit& now, Eigen::Index from) {
   const auto& form = *accepted.form;
-  FoundEffect found{.effect = form.at(mean_of_parts(form, {now.point.data() + from, form.coordinates.size()})),
+  const auto mean = mean_of_parts(form, {now.point.data() + from, form.coordinates.size()});
+  FoundEffect found{.effect = effect_beside(trial, form.at(mean), bare_ship_at(trial, now.point)),
                     .scope = form.scope,
                     .probability = accepted.probability,
                     .onset = {},

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include "../trial/other_values.hpp"
 #include "ranking.hpp"
 #include "significance.hpp"
 #include "swayaw/core/angle.hpp"
@@ -61,8 +62,8 @@ std::span<const double> last_coordinates(const EffectForm& last, const Point& po
 }
 
 /// In the mean of all runs.
-Effect last_effect(const EffectForm& last, const Point& point) {
-  return last.at(mean_of_parts(last, last_coordinates(last, point)));
+Effect last_effect(const Trial& trial, const EffectForm& last, const Point& point) {
+  return effect_beside(trial, last.at(mean_of_parts(last, last_coordinates(last, point))), bare_ship_at(trial, point));
 }
 
 const MapFit& likelier(const MapFit& a, const MapFit& b) { return b.log_evidence > a.log_evidence ? b : a; }
@@ -165,7 +166,8 @@ void put_trace(const Trial& trial, FittedCandidate& tried) {
   const auto at = last_coordinates(*tried.form, tried.fit.point);
   tried.too_large = is_at_its_end(*tried.form, at);
   tried.trace = tried.too_large || !is_finding(trial.ship, *tried.form, at) ||
-                !acts(trial, *tried.form, tried.fit, tried.gain) || !is_told(trial.ship, *tried.form, tried.fit);
+                !acts(trial, *tried.form, tried.fit, tried.gain) || !is_told(trial.ship, *tried.form, tried.fit) ||
+                !is_told_from_file(trial, *tried.form, tried.fit, tried.fit.point.size() - std::ssize(at));
 }
 
 /// Whether an effect need not be fitted, for both what stands in its place and what is predicted of it are ordinary.
@@ -188,7 +190,7 @@ FittedCandidate with_likely_spread(const Trial& trial, const Hypothesis& accepte
   auto found = fit(trial, with(accepted, forms.back()), tried.fit.point, tried.fit.noise, {.rounds = 3});
   if (!std::isfinite(found.log_evidence)) return tried;
   tried.form = &forms.back();
-  tried.effect = last_effect(forms.back(), found.point);
+  tried.effect = last_effect(trial, forms.back(), found.point);
   tried.fit = std::move(found);
   put_trace(trial, tried);
   return tried;
@@ -262,7 +264,7 @@ std::vector<FittedCandidate> confirmed(const Search& s, const Hypothesis& accept
       gain += pruned(form, found).gain + likely_spread(problem_of(trial, hypothesis), form, found).gain;
       if (is_unknown(form) && !is_drag(form)) gain -= worth_of_a_name;
       if (form.id == WaveDrift<>::id) gain -= worth_of_waves;
-      fits[i] = FittedCandidate{&form, found, gain, last_effect(form, found.point)};
+      fits[i] = FittedCandidate{&form, found, gain, last_effect(trial, form, found.point)};
       fits[i]->sizes = likely.sizes;
       put_trace(trial, *fits[i]);
     } catch (const std::exception&) {}
@@ -295,7 +297,7 @@ FittedCandidate reduced(const Trial& trial, const Hypothesis& accepted, FittedCa
                          std::max(1.0, std::sqrt(tried.fit.covariance(before, before) / found.covariance(now, now))));
     }
     tried.form = &forms.back();
-    tried.effect = last_effect(forms.back(), found.point);
+    tried.effect = last_effect(trial, forms.back(), found.point);
     tried.widening = std::move(widening);
     tried.fit = std::move(found);
     put_trace(trial, tried);

@@ -251,13 +251,18 @@ void begin_where_told(Search& s, double needed) {
   if (s.accepted.empty()) begin_at_the_given_ship(s.forms, s, needed);
 }
 
-std::vector<Screened> most_promising(const std::vector<Screened>& candidates, std::size_t most, double least) {
+std::vector<Screened> most_promising(const std::vector<Screened>& candidates, std::size_t most, double least,
+                                     std::span<const FittedCandidate> before, double needed) {
+  const auto gained = [&](const EffectForm* form) {
+    return std::ranges::any_of(
+        before, [&](const FittedCandidate& t) { return t.form == form && t.gain > needed && !t.refuted; });
+  };
   std::vector<Screened> chosen;
   for (const auto& c : candidates) {
     const auto same = std::ranges::count_if(chosen, [&](const Screened& s) { return s.form->id == c.form->id; });
     const bool is_promising = chosen.size() < most && same < std::ptrdiff_t{most_of_one_kind};
-    if ((is_promising && c.predicted_gain.gain > least) || !c.form->window.empty() || !c.form->told.empty())
-      chosen.push_back(c);
+    const bool is_to_be_fitted = !c.form->window.empty() || !c.form->told.empty() || gained(c.form);
+    if ((is_promising && c.predicted_gain.gain > least) || is_to_be_fitted) chosen.push_back(c);
   }
   return chosen;
 }

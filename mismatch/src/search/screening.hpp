@@ -48,9 +48,13 @@ inline constexpr double least_of_one_more = 1.0;
 
 /// The most promising, of one effect not more than two: a delay comes in as many forms as there are channels. What
 /// comes and goes is among them wherever most runs lack force at the same time: under the process noise that this makes
-/// necessary it predicts too little. So is what the track tells.
-/// @param least  gain in log evidence that must be predicted
-std::vector<Screened> most_promising(const std::vector<Screened>& candidates, std::size_t most, double least);
+/// necessary it predicts too little. So is what the track tells, and what gained enough when it was fitted last, for a
+/// prediction beside a wider prior says less than that: a stall that gained 56 and then 98 had not been fitted again.
+/// @param least   gain in log evidence that must be predicted
+/// @param before  those that were fitted last beside the same effects
+/// @param needed  gain in log evidence that was enough for these
+std::vector<Screened> most_promising(const std::vector<Screened>& candidates, std::size_t most, double least,
+                                     std::span<const FittedCandidate> before, double needed);
 
 /// Those of the candidates that are not among the chosen.
 std::vector<UnfittedCandidate> all_but(const std::vector<Screened>& chosen, const std::vector<Screened>& candidates,

@@ -204,7 +204,10 @@ bool find_another(const Trial& unused, Search& s, const DiagnosisOptions& option
   if (!s.accepted.empty() && s.now.noise.largest_scale() <= quiet_scale)
     std::erase_if(promising, [](const Screened& c) { return c.predicted_gain.gain < 0.0; });
   const bool one_more = s.on_board && !s.accepted.empty();
-  const auto candidates = most_promising(promising, options.confirmed, one_more ? least_of_one_more : -HUGE_VAL);
+  const auto fitted =
+      s.accepted.empty() ? std::span<const FittedCandidate>(s.first) : std::span<const FittedCandidate>();
+  const auto candidates =
+      most_promising(promising, options.confirmed, one_more ? least_of_one_more : -HUGE_VAL, fitted, needed);
   const auto unfitted = all_but(candidates, promising, s);
   auto tried = confirmed(s, before, linear, candidates);
   auto held_out = held_out_runs(unused, s);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../trial/other_values.hpp"
 #include "ranking.hpp"
 #include "swayaw/core/detail/matrices.hpp"
 
@@ -38,19 +39,63 @@ Eigen::VectorXd precision_of(const EffectForm& form) {
   return deviation.array().square().inverse();
 }
 
-Eigen::MatrixXd widened_precision(const EffectForm& form, const Eigen::MatrixXd& covariance) {
-  const Eigen::MatrixXd prior = precision_of(form).asDiagonal();
+namespace {
+
+Eigen::MatrixXd widened_precision(const Eigen::MatrixXd& prior, const Eigen::MatrixXd& covariance) {
   return prior + (inverse(covariance) - prior) / evidence_excess;
+}
+
+}  // namespace
+
+Eigen::MatrixXd widened_precision(const EffectForm& form, const Eigen::MatrixXd& covariance) {
+  return widened_precision(Eigen::MatrixXd(precision_of(form).asDiagonal()), covariance);
 }
 
 Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covariance) {
   return inverse(widened_precision(form, covariance));
 }
 
+Eigen::MatrixXd widened(const Eigen::MatrixXd& prior, const Eigen::MatrixXd& covariance) {
+  return inverse(widened_precision(prior, covariance));
+}
+
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found) {
   for (std::size_t part = 0; part < std::max<std::size_t>(1, form.parts.size()); ++part)
     if (is_told_in(ship, form, found, part_map(form, part))) return true;
   return false;
+}
+
+Eigen::MatrixXd covariance_with_own(const Trial& trial, const EffectForm& form, const MapFit& found, Eigen::Index from,
+                                    const Eigen::MatrixXd& slopes, const OwnValues& own) {
+  const auto size = std::ssize(form.coordinates), moved = std::ssize(own.moved);
+  auto places = own.moved;
+  for (Eigen::Index i = 0; i < size; ++i) places.push_back(from + i);
+  Eigen::MatrixXd prior = Eigen::MatrixXd::Zero(moved + size, moved + size);
+  if (moved > 0) prior.topLeftCorner(moved, moved) = inverse(inverse(trial.precision)(own.moved, own.moved));
+  prior.bottomRightCorner(size, size) = precision_of(form).asDiagonal();
+  Eigen::MatrixXd all(slopes.rows(), moved + size);
+  all << own.slopes, slopes;
+  return all * widened(prior, found.covariance(places, places)) * all.transpose();
+}
+
+bool is_told_from_file(const Trial& trial, const EffectForm& form, const MapFit& found, Eigen::Index from) {
+  const Eigen::MatrixXd mean = mean_part_map(form);
+  const Point c = mean * found.point.segment(from, std::ssize(form.coordinates));
+  const auto effect = form.at({c.data(), static_cast<std::size_t>(c.size())});
+  if (!counts_from_own(effect)) return true;
+  const auto parameters = parameters_of(trial.ship, effect);
+  const auto own = own_values(trial, effect, found.point);
+  std::vector<Eigen::Index> deciding;
+  Eigen::VectorXd departures = own.off;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto place = static_cast<Eigen::Index>(i);
+    departures[place] += parameters[i].value - parameters[i].null;
+    if (parameters[i].decides) deciding.push_back(place);
+  }
+  const Eigen::MatrixXd slopes = parameter_slopes(trial.ship, form, c) * mean,
+                        C = covariance_with_own(trial, form, found, from, slopes, own)(deciding, deciding);
+  const Eigen::VectorXd z = departures(deciding);
+  return !(z.dot(least_norm(C, z)) < told_from_nothing);
 }
 
 bool is_as_ordinary(const Trial& trial, const EffectForm& form, const Point& point, Eigen::Index first) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "../trial/other_values.hpp"
 #include "search.hpp"
 
 /// How well the runs tell an effect that was fitted. Not installed.
@@ -19,9 +20,24 @@ Eigen::MatrixXd widened_precision(const EffectForm& form, const Eigen::MatrixXd&
 /// with the prior's precision Λ.
 Eigen::MatrixXd widened(const EffectForm& form, const Eigen::MatrixXd& covariance);
 
+/// The same by the prior's precision.
+Eigen::MatrixXd widened(const Eigen::MatrixXd& prior, const Eigen::MatrixXd& covariance);
+
 /// Whether the parameters that decide are told from those of no effect, zᵀC⁻¹z > 4 with their covariance C: a gust that
 /// kicked her for an instant may gain much, and yet be of any size. The effect is the last of the fit.
 bool is_told(const Ship& ship, const EffectForm& form, const MapFit& found);
+
+/// Covariance of the parameters of an effect, other values with the ship's own, from which they count: the data tell
+/// both together. Its coordinates begin at `from`.
+/// @param slopes  d(parameters)/d(coordinates), the ship's own as they are
+Eigen::MatrixXd covariance_with_own(const Trial& trial, const EffectForm& form, const MapFit& found, Eigen::Index from,
+                                    const Eigen::MatrixXd& slopes, const OwnValues& own);
+
+/// Whether other values that count from the ship's own are told from those of her file, too: where reference runs moved
+/// coefficients and other runs move them back, it is the reference runs that are not like the ship. Of ships as on
+/// board with reference runs (seeds 52 to 54) added mass (a gain of 129) and cubic terms (49 and 25) came back to the
+/// file in two in which they were not hidden, cubic terms (139) in one in which they were. True of all other effects.
+bool is_told_from_file(const Trial& trial, const EffectForm& form, const MapFit& found, Eigen::Index from);
 
 /// Whether an effect in the place of an ordinary error of an instrument, a rudder or a day is no larger than such
 /// errors are. Its coordinates begin at `first`.

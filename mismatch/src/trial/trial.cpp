@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "other_values.hpp"
 #include "swayaw/core/detail/matrices.hpp"
 #include "swayaw/core/detail/recording_rows.hpp"
 #include "swayaw/core/refusal.hpp"
@@ -417,8 +418,7 @@ void weaken_with_rudder(std::vector<Effect>& effects) {
 
 }  // namespace
 
-Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const Recording* run,
-               const WantedEffect& wanted) {
+Ship bare_ship_at(const Trial& trial, const Point& point) {
   std::vector<double> values;
   for (std::size_t i = 0; i < trial.parameters.size(); ++i)
     values.push_back(value_at(trial.parameters[i], point[static_cast<Eigen::Index>(i)]));
@@ -427,6 +427,12 @@ Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& po
   Ship ship = with_values(trial.ship, std::span(trial.parameters).first(of_model), std::span(values).first(of_model));
   for (std::size_t i = of_model; i < values.size(); ++i)
     ship.surroundings.windage.*loads_of_wind[trial.parameters[i].index].goes_with *= values[i];
+  return ship;
+}
+
+Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const Recording* run,
+               const WantedEffect& wanted) {
+  Ship ship = bare_ship_at(trial, point);
   const auto add = [&](Effect effect, bool ordinary) {
     if (wanted(effect, ordinary)) ship.effects.push_back(std::move(effect));
   };
@@ -434,7 +440,8 @@ Ship ship_with(const Trial& trial, const Hypothesis& hypothesis, const Point& po
   Eigen::Index next = trial.baseline_size();
   for (const auto* form : hypothesis) {
     const std::span c{point.data() + next, form->coordinates.size()};
-    add(run ? form->at(form->in_part(c, form->part_of(*run))) : form->at(mean_of_parts(*form, c)), false);
+    const auto there = run ? form->in_part(c, form->part_of(*run)) : mean_of_parts(*form, c);
+    add(effect_beside(trial, form->at(there), ship), false);
     next += std::ssize(c);
   }
   weaken_with_rudder(ship.effects);

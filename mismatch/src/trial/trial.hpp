@@ -131,6 +131,9 @@ EstimationProblem problem_of(const Trial& trial, const Hypothesis& hypothesis);
 /// The same of a ship in which nothing is unknown, for likelihoods of her.
 EstimationProblem problem_of(const Trial& trial, const Ship& ship);
 
+/// The ship with the coefficients of a point, without what is ordinary and without the effects of a hypothesis.
+Ship bare_ship_at(const Trial& trial, const Point& point);
+
 /// @param run  that she sails; without one, effects that differ from run to run are as in the mean of all
 Ship ship_at(const Trial& trial, const Hypothesis& hypothesis, const Point& point, const Recording* run = nullptr);
 
