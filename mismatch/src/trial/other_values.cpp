@@ -40,9 +40,11 @@ Effect effect_beside(const Trial& trial, Effect effect, const Ship& bare) {
 }
 
 OwnValues own_values(const Trial& trial, const Effect& effect, const Point& point) {
-  const auto at = own_of(bare_ship_at(trial, point), effect);
-  OwnValues own{.off = difference(at, own_of(trial.ship, effect)), .moved = {}, .slopes = {at.size(), 0}};
+  const auto given = own_of(trial.ship, effect);
+  OwnValues own{.off = Eigen::VectorXd::Zero(given.size()), .moved = {}, .slopes = {given.size(), 0}};
   if (!counts_from_own(effect)) return own;
+  const auto at = own_of(bare_ship_at(trial, point), effect);
+  own.off = difference(at, given);
   for (Eigen::Index i = 0; i < std::ssize(trial.parameters); ++i) {
     constexpr double step = 0.01;  // deviations; values are linear in them
     Point other = point;
