@@ -265,11 +265,11 @@ void print_detectable(const std::vector<DetectableSize>& sizes, const UserUnits&
 }
 
 void print_candidates(const std::vector<Candidate>& candidates) {
-  say("\ncandidates{:>28}{:>13}\n", "gain", "probability");
+  say("\ncandidates{:>26}{:>13}\n", "gain", "probability");
   constexpr double least = 5e-4;  // probability, that rounds to more than nothing
   for (const auto& c : candidates) {
     if (!(c.log_evidence_gain > 0.0 || c.probability >= least)) continue;
-    say("  {:<26}{:>10.1f}{:>13.3f}{}\n", c.effect, c.log_evidence_gain, c.probability,
+    say("  {:<24}{:>10.1f}{:>13.3f}{}\n", c.effect, c.log_evidence_gain, c.probability,
         c.as_form     ? "  may be the form of her forces"
         : c.too_large ? "  larger than it can be"
         : c.trace     ? "  too small, or not told"

@@ -57,6 +57,24 @@ TEST_CASE("the polynomial of a hull lacks no cross-flow drag, and the smallest t
   CHECK(id_of(d.effects.front().effect) == hidden.front().effect);
 }
 
+// Another lever of the rudder, l_R, had been told with one number in place of the two that grew by one factor.
+TEST_CASE("a flow straightening that is larger on both sides is told as that", "[bench][limit]") {
+  const auto c = made(plan_named("all", 200, 2).at(29));
+  REQUIRE(c.labels.size() == 1);
+  REQUIRE(c.labels.front().effect == "flow_straightening");
+  const auto d = of_named_first(c);
+  INFO(d.words);
+  const auto& found = d.effects.front().parameters;
+  REQUIRE(found.size() == 2);
+  for (const auto& truth : c.labels.front().parameters) {
+    INFO(truth.key);
+    const auto told = std::ranges::find(found, truth.key, &ParameterEstimate::key);
+    REQUIRE(told != found.end());
+    CHECK(std::abs(told->value - truth.value) < 2.0 * told->standard_error);
+    CHECK(told->standard_error < 0.2 * truth.value);
+  }
+}
+
 // Of 300 cases of a seed that was looked at these were missed, and not for the physics: the sway that an error of the
 // compass feigns had taken the force away that resists it; a ship that cannot sail without her stream ended the search;
 // a wind was refuted by runs that gained by it; a heel that nobody recorded was to act more than it gained.

@@ -90,22 +90,64 @@ TEST_CASE("wherever a search moves between its bounds, numbers of an effect stay
   });
 }
 
-TEST_CASE("the part of an effect with some of its terms leaves the others at null", "[nonlinear][limit]") {
+/// Of a form at 0.5 along one coordinate: which parameters are not at null.
+template <class Form>
+std::vector<bool> moved_along(const Ship& ship, const Form& form, std::size_t k) {
+  std::vector<double> c(form.coordinates.size(), 0.0);
+  c[k] = std::min(0.5, form.coordinates[k].high);
+  std::vector<bool> moved;
+  for (const auto& p : parameters_of(ship, form.at(c))) moved.push_back(p.value != p.null);
+  return moved;
+}
+
+TEST_CASE("the part of an effect with one of its terms moves what that term moves, and leaves the others at null",
+          "[nonlinear][limit]") {
   int with_terms = 0;
-  for_each_form([&](const Ship& ship, const auto& form, const auto& parameters) {
+  for_each_form([&](const Ship& ship, const auto& form, const auto&) {
     if (!form.with_terms) return;
     ++with_terms;
-    const std::size_t last = form.coordinates.size() - 1;
-    const auto part = form.with_terms(std::array{last});
-    REQUIRE(part.coordinates.size() == 1);
-    CHECK(part.coordinates.front().name == form.coordinates[last].name);
-    const auto effect = part.at(std::array{std::min(0.5, part.coordinates.front().high)});
-    const auto now = parameters_of(ship, effect);
-    for (std::size_t i = 0; i < now.size(); ++i)
-      if (i != last) CHECK(now[i].value == parameters[i].null);
-      else CHECK(now[i].value != parameters[i].null);
+    for (std::size_t k = 0; k < form.coordinates.size(); ++k) {
+      const auto part = form.with_terms(std::array{k});
+      REQUIRE(part.coordinates.size() == 1);
+      CHECK(part.coordinates.front().name == form.coordinates[k].name);
+      CHECK(std::ranges::count(moved_along(ship, form, k), true) > 0);
+      CHECK(moved_along(ship, part, 0) == moved_along(ship, form, k));
+    }
   });
   CHECK(with_terms > 0);
+}
+
+TEST_CASE("two sides of a coefficient are searched by what both change alike and by what they differ by",
+          "[nonlinear][round-trip]") {
+  const auto ship = test::kvlcc2_l7();
+  const FlowStraightening<> none{};
+  const auto parameters = parameters_of(ship, none);
+  const auto form = form_of(none, context_of(ship, parameters));
+  REQUIRE(form.coordinates.size() == 3);
+  const auto deviations = [&](const std::array<double, 3>& c) {
+    const auto now = parameters_of(ship, form.at(c));
+    std::array<double, 3> off{};
+    for (std::size_t i = 0; i < 3; ++i) off[i] = (now[i].value - now[i].null) / now[i].deviation;
+    return off;
+  };
+  const auto both = deviations({1.2, 0.0, 0.0}), between = deviations({0.0, 0.6, 0.0}),
+             arm = deviations({0.0, 0.0, 0.7});
+  CHECK_THAT(both[0], WithinRel(1.2, 1e-12));
+  CHECK_THAT(both[1], WithinRel(1.2, 1e-12));
+  CHECK(both[2] == 0.0);
+  CHECK_THAT(between[0], WithinRel(0.3, 1e-12));
+  CHECK_THAT(between[1], WithinRel(-0.3, 1e-12));
+  CHECK(between[2] == 0.0);
+  CHECK((arm[0] == 0.0 && arm[1] == 0.0));
+  CHECK_THAT(arm[2], WithinRel(0.7, 1e-12));
+  // every pair of values is somewhere
+  const auto alone = deviations({0.45, 0.9, 0.0});
+  CHECK_THAT(alone[0], WithinRel(0.9, 1e-12));
+  CHECK(std::abs(alone[1]) < 1e-12);
+  // what has no other side, or none in this model, is a term by itself
+  CHECK(coefficient_of_side("gamma_R_positive") == "gamma_R");
+  CHECK(coefficient_of_side("l_R").empty());
+  CHECK(terms_of(std::span(parameters).first(1)).size() == 1);
 }
 
 TEST_CASE("what has a direction is searched by its north and east parts", "[nonlinear][round-trip]") {

@@ -226,25 +226,29 @@ bool grows(const EffectForm& form, std::span<const Parameter> parameters) {
          (form.coordinates.size() == 1 && std::isfinite(std::ranges::find_if(parameters, &Parameter::decides)->null));
 }
 
-/// How an effect grows: what blows or flows from where it shows least, terms of a group one by one.
-std::vector<Growth> growths_of(const EffectForm& form, std::span<const Parameter> parameters,
+/// How an effect grows: what blows or flows from where it shows least, terms of a group parameter by parameter.
+std::vector<Growth> growths_of(const Trial& trial, const EffectForm& form, std::span<const Parameter> parameters,
                                const Eigen::MatrixXd& D) {
   const auto number =
       static_cast<std::size_t>(std::ranges::find_if(parameters, &Parameter::decides) - parameters.begin());
+  const auto size = D.rows();
   std::vector<Growth> growths;
-  const auto along = [&](Eigen::Index axis, std::size_t parameter) {
-    growths.push_back({Eigen::VectorXd::Unit(D.rows(), axis), parameter});
-  };
   if (has_direction(parameters)) {
     const auto axes = core::detail::principal_axes(D.topLeftCorner<2, 2>());
     Eigen::Index least;
     axes.size.minCoeff(&least);
-    growths.push_back({Eigen::VectorXd::Zero(D.rows()), number});
+    growths.push_back({Eigen::VectorXd::Zero(size), number});
     growths.back().direction.head<2>() = axes.axis.col(least);
   } else if (form.with_terms) {
-    for (std::size_t i = 0; i < form.coordinates.size(); ++i) along(static_cast<Eigen::Index>(i), i);
+    // one side of a coefficient alone is a part of what both have and a part of what they differ by
+    Eigen::MatrixXd deviations = parameter_slopes(trial.ship, form, Eigen::VectorXd::Zero(size));
+    for (Eigen::Index i = 0; i < deviations.rows(); ++i)
+      deviations.row(i) /= parameters[static_cast<std::size_t>(i)].deviation;
+    for (Eigen::Index i = 0; i < deviations.rows(); ++i)
+      growths.push_back({core::detail::least_norm(deviations, Eigen::VectorXd::Unit(deviations.rows(), i)).normalized(),
+                         static_cast<std::size_t>(i)});
   } else {
-    along(0, number);
+    growths.push_back({Eigen::VectorXd::Unit(size, 0), number});
   }
   return growths;
 }
@@ -283,7 +287,7 @@ std::vector<DetectableSize> detectable_sizes(const Trial& trial, const Search& s
     try {
       const auto D =
           form.with_terms ? information(less_sure, less_sure_baseline, form) : information(trial, baseline, form);
-      for (const auto& growth : growths_of(form, parameters, D))
+      for (const auto& growth : growths_of(trial, form, parameters, D))
         if (auto size = size_along(trial, form, growth, D, detection)) sizes.push_back(*std::move(size));
     } catch (const std::exception&) {}  // she cannot sail with it
   }
